@@ -5,8 +5,8 @@ tenth of a second lies between the stages: the estimate of the error knows nothi
 has its special places where its argument is zero or turns: there ``sign`` jumps, ``max`` has a corner, ``exp(-((t - a)/w)^2)`` its
 peak.  The argument is a slow function of time also where the pulse is short, so that a grid finds them.
 
-Functions of the state have such places along a motion, once there is one (:mod:`nhc.simulate.passing`).  What turns more often
-than the grid can tell is left alone: there, no step is long.
+Functions of the state have such places along a motion, and the steps look for these by themselves (:mod:`nhc.program.leaps`), as
+for those of a function of time that turns more often than the grid can tell.  Of it the first are listed, for a body at rest.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from itertools import pairwise
-from math import inf, isfinite, nan
+from math import inf, isfinite, nan, sin, ulp
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate_into
@@ -24,15 +24,17 @@ from nhc.program.ir import Stop
 from nhc.records import record
 
 GRID = 1024
-_CORNERS = frozenset({"sign", "abs", "min", "max", "atan2"})
+CORNERS = frozenset({"sign", "abs", "min", "max", "atan2"})
 _PEAKS = frozenset({"exp", "sqrt", "powf", "log", POW})
-_STEPS = frozenset({"tanh", "atan"})
-_SPECIAL = _CORNERS | _PEAKS | _STEPS
+STEPS = frozenset({"tanh", "atan"})
+_SPECIAL = CORNERS | _PEAKS | STEPS
 _HALVINGS, _SECTIONS, _BISECTIONS = 50, 60, 100
 _CHANGES = 4  # of a sign between two places of the grid: by way of zero there are two, beyond them is rounding
 _AROUND = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)  # widths from a pulse's middle at which a step ends
 _POLE = 1e6  # of an argument's size on the grid: no function turns there
 _FAR = 3.0  # what exp's argument changes by where exp has a pulse
+_FIRST, _LISTED = 0.125, 256  # of the scene, and stops there, where there are too many
+_ULPS = 3  # at both sides of a corner, which the C may have elsewhere
 _ISOLATED = 8.0  # widths to the next pulse beyond which the time between them is quiet
 
 
@@ -52,21 +54,16 @@ def find_stops(system: System, p: Sequence[float], time: tuple[float, float]) ->
 
 def list_special(system: System, symbols: Sequence[Node]) -> list[Node]:
     """The functions in the spec's energies, forces and constraints that have special places and depend on one of the symbols."""
-    graph = system.graph
+    op, exponent = system.graph.op, system.graph.b
+    return [n for n in list_reached(system, symbols) if op[n] in _SPECIAL and (op[n] != POW or exponent[n] < 0)]
+
+
+def list_reached(system: System, symbols: Sequence[Node]) -> list[Node]:
+    """What depends on one of the symbols in the spec's energies, forces and constraints."""
     roots = [system.T, system.U, *system.Q]
     for form in (*system.constraints, *system.quasi):
         roots += [*form.coefficients, form.constant, *([form.equation] if form.equation is not None else [])]
-    op, exponent = graph.op, graph.b
-    return [
-        node
-        for node in reachable(graph, roots, graph.mask(symbols))
-        if op[node] in _SPECIAL and (op[node] != POW or exponent[node] < 0)
-    ]
-
-
-def is_corner(graph: Graph, node: Node) -> bool:
-    """Whether a special function has corners or jumps, and not peaks."""
-    return graph.op[node] in _CORNERS
+    return reachable(system.graph, roots, system.graph.mask(symbols))
 
 
 def join_stops(stops: Iterable[Stop]) -> tuple[Stop, ...]:
@@ -105,7 +102,10 @@ class Search:
     ) -> None:
         self.graph, self._place = graph, place
         self.low, self.high, self._grid = low, high, grid
-        self._times = [*(low + (high - low) * k / grid for k in range(grid)), high]
+        inner = (
+            low + (high - low) * (k + 0.25 * sin(2.4 * k)) / grid for k in range(1, grid)
+        )  # no period falls in with them
+        self._times = [low, *inner, high]
 
     def list_stops(self, node: Node) -> list[Stop]:
         """Where a step has to end for the sake of one special node, not of its operands."""
@@ -113,13 +113,23 @@ class Search:
         values = [argument(t) for t in self._times]
         if not _may_be_short(kind, values):
             return []
+        if _count_turns(values) > self._grid // 4:
+            return self._list_first(node)
         zeros, turns = self._special(argument, values)
-        if kind in _CORNERS:
-            found = [(place.before, place.after) for place in zeros]
+        if kind in CORNERS:
+            size = max(map(abs, filter(isfinite, values)))
+            found = [self._bracket(argument, place, size) for place in zeros]
         else:
-            places = (*zeros, *turns) if kind in _STEPS else turns
+            places = (*zeros, *turns) if kind in STEPS else turns
             found = self._around([place.middle for place in places], self._function(node))
         return [stop for stop in found if self.low < stop[0] and stop[1] < self.high]
+
+    def _list_first(self, node: Node) -> list[Stop]:
+        """Of what turns too often for the grid, the first stops: they tell the sizes that it gives a state at rest."""
+        end = self.low + _FIRST * (self.high - self.low)
+        if not self.low + 1e-9 * max(abs(self.low), abs(self.high)) < end:
+            return []
+        return Search(self.graph, self._place, self.low, end, self._grid).list_stops(node)[:_LISTED]
 
     # --- functions of time ----------------------------------------------------------------------------------
 
@@ -147,7 +157,7 @@ class Search:
     # --- special places ---------------------------------------------------------------------------------------
 
     def _special(self, f: Callable[[float], float], values: Sequence[float]) -> tuple[list[_Place], list[_Place]]:
-        """Where f changes its sign, and where it turns; nothing where there is too much of it."""
+        """Where f changes its sign, and where it turns."""
         times = self._times
         size = max((abs(v) for v in values if isfinite(v)), default=0.0)
         turns, marks = list[_Place](), [(times[0], values[0])]
@@ -164,7 +174,7 @@ class Search:
         zeros = list[_Place]()
         for (a, u), (b, v) in pairwise(marks):
             zeros += self._change(f, a, b, _sign(u), _sign(v))
-        return (zeros, turns) if len(zeros) + len(turns) <= self._grid // 4 else ([], [])
+        return zeros, turns
 
     def _turn(self, f: Callable[[float], float], a: float, b: float, sign: float) -> float:
         """Where sign*f is least between a and b, by golden sections."""
@@ -199,6 +209,14 @@ class Search:
             found.append(_Place(low, high))
             a, before = high, sign
         return found
+
+    def _bracket(self, f: Callable[[float], float], place: _Place, size: float) -> Stop:
+        """Around a zero of f, by what its rounding may be where a sine or a product is rounded otherwise."""
+        rounding, step = max(abs(f(place.before)), abs(f(place.after))), 1e-9 * (self.high - self.low)
+        slope = abs(f(place.after + step) - f(place.before - step)) / (2.0 * step)
+        wide = _ULPS * rounding / slope if 0.0 < rounding < 1e-12 * size and slope > 0.0 else 0.0
+        before, after = (max(wide, _ULPS * ulp(t)) for t in (place.before, place.after))
+        return place.before - before, place.after + after
 
     # --- pulses -----------------------------------------------------------------------------------------------
 
@@ -238,11 +256,18 @@ class Search:
 def _may_be_short(kind: str, values: Sequence[float]) -> bool:
     """Whether a function of an argument with these values may have pulses that are short beside the time between them."""
     finite = [v for v in values if isfinite(v)]
-    if kind in _CORNERS or not finite:
+    if kind in CORNERS or not finite:
         return bool(finite)
-    if kind == "exp" or kind in _STEPS:
+    if kind == "exp" or kind in STEPS:
         return max(finite) - min(finite) > _FAR
     return min(map(abs, finite)) < 0.1 * max(map(abs, finite))
+
+
+def _count_turns(values: Sequence[float]) -> int:
+    """How often neighbouring values rise and then fall, or the other way round, beyond rounding."""
+    least = 1e-13 * max((abs(v) for v in values if isfinite(v)), default=0.0)
+    steps = [b - a for a, b in pairwise(values)]
+    return sum(a * b < 0.0 and min(abs(a), abs(b)) > least for a, b in pairwise(steps))
 
 
 def _sign(x: float) -> int:

@@ -261,6 +261,18 @@ class Lookout:
 
 
 @record
+class Leaps:
+    """What a step must not leap over (:mod:`nhc.program.leaps`): ``function`` gives arguments.
+
+    ``parts``, of each: the part of it by which it may change in a step towards zero, and by how much it always may; (0, 0): it has
+    a corner at zero.
+    """
+
+    function: Function
+    parts: tuple[tuple[float, float], ...]
+
+
+@record
 class Hold:
     """What brings a driver's state back to its constraints: after each step ``calls`` in their order, in each the first name, and
     the next one where that returns ``status``.  ``torn``: what it means that a short step is moved far.
@@ -301,3 +313,4 @@ class Program:
     lookout: Lookout | None = None
     hold: Hold | None = None
     needed: Needed | None = None
+    leaps: Leaps | None = None

@@ -16,10 +16,11 @@ from nhc.program.build import Planner, build_functions
 from nhc.program.clock import find_stops
 from nhc.program.hold import make_hold
 from nhc.program.ir import Needed, Program, Quantity, SceneData
+from nhc.program.leaps import find_leaps
 from nhc.program.naming import identifier
 from nhc.program.needed import list_columns, needed_function
 from nhc.program.starting import warn_of_coframe
-from nhc.program.watch import look_out
+from nhc.program.watch import known_values, look_out
 
 
 def build_program(
@@ -62,6 +63,7 @@ def build_program(
         warnings=warn_of_coframe(planner, wanted if scene else spec.scenes) if not only or "rhs" in only else (),
         lookout=look_out(planner, [start.p for start in starts]) if driver and starts else None,
         hold=make_hold(planner) if driver and starts else None,
+        leaps=find_leaps(planner, known_values(system, [start.p for start in starts])) if driver and starts else None,
         needed=_needed(planner, starts) if driver else None,
     )
 

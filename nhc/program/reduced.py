@@ -11,6 +11,7 @@ from nhc.program.build import rewrite
 from nhc.program.clock import find_stops
 from nhc.program.hold import make_hold, must_hold
 from nhc.program.ir import Function, Program, Quantity, SceneData
+from nhc.program.leaps import find_leaps
 from nhc.program.lower import lower_function
 from nhc.program.model import build_program, state_quantities
 from nhc.program.naming import identifier
@@ -18,7 +19,7 @@ from nhc.program.plan import FunctionPlan
 from nhc.program.scene_model import SceneModel
 from nhc.program.scene_planner import ScenePlanner
 from nhc.program.starting import warn_of_coframe
-from nhc.program.watch import look_out
+from nhc.program.watch import known_values, look_out
 
 SCENE_FUNCTIONS = ("rhs", "state", "jacobian", "outputs")
 
@@ -58,6 +59,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         warnings=warn_of_coframe(planner, (model.scene,)),
         lookout=look_out(planner, [model.start.p]) if driver else None,
         hold=make_hold(planner) if held else None,
+        leaps=find_leaps(planner, known_values(system, [model.start.p])) if driver else None,
     )
 
 

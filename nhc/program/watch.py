@@ -17,6 +17,7 @@ from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.singular import find_rank_loss
+from nhc.mechanics.system import System
 from nhc.mechanics.trials import usual_digits
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
@@ -116,12 +117,16 @@ def watch_function(
 
 def look_out(planner: Planner, parameters: Sequence[Sequence[float]]) -> Lookout | None:
     """What a driver watches in scenes with these values of the spec's parameters; None where nothing can be lost."""
-    columns = zip(*parameters, strict=True)
-    known = {symbol: (min(values), max(values)) for symbol, values in zip(planner.system.p, columns, strict=True)}
-    function, watch = watch_function(planner, None, known=known)
+    function, watch = watch_function(planner, None, known=known_values(planner.system, parameters))
     if function is None:
         return None
     return Lookout(function, tuple(watch.describe(k) for k in range(len(watch.about))), watch.dips)
+
+
+def known_values(system: System, parameters: Sequence[Sequence[float]]) -> dict[Node, tuple[float, float]]:
+    """From the least to the largest value of each of the spec's parameters."""
+    columns = zip(*parameters, strict=True)
+    return {symbol: (min(values), max(values)) for symbol, values in zip(system.p, columns, strict=True)}
 
 
 def _levels(measure: _Measure) -> tuple[Fraction, ...]:

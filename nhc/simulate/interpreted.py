@@ -79,7 +79,9 @@ class InterpretedModel(TextModel):
         super().__init__(program)
         self.events, self.holds = events, tuple(holds)
         self.dips = sys.maxsize if dips is None else dips
-        self.watched = any(function.name == "watch" for function in program.functions)
+        names = {function.name for function in program.functions}
+        self.watched = "watch" in names
+        self.parts = program.leaps.parts if program.leaps is not None and "places" in names else ()
 
     # --- the model as the methods see it
 
@@ -93,6 +95,10 @@ class InterpretedModel(TextModel):
 
     def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
         values: list[float] = self.module.watch(t, y, p) if self.watched else []
+        return values
+
+    def places(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
+        values: list[float] = self.module.places(t, y, p)
         return values
 
     def hold(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:

@@ -17,6 +17,7 @@ from nhc.program.build import Planner, build_functions
 from nhc.program.clock import find_stops
 from nhc.program.hold import TORN, TORN_HOLD, hold_functions
 from nhc.program.ir import Program, Stop
+from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program
 from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch
 from nhc.program.structure import Structure, structure_of
@@ -121,12 +122,14 @@ def prepare(
     functions += () if watch is None else (watch,)
     structure = structure_of(planner) if natural else Structure()
     functions += structure.functions
+    leaps = None if natural else find_leaps(planner, known)
+    functions += () if leaps is None else (leaps.function,)
     held, calls = hold_functions(planner) if hold and not natural else ((), ())
     functions += held
     if natural:
         functions += build_functions(planner, ("velocities", "state"))
     frame = build_program(system, formulation, equations, only=("residuals",), scenes=False)
-    program = replace(frame, functions=functions, scenes=())
+    program = replace(frame, functions=functions, scenes=(), leaps=leaps)
     meanings = {status.code: status.what for status in list_statuses(program)}
     return Job(
         program=program,

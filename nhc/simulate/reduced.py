@@ -10,6 +10,7 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.clock import find_stops
+from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program, state_quantities
 from nhc.program.needed import Column, list_energy, needed_function
 from nhc.program.reduced import lower_functions
@@ -45,9 +46,15 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         for wanted, node in zip(made.outputs, planner.needed_nodes(), strict=True)
     ]
     checks = list_energy(planner) if energy else []
-    watch, watched = watch_function(planner, None, weak, {x: (v, v) for x, v in zip(system.p, start.p, strict=True)})
+    known = {x: (v, v) for x, v in zip(system.p, start.p, strict=True)}
+    watch, watched = watch_function(planner, None, weak, known)
+    leaps = find_leaps(planner, known)
     functions = lower_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
-    functions += (needed_function(planner, [*columns, *checks]), *(() if watch is None else (watch,)))
+    functions += (
+        needed_function(planner, [*columns, *checks]),
+        *(() if watch is None else (watch,)),
+        *(() if leaps is None else (leaps.function,)),
+    )
     whole = state_quantities(system, planner)
     constants = planner.list_constants(start)
     frame = build_program(system, made.formulation, equations, only=("residuals",), scenes=False)
@@ -55,6 +62,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         frame,
         functions=functions,
         scenes=(),
+        leaps=leaps,
         state=tuple(whole[i] for i in made.kept),
         parameters=(*frame.parameters, *constants),
     )

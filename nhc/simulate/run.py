@@ -7,7 +7,6 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from nhc.program.ir import Stop
 from nhc.records import record
 from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel
@@ -16,7 +15,6 @@ from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.pacing import AUTO, first_method
-from nhc.simulate.passing import watch_passing
 from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_natural, write_source
@@ -88,13 +86,6 @@ def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str
     return InterpretedModel(job.program, job.events, job.holds, job.watch.dips), notes
 
 
-def look_ahead(job: Job, compiled: bool = True) -> tuple[Stop, ...]:
-    """The job's stops, and those of what its motion passes: for studies, which run it in many ways."""
-    task = Task(job.p, job.y, job.time, max(SAFETY * job.tolerance, LEAST_TOLERANCE), stops=job.stops)
-    workshop = Workshop(compiled, None)
-    return watch_passing(job, task, lambda asked: workshop.integrate(job, "dop853", asked))[0]
-
-
 def list_times(start: float, end: float, points: int) -> tuple[float, ...]:
     """Equally spaced times, the first and the last exactly the ends."""
     inner = (start + (end - start) * (k / (points - 1)) for k in range(1, points - 1))
@@ -116,9 +107,6 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     adaptive = is_adaptive(method) or method in PEERS
     follower = Follower(job, method, workshop.integrate, settings.method == AUTO)
     before, notes = time.perf_counter(), (*job.notes, *workshop.notes)
-    if settings.step <= 0 and method in RUNGE_KUTTA and is_adaptive(method):
-        stops, passed = watch_passing(job, task, lambda asked: workshop.integrate(job, method, asked))
-        task, notes = replace(task, stops=stops), (*notes, *([passed] if passed else []))
     if settings.step <= 0 and not adaptive:
         task, more = _find_step(follower, task, tolerance)
         notes += more

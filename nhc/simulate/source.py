@@ -158,7 +158,8 @@ def write_source(
     ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
     its values being the user's and those from ``dips`` on being sought where they only touch zero; ``holds`` are called in this
     order after each step, each with what stands in for it.  ``trig``: the inlined sine and cosine were faster in every run, but are
-    for doubles only.  ``lanes``: many starts side by side where an explicit method without ``holds`` and linear systems allows it.
+    for doubles only.  ``lanes``: many starts side by side, where an explicit method without ``holds``, linear systems and leaps
+    allows it.
     """
     functions = {function.name: function for function in program.functions}
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
@@ -166,7 +167,8 @@ def write_source(
     explicit, watch = [method for method in methods if isinstance(method, Explicit)], functions.get("watch")
     kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
     watching = print_kernel(program, watch) if watch is not None and lanes else None
-    lanes = lanes and kernel is not None and not holds and (watch is None or watching is not None)
+    leaps = program.leaps if "places" in functions else None
+    lanes = lanes and kernel is not None and not holds and leaps is None and (watch is None or watching is not None)
     known = [one for one in (kernel, watching if lanes else None) if one is not None]
     context: dict[str, object] = {
         "name": program.system,
@@ -193,6 +195,7 @@ def write_source(
         "events": events,
         "dips": dips is not None and dips < size(functions.get("watch")),
         "first_dip": dips,
+        "parts": leaps.parts if leaps else (),
         "holds": tuple(holds),
         **_HOLD_STATUSES,
         "needed": size(functions["needed"]),

@@ -150,12 +150,17 @@ def test_a_pulse_is_met_from_both_sides_at_its_own_width() -> None:
         "x*exp(-(x - 1)^2)",
         "sign(x - at)",
         "0",
-        "sign(sin(1000*t))",
         "1/(1 + exp(1/(t - at)))",
     ],
 )
 def test_what_is_never_quiet_or_no_function_of_time_needs_none(force: str) -> None:
     assert stops_of(force) == []
+
+
+def test_of_what_jumps_too_often_the_first_places_are_listed() -> None:
+    found = stops_of("sign(sin(1000*t))")
+    assert 10 < len(found) <= 256
+    assert found == pytest.approx([0.001 * math.pi * (k + 1) for k in range(len(found))], rel=1e-12)
 
 
 def test_a_function_without_value_does_not_hide_another_one() -> None:

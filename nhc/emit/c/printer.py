@@ -94,9 +94,11 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
     context["needed_size"] = needed.output.size if needed and needed.output else 0
     context["own"] = (
         *([context["watch"]] if program.lookout else []),
+        *([print_function(program, program.leaps.function, own)] if program.leaps else []),
         *held,
         *([print_function(program, needed, own)] if needed else []),
     )
+    context["parts"] = program.leaps.parts if program.leaps else ()
     context["helpers"] = tuple(sorted(own))
     return header, source, File(f"{name}_main.c", "c/model_main.c.jinja", context)
 

@@ -10,7 +10,8 @@ from typing import Protocol
 
 from nhc.program.hold import TORN_HOLD
 from nhc.simulate.methods import collocation, explicit
-from nhc.simulate.methods.step import Model, NoSolution, Step
+from nhc.simulate.methods.leaping import Placed, find_most
+from nhc.simulate.methods.step import NoSolution, Step
 from nhc.simulate.methods.stops import cross, foresee, next_bound
 from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.methods.watching import PIECES, find_change, find_deep, find_event, keep_signs, may_dip
@@ -36,7 +37,7 @@ _EPSILON = sys.float_info.epsilon
 _LEAST_ERROR = 1e-8  # explicit methods give the error's square
 
 
-class Watched(Model, Protocol):
+class Watched(Placed, Protocol):
     """A model with values to watch."""
 
     @property
@@ -72,6 +73,7 @@ class _Run:
     marked: int = 0
     stalls: int = 0
     stop: int = 0
+    most: float = math.inf
     bound: float = 0.0
     since: float = 0.0
     before: list[float] = field(default_factory=list)
@@ -190,6 +192,10 @@ def _attempt(run: _Run, reach: float) -> tuple[float, int]:
         return math.nan, SINGULAR if s.status else UNDERFLOW
     if not all(map(math.isfinite, s.reached)):
         return math.nan, UNDERFLOW
+    if 0.0 <= error <= 1.0:
+        run.most = find_most(s, run.model, run.task)
+        if run.most == 0.0:
+            return math.nan, UNDERFLOW
     if 0.0 <= error <= 1.0 and run.model.holds and not _hold_end(run, reach):
         return math.nan, SINGULAR
     return error, UNDERFLOW
@@ -241,7 +247,7 @@ def _advance(run: _Run) -> Outcome | None:
         return None
     if task.step <= 0:
         growth = _pace(run, error, False) if error > 0 else run.growth
-        run.next = h * min(run.growth, max(growth, 0.333))
+        run.next = min(h * min(run.growth, max(growth, 0.333)), run.most)
         run.growth, run.former = _limit(run.method), max(error, _LEAST_ERROR)
     return _accept(run, reach)
 

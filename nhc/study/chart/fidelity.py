@@ -21,7 +21,7 @@ from nhc.simulate.compile import find_compiler
 from nhc.simulate.opening import find_need, find_scene
 from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.reduced import job_of
-from nhc.simulate.run import list_times, look_ahead
+from nhc.simulate.run import list_times
 from nhc.study.chart.case import RESOLVED, Case, Machine, Reference, Result
 from nhc.study.chart.comparable import check_comparable
 from nhc.study.chart.grid import Grid
@@ -174,7 +174,7 @@ def _open(name: str, source: Source, spec: Spec, scene: str, needs: Sequence[str
         job = job_of(made.planner, start_of(system, own), jacobian=True)
     else:
         job = prepare(equations_of(system, base), base, start_of(system, own), needs, jacobian=True)
-    return _Opened(name, source, spec, own, made, replace(job, stops=look_ahead(job)))
+    return _Opened(name, source, spec, own, made, job)
 
 
 def _run(

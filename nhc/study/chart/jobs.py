@@ -11,7 +11,6 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduce import Reduction
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
-from nhc.program.ir import Stop
 from nhc.program.scene_model import reduce_one, scene_model
 from nhc.records import record
 from nhc.simulate.prepare import Job, prepare
@@ -41,11 +40,6 @@ class Prepared:
     skipped: tuple[tuple[str, str], ...]
     full: Job
     shrunk: dict[str, Shrunk]
-
-    def with_stops(self, stops: tuple[Stop, ...]) -> Prepared:
-        """The same jobs, whose steps end there."""
-        jobs = {name: replace(job, stops=stops) for name, job in self.jobs.items()}
-        return replace(self, full=replace(self.full, stops=stops), jobs=jobs)
 
 
 def prepare_jobs(system: System, scene: Scene, wanted: Sequence[str], needs: Sequence[str], reduced: bool) -> Prepared:

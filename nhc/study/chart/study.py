@@ -16,7 +16,7 @@ from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.methods import STRUCTURE as SCHEMES
 from nhc.simulate.opening import find_need, find_scene
 from nhc.simulate.prepare import Job
-from nhc.simulate.run import list_times, look_ahead
+from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
 from nhc.study.chart.case import Case, Cost, Result, Study
 from nhc.study.chart.grid import (
@@ -56,7 +56,6 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     made, compiled = prepare_jobs(system, scene, grid.formulations, needs, bool(grid.scene)), bool(find_compiler())
     languages = tuple(x for x in grid.languages or LANGUAGES if compiled or x != "c") or ("python",)
     notes = () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
-    made = made.with_stops(look_ahead(made.full, compiled))
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
     solution = make_reference(made.full, times, open_long(made.full) if compiled else None)

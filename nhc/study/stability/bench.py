@@ -29,7 +29,7 @@ from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, prepare
-from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, list_times, look_ahead
+from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, list_times
 from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import DONE, Outcome, Task
 from nhc.study.units import Matrix, sizes_of
@@ -183,7 +183,6 @@ def open_bench(equations: Equations, formulation: Formulation, start: Start, com
     functions = tuple(needed if f.name == "needed" else f for f in job.program.functions)
     job = replace(job, program=replace(job.program, functions=functions), columns=tuple(columns), checks=())
     model, notes = _load(job, compiled)
-    job = replace(job, stops=look_ahead(job, compiled))
     schemes = _schemes(planner, job, columns[:1], model.compiled)
     return Bench(equations, formulation, start, job, model, tuple(columns), kept, notes, schemes)
 

@@ -1,0 +1,145 @@
+"""Whether a step leaps over a place where what the model is made of is short, as ``templates/c/methods/leaps.c.jinja`` has it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from math import inf
+from typing import Protocol
+
+from nhc.simulate.methods.step import Model, Step
+from nhc.simulate.task import Task
+
+_CLOSE = 1e-3  # to an end: what an argument does between them is how it goes there
+_LOOKS = (0.0, _CLOSE, 2.0 * _CLOSE, 0.29, 0.5, 1.0 - 2.0 * _CLOSE, 1.0 - _CLOSE, 1.0)
+_APART, _SAME = (
+    0.5,
+    1e-9,
+)  # of the step, between two corners: closer ones may lie between two stages; closer still, they are one
+
+
+class Placed(Model, Protocol):
+    """A model whose steps must not leap over places: arguments, and of each what :class:`nhc.program.ir.Leaps` says of it."""
+
+    @property
+    def parts(self) -> Sequence[tuple[float, float]]: ...
+
+    def places(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
+
+
+def find_most(step: Step, model: Placed, task: Task) -> float:
+    """How long the step after the one that was tried may be; 0 where that one leaps over something."""
+    scale = max(abs(step.t), abs(task.times[-1] - task.times[0]))
+    if not model.parts or task.step > 0 or abs(step.h) <= 1e-12 * scale:
+        return inf
+    try:
+        looks = [_look(step, model, x) for x in _LOOKS]
+    except ArithmeticError:
+        return inf
+    most, zeros, points = inf, list[float](), list[float]()
+    courses = [_Course(values, *part) for values, part in zip(zip(*looks, strict=True), model.parts, strict=True)]
+    for c in courses:
+        if c.is_fast():
+            return 0.0
+        if c.part > 0.0 and c.b != 0.0:
+            most = min(most, 0.99 * c.ahead * abs(step.h) / abs(c.b))
+        if c.part == 0.0 and c.u * c.v < 0.0:
+            zeros.append(c.find_zero())
+            points.append(zeros[-1])
+        if c.part == 0.0 and abs(c.u) < 1e-9 * abs(c.v):
+            zeros.append(0.0)  # it starts at a corner
+        if c.a * c.b < 0.0:
+            meet = (c.v - c.b - c.u) / (c.a - c.b)
+            points += [meet] if 0.0 < meet < 1.0 else []
+        points += c.find_turns()
+    if any(_SAME < after - before < _APART for before, after in pairwise(sorted(zeros))):
+        return 0.0
+    for x in points:
+        try:
+            at = _look(step, model, x)
+        except ArithmeticError:
+            continue
+        if any(c.is_narrow(x, value) for c, value in zip(courses, at, strict=True)):
+            return 0.0
+    return most
+
+
+def _look(step: Step, model: Placed, x: float) -> list[float]:
+    """The arguments at a part of the step; the state there is Hermite's cubic."""
+    state = [
+        y + x * (z - y) + x * (1.0 - x) * ((1.0 - x) * (step.h * f - z + y) - x * (step.h * g - z + y))
+        for y, z, f, g in zip(step.y, step.reached, step.slope, step.arrived, strict=True)
+    ]
+    return model.places(step.t + x * step.h, state, step.p)
+
+
+class _Course:
+    """An argument over a step by Hermite's cubic: from u to v, by a at first and by b at last; its bends there."""
+
+    def __init__(self, values: Sequence[float], part: float, least: float) -> None:
+        u, after, later, third, middle, early, before, v = values
+        self.u, self.v, self.part, self.least = u, v, part, least
+        self.a = (4.0 * after - 3.0 * u - later) / (2.0 * _CLOSE)
+        self.b = (3.0 * v - 4.0 * before + early) / (2.0 * _CLOSE)
+        self.bend = abs(u - 2.0 * after + later) / _CLOSE**2
+        self.bending = abs(v - 2.0 * before + early) / _CLOSE**2
+        # in two places, so that nothing periodic looks as if it were at rest
+        off = [abs(x - self.find_between(part)) - 0.25 * abs(x) for x, part in ((third, 0.29), (middle, 0.5))]
+        self.off = max(0.0, *off)
+
+    @property
+    def ahead(self) -> float:
+        """By how much it may change in the step after this one."""
+        return (self.part if self.v * self.b < 0.0 else 4.0 * self.part) * abs(self.v) + self.least
+
+    def is_fast(self) -> bool:
+        """Whether the step is too long for it by what it does at its ends and in the middle."""
+        u, v, part, least = abs(self.u), abs(self.v), self.part, self.least
+        if part == 0.0:
+            return self.off > 0.1 * max(u, v) or max(self.bend, self.bending) > 10.0 * max(u, v)
+        return (
+            abs(self.a) > (part if self.u * self.a < 0.0 else 4.0 * part) * u + least
+            or abs(self.b) > (part if self.v * self.b > 0.0 else 4.0 * part) * v + least
+            or self.bend > 20.0 * u + 4.0 * least
+            or self.bending > 20.0 * v + 4.0 * least
+            or self.off > least
+        )
+
+    def is_narrow(self, x: float, at: float) -> bool:
+        """Whether, with the value ``at`` at the part x of the step, it goes near zero and back; a corner for less than half."""
+        u, v = abs(self.u), abs(self.v)
+        if self.part > 0.0:
+            return 4.0 * abs(at) + 2.0 * self.least < min(u, v)
+        height = -at if self.u < 0.0 else at
+        if self.u * self.v <= 0.0 or height >= 0.25 * max(u, v):
+            return False
+        return -height * (x / (u - height) + (1.0 - x) / (v - height)) < _APART
+
+    def find_between(self, x: float) -> float:
+        """Its value at the part x of the step."""
+        u, d = self.u, self.v - self.u
+        return u + x * d + x * (1.0 - x) * ((1.0 - x) * (self.a - d) - x * (self.b - d))
+
+    def find_zero(self) -> float:
+        """The part of the step at which it is zero; its signs differ at the ends."""
+        return _halve(self.find_between, 0.0, 1.0)
+
+    def find_turns(self) -> list[float]:
+        """Where it turns, in either half."""
+        signs = [_slope(self, x) for x in (0.0, 0.5, 1.0)]
+        halves = ((0.0, 0.5, signs[0] * signs[1]), (0.5, 1.0, signs[1] * signs[2]))
+        return [_halve(lambda x: _slope(self, x), low, high) for low, high, product in halves if product < 0.0]
+
+
+def _slope(c: _Course, x: float) -> float:
+    d = c.v - c.u
+    return c.a + x * (6.0 * d - 4.0 * c.a - 2.0 * c.b + 3.0 * x * (c.a + c.b - 2.0 * d))
+
+
+def _halve(f: Callable[[float], float], left: float, right: float) -> float:
+    """Where f loses the sign that it has at the left end."""
+    negative = f(left) < 0.0
+    for _ in range(50):
+        middle = 0.5 * (left + right)
+        left, right = (middle, right) if (f(middle) < 0.0) == negative else (left, middle)
+    return left
