@@ -58,6 +58,8 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
         argument = g.sub(g.a[node], g.b[node]) if op in ("min", "max") else g.a[node]
         if (g.neg(argument), part) not in wanted:
             wanted[argument, part] = None
+    if not wanted:
+        return None
     on = moving(system, planner.full_equations.motion.velocities)
     nodes = substitute(g, substitute(g, [argument for argument, _ in wanted], on), planner.put_in)
     ranges, kept = {**intervals(system), **(known or {})}, ~g.mask((*planner.state_loads,))
