@@ -190,8 +190,9 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
     p = gradient(g, system.T, system.v)
     cost = max(1, count(g, sampler.reference.nodes()))
     budget = min(_MOST, _BUDGET // cost)
-    momenta = [Candidate(momentum_name(system, name), p[i], MOMENTUM) for i, name in enumerate(system.q_names)]
-    turns = _rotations(system, p)
+    names = [momentum_name(system, name, p[i]) for i, name in enumerate(system.q_names)]
+    momenta = [Candidate(name, momentum, MOMENTUM) for name, momentum in zip(names, p, strict=True)]
+    turns = _rotations(system, p, names)
     scaled = [
         Candidate(f"{system.symbol_name(s)} {c.text}", g.mul(s, c.node), MOMENTUM)
         for s in _constraint_parameters(system)
@@ -228,7 +229,7 @@ def _quasi(system: System, p: Sequence[Node], frame: Frame | None) -> list[Candi
     return found
 
 
-def _rotations(system: System, p: Sequence[Node]) -> list[Candidate]:
+def _rotations(system: System, p: Sequence[Node], names: Sequence[str]) -> list[Candidate]:
     """x_a p_b - x_b p_a for pairs of coordinates of one unit that are no angles."""
     g, found = system.graph, []
     units = [c.unit or "" for c in system.spec.coordinates]
@@ -237,9 +238,8 @@ def _rotations(system: System, p: Sequence[Node]) -> list[Candidate]:
         if units[i] != units[j] or units[i] in ("rad", "deg"):
             continue
         x, y = system.q_names[i], system.q_names[j]
-        p_x, p_y = momentum_name(system, x), momentum_name(system, y)
         turn = g.sub(g.mul(system.q[i], p[j]), g.mul(system.q[j], p[i]))
-        found.append(Candidate(f"({x} {p_y} - {y} {p_x})", turn, MOMENTUM))
+        found.append(Candidate(f"({x} {names[j]} - {y} {names[i]})", turn, MOMENTUM))
     return found
 
 

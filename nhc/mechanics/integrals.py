@@ -99,8 +99,8 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
         [*coordinates, *atoms],
         [*coordinates, *scaled, *(g.mul(s, x) for s in parameters for x in (*atoms, *_partners(g, atoms)))],
         [*coordinates, *scaled, *pairs],
-        [*coordinates, *(g.mul(s, x) for s in parameters for x in products)],
-        [*coordinates, *_elementary(g, coordinates)],
+        [*coordinates, *scaled, *products, *(g.mul(s, x) for s in parameters for x in products)],
+        [*coordinates, *scaled, *_elementary(g, coordinates)],
     ]
     for form in system.constraints:
         if form.name not in closed:

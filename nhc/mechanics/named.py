@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
+from nhc.algebra.modular import is_zero
 from nhc.algebra.show import to_text
 from nhc.mechanics.system import System
 
@@ -31,10 +32,13 @@ def energy_name(system: System) -> str:
     return "(T + V)" if "E" in _declared(system) else "E"
 
 
-def momentum_name(system: System, coordinate: str) -> str:
-    """p_x, where nothing in the spec is called so."""
-    name = f"p_{coordinate}"
-    return f"dT/d{coordinate}'" if name in _declared(system) else name
+def momentum_name(system: System, coordinate: str, momentum: Node) -> str:
+    """p_x, where nothing else in the spec is called so; an output may show it."""
+    g, name = system.graph, f"p_{coordinate}"
+    shown = dict(system.outputs).get(name)
+    if name not in _declared(system) or (shown is not None and is_zero(g, g.sub(shown, momentum))):
+        return name
+    return f"dT/d{coordinate}'"
 
 
 def _declared(system: System) -> set[str]:

@@ -149,21 +149,23 @@ def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None
     [
         (("cos(b)*u' + sin(b)*z' + R*b' = 0", "cos(b)*z' = sin(b)*u'"), "z - R*cos(b)"),  # height of a leaning disk
         (("u' = R*z'", "b' = R*(1 - exp(-t))"), "b - R*t - R*exp(-t)"),  # a motor that comes up to speed
+        (("z' = b*u' + u*b' + R", "w' = u*b'"), "z - b*u - R*t"),
+        (("z' = z*(R*b' + u')", "w' = u*b'"), "log(z) - R*b - u"),
     ],
 )
 def test_integrals_with_a_parameter_beside_a_function(rows: tuple[str, ...], integral: str) -> None:
     system = constrained("b, u, z, w", *rows, parameters="{R: 0.4}")
     facts = describe(system, formulate(system), Bag(system.spec.origin))
     assert "not found" not in facts.lines_by_key["integrals"]
-    b, z, R, t = sympy.symbols("b z R t")
-    wanted = sympy.sympify(integral, {"b": b, "z": z, "R": R, "t": t})
+    b, z, R, t, u = sympy.symbols("b z R t u")
+    wanted = sympy.sympify(integral, {"b": b, "z": z, "R": R, "t": t, "u": u})
     found = [sympy.sympify(e["integral"].replace("^", "**")) for e in facts.data["integrals"]]
     ratios = [
-        [sympy.simplify(sympy.diff(f, x) - k * sympy.diff(wanted, x)) for x in (b, z, t)]
+        [sympy.simplify(sympy.diff(f, x) - k * sympy.diff(wanted, x)) for x in (b, z, t, u)]
         for f in found
         for k in (1, -1)
     ]
-    assert [0, 0, 0] in ratios, found
+    assert [0, 0, 0, 0] in ratios, found
 
 
 def test_an_integral_that_is_not_elementary_is_said_to_be_missing() -> None:
