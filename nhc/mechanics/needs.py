@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
-from nhc.language.derived_units import derive_units
 from nhc.language.spec import Need, Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import reaction_values
@@ -28,7 +27,7 @@ class Wanted:
 def list_needs(equations: Equations, scene: Scene) -> list[Wanted]:
     """The columns of a trajectory of the scene, in the order of its ``need``."""
     columns = [column for need in scene.need for column in _columns(equations, need)]
-    units = derive_units(equations.system.spec)
+    units = equations.system.units
     return [replace(column, unit=units.get(column.name, "")) for column in columns]
 
 

@@ -14,6 +14,7 @@ from nhc.algebra.calculus import derivative
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import linear_form
 from nhc.language import Spec
+from nhc.language.derived_units import derive_units
 from nhc.mechanics.rotation import Rotation
 from nhc.records import record
 
@@ -115,6 +116,14 @@ class System:
     @property
     def name(self) -> str:
         return self.spec.system
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The unit of each name that a trajectory may have, as far as the spec's units tell it."""
+        known: dict[str, str] | None = self.graph.memory.get("units")
+        if known is None:
+            known = self.graph.memory["units"] = derive_units(self.spec)
+        return known
 
     @property
     def q_names(self) -> tuple[str, ...]:

@@ -56,7 +56,7 @@ def build_program(
             for k, p in enumerate(spec.parameters)
         ),
         constraints=tuple(Quantity(c.name, identifier(c.name)) for c in system.constraints),
-        outputs=tuple(Quantity(name, identifier(name)) for name, _ in system.outputs),
+        outputs=tuple(Quantity(name, identifier(name), system.units.get(name, "")) for name, _ in system.outputs),
         functions=build_functions(planner, only),
         scenes=starts,
         notes=_notes(formulation),
@@ -71,7 +71,7 @@ def build_program(
 def state_quantities(system: System, planner: Planner) -> tuple[Quantity, ...]:
     """The full state: the coordinates, then the kept velocities."""
     coordinates = [Quantity(c.name, identifier(c.name), c.unit, c.about) for c in system.spec.coordinates]
-    kept = [Quantity(name, identifier(name)) for name in planner.kept_names()]
+    kept = [Quantity(name, identifier(name), system.units.get(name, "")) for name in planner.kept_names()]
     return (*coordinates, *kept)
 
 

@@ -14,7 +14,6 @@ from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import Unlucky
 from nhc.algebra.shorten import shorten
-from nhc.language.derived_units import derive_units
 from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.drawing import Sketch, sketch_of
 from nhc.mechanics.flow import flow_of
@@ -46,7 +45,7 @@ def list_columns(planner: Planner, needs: Sequence[str]) -> list[Column]:
         KeyError: a name that the spec does not have.
     """
     system = planner.system
-    units = derive_units(system.spec)
+    units = system.units
     named: dict[str, Node] = dict(zip(system.q_names, system.q, strict=True))
     moving: dict[str, Node] = {f"{name}'": v for name, v in zip(system.q_names, system.v, strict=True)}
     moving.update((form.name, form_value(system.graph, form, system.v)) for form in system.quasi)

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:b02643725c68d1a7)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:0b48103c0c9d9664)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -20,9 +20,9 @@
  * y[2] = phi [rad]: precession
  * y[3] = theta [rad]: nutation
  * y[4] = psi [rad]: spin
- * y[5] = phi'
- * y[6] = theta'
- * y[7] = psi'
+ * y[5] = phi' [rad/s]
+ * y[6] = theta' [rad/s]
+ * y[7] = psi' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass
@@ -37,8 +37,8 @@
  * 1: roll_y
  *
  * Outputs:
- * out[0] = spin
- * out[1] = moving_energy
+ * out[0] = spin [rad/s]
+ * out[1] = moving_energy [J]
  *
  * Operations:
  * rhs: 24 +-, 50 *, 2 /, 6 calls

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:4ecb46ba2f95117c).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:a309871d2b667582).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -21,9 +21,9 @@ y[1] = y [m]: centre
 y[2] = phi [rad]: precession
 y[3] = theta [rad]: nutation
 y[4] = psi [rad]: spin
-y[5] = phi'
-y[6] = theta'
-y[7] = psi'
+y[5] = phi' [rad/s]
+y[6] = theta' [rad/s]
+y[7] = psi' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass
@@ -38,8 +38,8 @@ Constraints:
 1: roll_y
 
 Outputs:
-out[0] = spin
-out[1] = moving_energy
+out[0] = spin [rad/s]
+out[1] = moving_energy [J]
 
 Operations:
 rhs: 24 +-, 50 *, 2 /, 6 calls

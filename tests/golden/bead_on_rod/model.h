@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:d29a2485a68872dd)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:8dcd5f63ba4730f4)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -7,15 +7,15 @@
  *
  * State y:
  * y[0] = r [m]: distance from the axis
- * y[1] = r'
+ * y[1] = r' [m/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the bead
  * p[1]: Omega = 2.0 [rad/s]: rate of the rod
  *
  * Outputs:
- * out[0] = jacobi
- * out[1] = torque
+ * out[0] = jacobi [kg*m^2/s^2]
+ * out[1] = torque [kg*m^2/s^2]
  *
  * Operations:
  * rhs: 0 +-, 2 *, 0 /, 0 calls

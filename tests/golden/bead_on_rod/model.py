@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:4bfa85f85a986c4c).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:81b20020d2242a3d).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -8,15 +8,15 @@ Why: no constraints
 
 State y:
 y[0] = r [m]: distance from the axis
-y[1] = r'
+y[1] = r' [m/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bead
 p[1]: Omega = 2.0 [rad/s]: rate of the rod
 
 Outputs:
-out[0] = jacobi
-out[1] = torque
+out[0] = jacobi [kg*m^2/s^2]
+out[1] = torque [kg*m^2/s^2]
 
 Operations:
 rhs: 0 +-, 2 *, 0 /, 0 calls

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:7653f1e32326b1a0)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:f821c4fdae840983)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -16,9 +16,9 @@
  * y[6] = steer [rad]: front frame against rear frame
  * y[7] = thR [rad]: rear wheel against rear frame
  * y[8] = thF [rad]: front wheel against front frame
- * y[9] = roll'
- * y[10] = steer'
- * y[11] = thF'
+ * y[9] = roll' [rad/s]
+ * y[10] = steer' [rad/s]
+ * y[11] = thF' [rad/s]
  *
  * Parameters p:
  * p[0]: w = 1.02 [m]: wheelbase
@@ -57,9 +57,9 @@
  * 5: front_z
  *
  * Outputs:
- * out[0] = speed
- * out[1] = rear_height
- * out[2] = front_height
+ * out[0] = speed [m/s]
+ * out[1] = rear_height [m]
+ * out[2] = front_height [m]
  *
  * Operations:
  * rhs: 455 +-, 699 *, 6 /, 17 calls

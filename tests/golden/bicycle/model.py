@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:66ddb3a9bcd7fdf5).
+"""bicycle, emitted by nhc 0.1.0 (nhc:210c48b9e3b44904).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -17,9 +17,9 @@ y[5] = pitch [rad]: third turn, about y
 y[6] = steer [rad]: front frame against rear frame
 y[7] = thR [rad]: rear wheel against rear frame
 y[8] = thF [rad]: front wheel against front frame
-y[9] = roll'
-y[10] = steer'
-y[11] = thF'
+y[9] = roll' [rad/s]
+y[10] = steer' [rad/s]
+y[11] = thF' [rad/s]
 
 Parameters p:
 p[0]: w = 1.02 [m]: wheelbase
@@ -58,9 +58,9 @@ Constraints:
 5: front_z
 
 Outputs:
-out[0] = speed
-out[1] = rear_height
-out[2] = front_height
+out[0] = speed [m/s]
+out[1] = rear_height [m]
+out[2] = front_height [m]
 
 Operations:
 rhs: 455 +-, 699 *, 6 /, 17 calls

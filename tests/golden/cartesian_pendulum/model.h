@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:88593882ca8c99b4)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:ea043342536f22be)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -20,7 +20,7 @@
  * 0: rod
  *
  * Outputs:
- * out[0] = length
+ * out[0] = length [m]
  *
  * Operations:
  * rhs: 2 +-, 8 *, 1 /, 2 calls

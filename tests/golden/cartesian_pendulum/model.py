@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:73d4047001c2b906).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:288dcf6f1fabe6f6).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -20,7 +20,7 @@ Constraints:
 0: rod
 
 Outputs:
-out[0] = length
+out[0] = length [m]
 
 Operations:
 rhs: 2 +-, 8 *, 1 /, 2 calls

@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:17896b2c466dca32).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:84f866c1e4432275).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -12,9 +12,9 @@ y[1] = y [m]: centre
 y[2] = phi [rad]: precession
 y[3] = theta [rad]: nutation
 y[4] = psi [rad]: spin
-y[5] = w1
-y[6] = w2
-y[7] = w3
+y[5] = w1 [rad/s]
+y[6] = w2 [rad/s]
+y[7] = w3 [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass
@@ -28,9 +28,9 @@ Constraints:
 1: roll_y
 
 Outputs:
-out[0] = K1
-out[1] = K2
-out[2] = K3
+out[0] = K1 [kg*m^2/s]
+out[1] = K2 [kg*m^2/s]
+out[2] = K3 [kg*m^2/s]
 
 Operations:
 rhs: 23 +-, 53 *, 4 /, 6 calls

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:aa8f8fe625332e93)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:c22bc172b2f83f7e)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -13,9 +13,9 @@
  * y[3] = R_1 [1]: quaternion of R, along x
  * y[4] = R_2 [1]: quaternion of R, along y
  * y[5] = R_3 [1]: quaternion of R, along z
- * y[6] = w1
- * y[7] = w2
- * y[8] = w3
+ * y[6] = w1 [rad/s]
+ * y[7] = w2 [rad/s]
+ * y[8] = w3 [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass
@@ -30,9 +30,9 @@
  * 2: R_norm
  *
  * Outputs:
- * out[0] = K_x
- * out[1] = K_y
- * out[2] = K_z
+ * out[0] = K_x [kg*m^2/s]
+ * out[1] = K_y [kg*m^2/s]
+ * out[2] = K_z [kg*m^2/s]
  *
  * Operations:
  * rhs: 53 +-, 113 *, 4 /, 0 calls

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:ef0379f6f8ed3142)
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:2039be669cb0fba9)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -9,8 +9,8 @@
  * y[0] = x [m]: point of the edge
  * y[1] = y [m]: point of the edge
  * y[2] = theta [rad]: heading
- * y[3] = v
- * y[4] = w
+ * y[3] = v [m/s]
+ * y[4] = w [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass
@@ -21,9 +21,9 @@
  * 0: slip
  *
  * Outputs:
- * out[0] = speed
- * out[1] = X
- * out[2] = Y
+ * out[0] = speed [m/s]
+ * out[1] = X [m]
+ * out[2] = Y [m]
  *
  * Operations:
  * rhs: 1 +-, 8 *, 1 /, 2 calls

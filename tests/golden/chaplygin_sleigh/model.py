@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:6b4d3872b85c5685).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:e775729eb1542564).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -9,8 +9,8 @@ State y:
 y[0] = x [m]: point of the edge
 y[1] = y [m]: point of the edge
 y[2] = theta [rad]: heading
-y[3] = v
-y[4] = w
+y[3] = v [m/s]
+y[4] = w [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass
@@ -21,9 +21,9 @@ Constraints:
 0: slip
 
 Outputs:
-out[0] = speed
-out[1] = X
-out[2] = Y
+out[0] = speed [m/s]
+out[1] = X [m]
+out[2] = Y [m]
 
 Operations:
 rhs: 1 +-, 8 *, 1 /, 2 calls

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:b39c940bf95100e1)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:751676c5312118d5)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -9,8 +9,8 @@
  * y[0] = x [m]: point of the edge
  * y[1] = y [m]: point of the edge
  * y[2] = theta [rad]: heading
- * y[3] = v
- * y[4] = w
+ * y[3] = v [m/s]
+ * y[4] = w [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass
@@ -22,7 +22,7 @@
  * 0: slip
  *
  * Outputs:
- * out[0] = speed
+ * out[0] = speed [m/s]
  *
  * Operations:
  * rhs: 2 +-, 10 *, 2 /, 2 calls

@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:b4024c40fdfc11bd).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:8f02931cbf79e204).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -10,8 +10,8 @@ State y:
 y[0] = x [m]: point of the edge
 y[1] = y [m]: point of the edge
 y[2] = theta [rad]: heading
-y[3] = v
-y[4] = w
+y[3] = v [m/s]
+y[4] = w [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass
@@ -23,7 +23,7 @@ Constraints:
 0: slip
 
 Outputs:
-out[0] = speed
+out[0] = speed [m/s]
 
 Operations:
 rhs: 2 +-, 10 *, 2 /, 2 calls

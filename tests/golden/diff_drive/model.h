@@ -1,5 +1,5 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:6b6cc298593bbf76)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:a95a8f235af18594)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -12,8 +12,8 @@
  * y[2] = theta [rad]: heading
  * y[3] = p_R [rad]: right wheel
  * y[4] = p_L [rad]: left wheel
- * y[5] = v
- * y[6] = w
+ * y[5] = v [m/s]
+ * y[6] = w [rad/s]
  *
  * Parameters p:
  * p[0]: m = 10.0 [kg]: mass

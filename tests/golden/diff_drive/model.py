@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:fde540c5fb7c6cc3).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:2fe60b9de177fdcb).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -13,8 +13,8 @@ y[1] = y [m]: midpoint of the axle
 y[2] = theta [rad]: heading
 y[3] = p_R [rad]: right wheel
 y[4] = p_L [rad]: left wheel
-y[5] = v
-y[6] = w
+y[5] = v [m/s]
+y[6] = w [rad/s]
 
 Parameters p:
 p[0]: m = 10.0 [kg]: mass

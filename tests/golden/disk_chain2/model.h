@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:fa55697a12d484f5)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:759ba2d6263242bb)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -31,10 +31,10 @@
  * y[5] = y2 [m]: second disk
  * y[6] = phi2 [rad]: heading
  * y[7] = theta2 [rad]: angle rolled
- * y[8] = phi1'
- * y[9] = theta1'
- * y[10] = phi2'
- * y[11] = theta2'
+ * y[8] = phi1' [rad/s]
+ * y[9] = theta1' [rad/s]
+ * y[10] = phi2' [rad/s]
+ * y[11] = theta2' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of each

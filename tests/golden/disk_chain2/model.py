@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:cad8064e9dd22ee7).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:d4eb3d1256ec561d).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -32,10 +32,10 @@ y[4] = x2 [m]: second disk
 y[5] = y2 [m]: second disk
 y[6] = phi2 [rad]: heading
 y[7] = theta2 [rad]: angle rolled
-y[8] = phi1'
-y[9] = theta1'
-y[10] = phi2'
-y[11] = theta2'
+y[8] = phi1' [rad/s]
+y[9] = theta1' [rad/s]
+y[10] = phi2' [rad/s]
+y[11] = theta2' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of each

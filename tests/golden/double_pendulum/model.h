@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:b25b89694aaa8c87)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:da04959cd4d26f0a)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -8,8 +8,8 @@
  * State y:
  * y[0] = theta1 [rad]: upper rod from the downward vertical
  * y[1] = theta2 [rad]: lower rod from the downward vertical
- * y[2] = theta1'
- * y[3] = theta2'
+ * y[2] = theta1' [rad/s]
+ * y[3] = theta2' [rad/s]
  *
  * Parameters p:
  * p[0]: m1 = 1.0 [kg]
@@ -19,8 +19,8 @@
  * p[4]: g = 9.81 [m/s^2]: acceleration of gravity
  *
  * Outputs:
- * out[0] = tip_x
- * out[1] = tip_y
+ * out[0] = tip_x [m]
+ * out[1] = tip_y [m]
  *
  * Operations:
  * rhs: 6 +-, 14 *, 3 /, 4 calls

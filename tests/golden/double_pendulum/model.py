@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:e97fd318f27aef07).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:a4b9f84220472f1c).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -9,8 +9,8 @@ Why: no constraints
 State y:
 y[0] = theta1 [rad]: upper rod from the downward vertical
 y[1] = theta2 [rad]: lower rod from the downward vertical
-y[2] = theta1'
-y[3] = theta2'
+y[2] = theta1' [rad/s]
+y[3] = theta2' [rad/s]
 
 Parameters p:
 p[0]: m1 = 1.0 [kg]
@@ -20,8 +20,8 @@ p[3]: l2 = 1.0 [m]
 p[4]: g = 9.81 [m/s^2]: acceleration of gravity
 
 Outputs:
-out[0] = tip_x
-out[1] = tip_y
+out[0] = tip_x [m]
+out[1] = tip_y [m]
 
 Operations:
 rhs: 6 +-, 14 *, 3 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:bcb1df67e182f541)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:d0612d09c22aa9b0)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -9,9 +9,9 @@
  * y[0] = phi [rad]: precession
  * y[1] = theta [rad]: nutation
  * y[2] = psi [rad]: spin
- * y[3] = w1
- * y[4] = w2
- * y[5] = w3
+ * y[3] = w1 [rad/s]
+ * y[4] = w2 [rad/s]
+ * y[5] = w3 [rad/s]
  *
  * Parameters p:
  * p[0]: I1 = 1.0 [kg*m^2]
@@ -19,7 +19,7 @@
  * p[2]: I3 = 3.0 [kg*m^2]
  *
  * Outputs:
- * out[0] = L_squared
+ * out[0] = L_squared [kg^2*m^4/s^2]
  *
  * Operations:
  * rhs: 6 +-, 15 *, 4 /, 4 calls

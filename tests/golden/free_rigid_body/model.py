@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:21327c65e6c016f8).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:2e926044a7246a76).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -10,9 +10,9 @@ State y:
 y[0] = phi [rad]: precession
 y[1] = theta [rad]: nutation
 y[2] = psi [rad]: spin
-y[3] = w1
-y[4] = w2
-y[5] = w3
+y[3] = w1 [rad/s]
+y[4] = w2 [rad/s]
+y[5] = w3 [rad/s]
 
 Parameters p:
 p[0]: I1 = 1.0 [kg*m^2]
@@ -20,7 +20,7 @@ p[1]: I2 = 2.0 [kg*m^2]
 p[2]: I3 = 3.0 [kg*m^2]
 
 Outputs:
-out[0] = L_squared
+out[0] = L_squared [kg^2*m^4/s^2]
 
 Operations:
 rhs: 6 +-, 15 *, 4 /, 4 calls

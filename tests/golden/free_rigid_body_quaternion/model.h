@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:d1472c861dc49629)
+ * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:02cac7dda7d7f3ee)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -10,9 +10,9 @@
  * y[1] = R_1 [1]: quaternion of R, along x
  * y[2] = R_2 [1]: quaternion of R, along y
  * y[3] = R_3 [1]: quaternion of R, along z
- * y[4] = w1
- * y[5] = w2
- * y[6] = w3
+ * y[4] = w1 [rad/s]
+ * y[5] = w2 [rad/s]
+ * y[6] = w3 [rad/s]
  *
  * Parameters p:
  * p[0]: I1 = 1.0 [kg*m^2]
@@ -23,9 +23,9 @@
  * 0: R_norm
  *
  * Outputs:
- * out[0] = L_x
- * out[1] = L_y
- * out[2] = L_z
+ * out[0] = L_x [kg*m^2/s]
+ * out[1] = L_y [kg*m^2/s]
+ * out[2] = L_z [kg*m^2/s]
  *
  * Operations:
  * rhs: 11 +-, 22 *, 3 /, 0 calls

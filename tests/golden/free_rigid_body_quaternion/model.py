@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:3ad54114377e6aa7).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:3c7bebf10e669e09).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -11,9 +11,9 @@ y[0] = R_0 [1]: quaternion of R, scalar part
 y[1] = R_1 [1]: quaternion of R, along x
 y[2] = R_2 [1]: quaternion of R, along y
 y[3] = R_3 [1]: quaternion of R, along z
-y[4] = w1
-y[5] = w2
-y[6] = w3
+y[4] = w1 [rad/s]
+y[5] = w2 [rad/s]
+y[6] = w3 [rad/s]
 
 Parameters p:
 p[0]: I1 = 1.0 [kg*m^2]
@@ -24,9 +24,9 @@ Constraints:
 0: R_norm
 
 Outputs:
-out[0] = L_x
-out[1] = L_y
-out[2] = L_z
+out[0] = L_x [kg*m^2/s]
+out[1] = L_y [kg*m^2/s]
+out[2] = L_z [kg*m^2/s]
 
 Operations:
 rhs: 11 +-, 22 *, 3 /, 0 calls

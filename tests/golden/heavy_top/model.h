@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:b62f00f5a6c840f2)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:8a237f8475b0625f)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -9,9 +9,9 @@
  * y[0] = phi [rad]: precession
  * y[1] = theta [rad]: nutation
  * y[2] = psi [rad]: spin
- * y[3] = phi'
- * y[4] = theta'
- * y[5] = psi'
+ * y[3] = phi' [rad/s]
+ * y[4] = theta' [rad/s]
+ * y[5] = psi' [rad/s]
  *
  * Parameters p:
  * p[0]: I1 = 1.0 [kg*m^2]: across the axis, at the fixed point
@@ -19,8 +19,8 @@
  * p[2]: mgl = 2.0 [N*m]: weight times the distance of the centre of mass
  *
  * Outputs:
- * out[0] = p_phi
- * out[1] = p_psi
+ * out[0] = p_phi [kg*m^2/s]
+ * out[1] = p_psi [kg*m^2/s]
  *
  * Operations:
  * rhs: 8 +-, 20 *, 3 /, 2 calls

@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:1b79f69fe203715e).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:762b6a52bb307240).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -9,9 +9,9 @@ State y:
 y[0] = phi [rad]: precession
 y[1] = theta [rad]: nutation
 y[2] = psi [rad]: spin
-y[3] = phi'
-y[4] = theta'
-y[5] = psi'
+y[3] = phi' [rad/s]
+y[4] = theta' [rad/s]
+y[5] = psi' [rad/s]
 
 Parameters p:
 p[0]: I1 = 1.0 [kg*m^2]: across the axis, at the fixed point
@@ -19,8 +19,8 @@ p[1]: I3 = 1.5 [kg*m^2]: about the axis
 p[2]: mgl = 2.0 [N*m]: weight times the distance of the centre of mass
 
 Outputs:
-out[0] = p_phi
-out[1] = p_psi
+out[0] = p_phi [kg*m^2/s]
+out[1] = p_psi [kg*m^2/s]
 
 Operations:
 rhs: 8 +-, 20 *, 3 /, 2 calls

@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:516f69582f2fbd3f).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:4e8f95b4752c319c).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -11,9 +11,9 @@ y[0] = R_0 [1]: quaternion of R, scalar part
 y[1] = R_1 [1]: quaternion of R, along x
 y[2] = R_2 [1]: quaternion of R, along y
 y[3] = R_3 [1]: quaternion of R, along z
-y[4] = w1
-y[5] = w2
-y[6] = w3
+y[4] = w1 [rad/s]
+y[5] = w2 [rad/s]
+y[6] = w3 [rad/s]
 
 Parameters p:
 p[0]: I1 = 1.0 [kg*m^2]: across the axis, at the fixed point
@@ -24,8 +24,8 @@ Constraints:
 0: R_norm
 
 Outputs:
-out[0] = height
-out[1] = L_z
+out[0] = height [1]
+out[1] = L_z [kg*m^2/s]
 
 Operations:
 rhs: 16 +-, 33 *, 2 /, 0 calls

@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:17f0197f4dbb6108)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:4b998272ec5bccac)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -11,8 +11,8 @@
  * y[2] = theta1 [rad]: first link
  * y[3] = theta2 [rad]: second link
  * y[4] = theta3 [rad]: third link
- * y[5] = v
- * y[6] = w
+ * y[5] = v [m/s]
+ * y[6] = w [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: each link

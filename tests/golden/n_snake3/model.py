@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:32642672367fffde).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:7e0b8980a87dc53e).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -12,8 +12,8 @@ y[1] = y [m]: middle of the first link
 y[2] = theta1 [rad]: first link
 y[3] = theta2 [rad]: second link
 y[4] = theta3 [rad]: third link
-y[5] = v
-y[6] = w
+y[5] = v [m/s]
+y[6] = w [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: each link

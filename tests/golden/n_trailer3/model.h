@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:f91889c166952a7e)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:7b32032879e70837)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,8 +12,8 @@
  * y[3] = theta1 [rad]: first trailer
  * y[4] = theta2 [rad]: second trailer
  * y[5] = theta3 [rad]: third trailer
- * y[6] = v
- * y[7] = w
+ * y[6] = v [m/s]
+ * y[7] = w [rad/s]
  *
  * Parameters p:
  * p[0]: m0 = 1.0 [kg]: tractor
@@ -29,8 +29,8 @@
  * 3: axle3
  *
  * Outputs:
- * out[0] = tail_x
- * out[1] = tail_y
+ * out[0] = tail_x [m]
+ * out[1] = tail_y [m]
  *
  * Operations:
  * rhs: 17 +-, 31 *, 2 /, 8 calls

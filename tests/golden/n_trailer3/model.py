@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:24a6a37050748fbd).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:7947e1aedb937e42).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -13,8 +13,8 @@ y[2] = theta0 [rad]: heading of the tractor
 y[3] = theta1 [rad]: first trailer
 y[4] = theta2 [rad]: second trailer
 y[5] = theta3 [rad]: third trailer
-y[6] = v
-y[7] = w
+y[6] = v [m/s]
+y[7] = w [rad/s]
 
 Parameters p:
 p[0]: m0 = 1.0 [kg]: tractor
@@ -30,8 +30,8 @@ Constraints:
 3: axle3
 
 Outputs:
-out[0] = tail_x
-out[1] = tail_y
+out[0] = tail_x [m]
+out[1] = tail_y [m]
 
 Operations:
 rhs: 17 +-, 31 *, 2 /, 8 calls

@@ -1,5 +1,5 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:556f72d43dd3a5f0)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:61a991f1e696aab1)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -7,7 +7,7 @@
  *
  * State y:
  * y[0] = theta [rad]: angle from the downward vertical
- * y[1] = theta'
+ * y[1] = theta' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the bob
@@ -15,7 +15,7 @@
  * p[2]: g = 9.81 [m/s^2]: acceleration of gravity
  *
  * Outputs:
- * out[0] = rate
+ * out[0] = rate [rad/s]
  *
  * Operations:
  * rhs: 0 +-, 3 *, 1 /, 1 calls

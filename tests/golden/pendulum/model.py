@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:bb0c4abe74fb24f3).
+"""pendulum, emitted by nhc 0.1.0 (nhc:619b247e19170125).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -8,7 +8,7 @@ Why: no constraints
 
 State y:
 y[0] = theta [rad]: angle from the downward vertical
-y[1] = theta'
+y[1] = theta' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bob
@@ -16,7 +16,7 @@ p[1]: l = 1.0 [m]: length of the rod
 p[2]: g = 9.81 [m/s^2]: acceleration of gravity
 
 Outputs:
-out[0] = rate
+out[0] = rate [rad/s]
 
 Operations:
 rhs: 0 +-, 3 *, 1 /, 1 calls

@@ -1,5 +1,5 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:c1908fa25ef73bc1)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:0b5290ba013998bc)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -9,9 +9,9 @@
  * y[0] = x [m]: horizontal
  * y[1] = y [m]: horizontal
  * y[2] = z [m]: height
- * y[3] = x'
- * y[4] = y'
- * y[5] = z'
+ * y[3] = x' [m/s]
+ * y[4] = y' [m/s]
+ * y[5] = z' [m/s]
  *
  * Parameters p:
  * p[0]: m = 2.0 [kg]: mass
@@ -19,7 +19,7 @@
  * p[2]: c = 0.5 [kg/s]: drag coefficient
  *
  * Outputs:
- * out[0] = speed
+ * out[0] = speed [m/s]
  *
  * Operations:
  * rhs: 1 +-, 3 *, 1 /, 0 calls

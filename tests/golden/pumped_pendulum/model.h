@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:43231703546acd60)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:f56c678dbc0be68f)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -7,7 +7,7 @@
  *
  * State y:
  * y[0] = theta [rad]: angle from the downward vertical
- * y[1] = theta'
+ * y[1] = theta' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the bob

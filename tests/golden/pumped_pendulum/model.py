@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:0e48eb355aab3bd9).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:93c7dd819faa365a).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -9,7 +9,7 @@ Why: no constraints
 
 State y:
 y[0] = theta [rad]: angle from the downward vertical
-y[1] = theta'
+y[1] = theta' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bob

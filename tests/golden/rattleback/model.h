@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:0ff33e0f30b90faf)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:49ea8e1f328e2f92)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,9 +12,9 @@
  * y[3] = alpha [rad]: roll about the long axis
  * y[4] = beta [rad]: pitch
  * y[5] = gamma [rad]: heading
- * y[6] = w1
- * y[7] = w2
- * y[8] = w3
+ * y[6] = w1 [rad/s]
+ * y[7] = w2 [rad/s]
+ * y[8] = w3 [rad/s]
  *
  * Parameters p:
  * p[0]: a = 20.0 [cm]: half axis 1 of the ellipsoid
@@ -33,7 +33,7 @@
  * 2: roll_z
  *
  * Outputs:
- * out[0] = spin
+ * out[0] = spin [rad/s]
  *
  * Operations:
  * rhs: 64 +-, 119 *, 5 /, 7 calls

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:4d533b6afaa4c8cf).
+"""rattleback, emitted by nhc 0.1.0 (nhc:3ead329c8a803bf1).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -13,9 +13,9 @@ y[2] = z [cm]: centre of mass, downwards
 y[3] = alpha [rad]: roll about the long axis
 y[4] = beta [rad]: pitch
 y[5] = gamma [rad]: heading
-y[6] = w1
-y[7] = w2
-y[8] = w3
+y[6] = w1 [rad/s]
+y[7] = w2 [rad/s]
+y[8] = w3 [rad/s]
 
 Parameters p:
 p[0]: a = 20.0 [cm]: half axis 1 of the ellipsoid
@@ -34,7 +34,7 @@ Constraints:
 2: roll_z
 
 Outputs:
-out[0] = spin
+out[0] = spin [rad/s]
 
 Operations:
 rhs: 64 +-, 119 *, 5 /, 7 calls

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:f2d28328b42124a8)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:d272abb655f2d373)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,7 +12,7 @@
  * y[2] = theta [rad]: heading of the main body
  * y[3] = phi [rad]: second body, relative to the first
  * y[4] = v
- * y[5] = theta'
+ * y[5] = theta' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the main body
@@ -26,7 +26,7 @@
  * 1: front
  *
  * Outputs:
- * out[0] = speed
+ * out[0] = speed [m/s]
  *
  * Operations:
  * rhs: 8 +-, 28 *, 3 /, 4 calls

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:f01ecdbb88249650).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:8481ec0a854d1099).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -12,7 +12,7 @@ y[1] = y [m]: axle of the main body
 y[2] = theta [rad]: heading of the main body
 y[3] = phi [rad]: second body, relative to the first
 y[4] = v
-y[5] = theta'
+y[5] = theta' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the main body
@@ -26,7 +26,7 @@ Constraints:
 1: front
 
 Outputs:
-out[0] = speed
+out[0] = speed [m/s]
 
 Operations:
 rhs: 8 +-, 28 *, 3 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:db7ed381da0fd039)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:78ed90a29c5f50ef)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -11,9 +11,9 @@
  * y[2] = phi [rad]: yaw, direction of the horizontal diameter
  * y[3] = theta [rad]: tilt of the plane of the disk, pi/2 upright
  * y[4] = psi [rad]: spin
- * y[5] = w_t
- * y[6] = w_u
- * y[7] = w_n
+ * y[5] = w_t [rad/s]
+ * y[6] = w_u [rad/s]
+ * y[7] = w_n [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass
@@ -27,9 +27,9 @@
  * 1: roll_y
  *
  * Outputs:
- * out[0] = height
- * out[1] = contact_x
- * out[2] = contact_y
+ * out[0] = height [m]
+ * out[1] = contact_x [m]
+ * out[2] = contact_y [m]
  *
  * Operations:
  * rhs: 8 +-, 21 *, 4 /, 4 calls

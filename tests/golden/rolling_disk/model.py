@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:14efb6b4178e34fa).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:4edea89251c739f4).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -11,9 +11,9 @@ y[1] = y [m]: centre
 y[2] = phi [rad]: yaw, direction of the horizontal diameter
 y[3] = theta [rad]: tilt of the plane of the disk, pi/2 upright
 y[4] = psi [rad]: spin
-y[5] = w_t
-y[6] = w_u
-y[7] = w_n
+y[5] = w_t [rad/s]
+y[6] = w_u [rad/s]
+y[7] = w_n [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass
@@ -27,9 +27,9 @@ Constraints:
 1: roll_y
 
 Outputs:
-out[0] = height
-out[1] = contact_x
-out[2] = contact_y
+out[0] = height [m]
+out[1] = contact_x [m]
+out[2] = contact_y [m]
 
 Operations:
 rhs: 8 +-, 21 *, 4 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:c0d794cbd9286def)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:d40ce58c4d743c2c)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -11,9 +11,9 @@
  * y[2] = phi [rad]: precession
  * y[3] = theta [rad]: nutation
  * y[4] = psi [rad]: spin
- * y[5] = phi'
- * y[6] = theta'
- * y[7] = psi'
+ * y[5] = phi' [rad/s]
+ * y[6] = theta' [rad/s]
+ * y[7] = psi' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass
@@ -28,8 +28,8 @@
  * 1: roll_y
  *
  * Outputs:
- * out[0] = jellett
- * out[1] = routh
+ * out[0] = jellett [kg*m^3/s]
+ * out[1] = routh [kg*m^2/s]
  *
  * Operations:
  * rhs: 24 +-, 47 *, 3 /, 4 calls

@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:9156882577700c5f).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:d9613977ec1baea2).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -12,9 +12,9 @@ y[1] = y [m]: geometric centre
 y[2] = phi [rad]: precession
 y[3] = theta [rad]: nutation
 y[4] = psi [rad]: spin
-y[5] = phi'
-y[6] = theta'
-y[7] = psi'
+y[5] = phi' [rad/s]
+y[6] = theta' [rad/s]
+y[7] = psi' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass
@@ -29,8 +29,8 @@ Constraints:
 1: roll_y
 
 Outputs:
-out[0] = jellett
-out[1] = routh
+out[0] = jellett [kg*m^3/s]
+out[1] = routh [kg*m^2/s]
 
 Operations:
 rhs: 24 +-, 47 *, 3 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:a62a5f970afd897a)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:6c00e61dd1a39115)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -11,7 +11,7 @@
  * y[1] = y [m]: across the slope
  * y[2] = phi [rad]: heading, from the fall line
  * y[3] = v
- * y[4] = phi'
+ * y[4] = phi' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass
@@ -23,7 +23,7 @@
  * 0: slip
  *
  * Outputs:
- * out[0] = speed
+ * out[0] = speed [m/s]
  *
  * Operations:
  * rhs: 0 +-, 4 *, 0 /, 3 calls

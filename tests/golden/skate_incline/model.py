@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:f0d571a07c7191bd).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:8b3c9a1a58cbf68e).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -12,7 +12,7 @@ y[0] = x [m]: down the slope
 y[1] = y [m]: across the slope
 y[2] = phi [rad]: heading, from the fall line
 y[3] = v
-y[4] = phi'
+y[4] = phi' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass
@@ -24,7 +24,7 @@ Constraints:
 0: slip
 
 Outputs:
-out[0] = speed
+out[0] = speed [m/s]
 
 Operations:
 rhs: 0 +-, 4 *, 0 /, 3 calls

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:bf454c630325b838)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:318a9c8a3f2757ba)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -11,11 +11,11 @@
  * y[2] = phi [rad]: precession
  * y[3] = theta [rad]: nutation
  * y[4] = psi [rad]: spin
- * y[5] = x'
- * y[6] = y'
- * y[7] = phi'
- * y[8] = theta'
- * y[9] = psi'
+ * y[5] = x' [m/s]
+ * y[6] = y' [m/s]
+ * y[7] = phi' [rad/s]
+ * y[8] = theta' [rad/s]
+ * y[9] = psi' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass
@@ -26,10 +26,10 @@
  * p[5]: g = 9.81 [m/s^2]: acceleration of gravity
  *
  * Outputs:
- * out[0] = jellett
- * out[1] = spin
- * out[2] = p_x
- * out[3] = p_y
+ * out[0] = jellett [kg*m^3/s]
+ * out[1] = spin [rad/s]
+ * out[2] = p_x [kg*m/s]
+ * out[3] = p_y [kg*m/s]
  *
  * Operations:
  * rhs: 25 +-, 60 *, 4 /, 4 calls

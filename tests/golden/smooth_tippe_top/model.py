@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:d18cd54f1d9a6002).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:edfe6d940d40f68a).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -11,11 +11,11 @@ y[1] = y [m]: geometric centre
 y[2] = phi [rad]: precession
 y[3] = theta [rad]: nutation
 y[4] = psi [rad]: spin
-y[5] = x'
-y[6] = y'
-y[7] = phi'
-y[8] = theta'
-y[9] = psi'
+y[5] = x' [m/s]
+y[6] = y' [m/s]
+y[7] = phi' [rad/s]
+y[8] = theta' [rad/s]
+y[9] = psi' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass
@@ -26,10 +26,10 @@ p[4]: I3 = 0.42 [kg*m^2]: about the axis
 p[5]: g = 9.81 [m/s^2]: acceleration of gravity
 
 Outputs:
-out[0] = jellett
-out[1] = spin
-out[2] = p_x
-out[3] = p_y
+out[0] = jellett [kg*m^3/s]
+out[1] = spin [rad/s]
+out[2] = p_x [kg*m/s]
+out[3] = p_y [kg*m/s]
 
 Operations:
 rhs: 25 +-, 60 *, 4 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:9c6deb84fa5a9d01)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:bfa89140beb73c1b)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -14,9 +14,9 @@
  * y[4] = p_b [rad]: back axle, relative to the board
  * y[5] = p_f [rad]: front axle, relative to the board
  * y[6] = v
- * y[7] = psi'
- * y[8] = p_b'
- * y[9] = p_f'
+ * y[7] = psi' [rad/s]
+ * y[8] = p_b' [rad/s]
+ * y[9] = p_f' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of everything
@@ -33,7 +33,7 @@
  * 1: front
  *
  * Outputs:
- * out[0] = speed
+ * out[0] = speed [m/s]
  *
  * Operations:
  * rhs: 52 +-, 106 *, 4 /, 9 calls

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:cc6a5fe8fe5ec17a).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:b79a079488ea4427).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -16,9 +16,9 @@ y[3] = psi [rad]: rotor, relative to the board
 y[4] = p_b [rad]: back axle, relative to the board
 y[5] = p_f [rad]: front axle, relative to the board
 y[6] = v
-y[7] = psi'
-y[8] = p_b'
-y[9] = p_f'
+y[7] = psi' [rad/s]
+y[8] = p_b' [rad/s]
+y[9] = p_f' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of everything
@@ -35,7 +35,7 @@ Constraints:
 1: front
 
 Outputs:
-out[0] = speed
+out[0] = speed [m/s]
 
 Operations:
 rhs: 52 +-, 106 *, 4 /, 9 calls

@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:b4cbe905a766b267)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:b32d5111458bf883)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -8,8 +8,8 @@
  * State y:
  * y[0] = theta [rad]: angle from the downward vertical
  * y[1] = phi [rad]: azimuth
- * y[2] = theta'
- * y[3] = phi'
+ * y[2] = theta' [rad/s]
+ * y[3] = phi' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the bob
@@ -17,7 +17,7 @@
  * p[2]: g = 9.81 [m/s^2]: acceleration of gravity
  *
  * Outputs:
- * out[0] = L_z
+ * out[0] = L_z [kg*m^2/s]
  *
  * Operations:
  * rhs: 1 +-, 10 *, 2 /, 2 calls

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:b309050094c46421).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:6eca83adac188328).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -9,8 +9,8 @@ Why: no constraints
 State y:
 y[0] = theta [rad]: angle from the downward vertical
 y[1] = phi [rad]: azimuth
-y[2] = theta'
-y[3] = phi'
+y[2] = theta' [rad/s]
+y[3] = phi' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bob
@@ -18,7 +18,7 @@ p[1]: l = 1.0 [m]: length of the rod
 p[2]: g = 9.81 [m/s^2]: acceleration of gravity
 
 Outputs:
-out[0] = L_z
+out[0] = L_z [kg*m^2/s]
 
 Operations:
 rhs: 1 +-, 10 *, 2 /, 2 calls

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:4c4724ba661c8a14)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:9b18d3205bd7a1de)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -9,8 +9,8 @@
  * y[0] = phi [rad]: precession
  * y[1] = theta [rad]: nutation
  * y[2] = psi [rad]: spin
- * y[3] = w1
- * y[4] = w2
+ * y[3] = w1 [rad/s]
+ * y[4] = w2 [rad/s]
  *
  * Parameters p:
  * p[0]: I11 = 1.0 [kg*m^2]
@@ -23,7 +23,7 @@
  * 0: no_spin
  *
  * Outputs:
- * out[0] = M3
+ * out[0] = M3 [kg*m^2/s]
  *
  * Operations:
  * rhs: 3 +-, 15 *, 3 /, 4 calls

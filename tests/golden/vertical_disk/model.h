@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:2cd498ca160bd09d)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:7031885aea7be643)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -10,8 +10,8 @@
  * y[1] = y [m]: point of contact
  * y[2] = phi [rad]: heading
  * y[3] = theta [rad]: angle rolled
- * y[4] = phi'
- * y[5] = theta'
+ * y[4] = phi' [rad/s]
+ * y[5] = theta' [rad/s]
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass
@@ -24,7 +24,7 @@
  * 1: roll_y
  *
  * Outputs:
- * out[0] = speed
+ * out[0] = speed [m/s]
  *
  * Operations:
  * rhs: 1 +-, 5 *, 0 /, 2 calls

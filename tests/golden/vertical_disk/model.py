@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:834fb7eec59de983).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:112caa7cd2ad56fb).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -11,8 +11,8 @@ y[0] = x [m]: point of contact
 y[1] = y [m]: point of contact
 y[2] = phi [rad]: heading
 y[3] = theta [rad]: angle rolled
-y[4] = phi'
-y[5] = theta'
+y[4] = phi' [rad/s]
+y[5] = theta' [rad/s]
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass
@@ -25,7 +25,7 @@ Constraints:
 1: roll_y
 
 Outputs:
-out[0] = speed
+out[0] = speed [m/s]
 
 Operations:
 rhs: 1 +-, 5 *, 0 /, 2 calls

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:5204c7c0080e9840).
+"""veselova, emitted by nhc 0.1.0 (nhc:792f601076378544).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -9,8 +9,8 @@ State y:
 y[0] = phi [rad]: precession
 y[1] = theta [rad]: nutation
 y[2] = psi [rad]: spin
-y[3] = w_x
-y[4] = w_y
+y[3] = w_x [rad/s]
+y[4] = w_y [rad/s]
 
 Parameters p:
 p[0]: I1 = 1.0 [kg*m^2]
@@ -21,8 +21,8 @@ Constraints:
 0: no_turn
 
 Outputs:
-out[0] = L_x
-out[1] = L_y
+out[0] = L_x [kg*m^2/s]
+out[1] = L_y [kg*m^2/s]
 
 Operations:
 rhs: 23 +-, 46 *, 3 /, 6 calls
