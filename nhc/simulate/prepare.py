@@ -16,7 +16,7 @@ from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner, build_functions
 from nhc.program.clock import find_stops
 from nhc.program.hold import TORN, TORN_HOLD, hold_functions
-from nhc.program.ir import Program, Stop
+from nhc.program.ir import Function, Leaps, Program, Stop
 from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program
 from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch
@@ -117,17 +117,14 @@ def prepare(
     drawn = [Column(f"drawn {k}", "drawn", node) for k, node in enumerate(sketch.nodes)]
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
     watch, watched = watch_function(planner, event, weak, known if fixed else {})
-    functions = build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
-    functions += (needed_function(planner, [*columns, *checked, *drawn]),)
-    functions += () if watch is None else (watch,)
     structure = structure_of(planner) if natural else Structure()
-    functions += structure.functions
-    leaps = None if natural else find_leaps(planner, known)
-    functions += () if leaps is None else (leaps.function,)
-    held, calls = hold_functions(planner) if hold and not natural else ((), ())
-    functions += held
-    if natural:
-        functions += build_functions(planner, ("velocities", "state"))
+    leaps, calls, more = (None, (), structure.functions) if natural else _beside_steps(planner, known, hold)
+    functions = (
+        *build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",)),
+        needed_function(planner, [*columns, *checked, *drawn]),
+        *(() if watch is None else (watch,)),
+        *(more if not natural else (*more, *build_functions(planner, ("velocities", "state")))),
+    )
     frame = build_program(system, formulation, equations, only=("residuals",), scenes=False)
     program = replace(frame, functions=functions, scenes=(), leaps=leaps)
     meanings = {status.code: status.what for status in list_statuses(program)}
@@ -153,6 +150,15 @@ def prepare(
         sketch=sketch,
         recipe=None if natural else Recipe(equations, tuple(needs), event, jacobian, hold, checks, draw, weak),
     )
+
+
+def _beside_steps(
+    planner: Planner, known: dict[Node, tuple[float, float]], hold: bool
+) -> tuple[Leaps | None, tuple[tuple[str, ...], ...], tuple[Function, ...]]:
+    """(what a step must not leap over, the calls that bring its end back to the constraints, the functions of both)."""
+    leaps = find_leaps(planner, known)
+    held, calls = hold_functions(planner) if hold else ((), ())
+    return leaps, calls, (*(() if leaps is None else (leaps.function,)), *held)
 
 
 def move_start(job: Job, start: Start) -> Job:

@@ -178,11 +178,7 @@ def write_source(
         "kernels": tuple(known),
         "lanes": lanes,
         "called": tuple(sorted({name for k in known for name in k.calls[i]}) for i in (0, 1)),
-        "reads": kernel.reads if kernel else (),
-        "waiting": kernel.waiting if kernel else (),
-        "kept": kernel.kept if kernel else 0,
-        "handed": kernel.handed if kernel else 0,
-        "packed": kernel.packed if kernel else ((), ()),
+        **_describe_split(kernel),
         "slots": max(count_slots(method) for method in explicit) if kernel else 0,
         "pieces": list_pieces(kernel.reads, len(program.state)) if kernel else (),
         "packs": count_packs(len(program.state)),
@@ -207,6 +203,19 @@ def write_source(
         "stride": (STRIDE, MOST_STEPS / STRIDE, PATIENCE),
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
+
+
+def _describe_split(kernel: Kernel | None) -> dict[str, object]:
+    """What of a right-hand side waits for other values, and how many it hands on."""
+    if kernel is None:
+        return {"reads": (), "waiting": (), "kept": 0, "handed": 0, "packed": ((), ())}
+    return {
+        "reads": kernel.reads,
+        "waiting": kernel.waiting,
+        "kept": kernel.kept,
+        "handed": kernel.handed,
+        "packed": kernel.packed,
+    }
 
 
 def write_natural(program: Program, method: Scheme) -> dict[str, str]:
