@@ -82,6 +82,7 @@ def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...]
     vectors = _standing(scene, vectors, [equation.base for equation in rolling])
     if not vectors:
         return None
+    scene.pairs.update((is_position, vector.components) for group, vector, is_position in vectors if len(group) == 2)
     for equation in rolling:
         apply_rolling(scene, equation)
     for _, vector, is_position in vectors:

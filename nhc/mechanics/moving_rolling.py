@@ -74,7 +74,7 @@ def peel_rolling(scene: Scene, values: Sequence[Node]) -> list[Path]:
     for row in range(scene.system.l):
         for matched in _match(scene, known, row, values, 3, set(range(row))):
             path = scene.velocities.unturn(matched.rest).path
-            if len({axis for turn in path for axis in turn.plane}) == 3:
+            if len(_turned_among(path)) == 3:
                 found.append(path)
                 break
     return found
@@ -96,7 +96,8 @@ def _read(
 ) -> Iterator[Rolling]:
     for size in (3, 2):
         for matched in _match(scene, known, row, values, size, used):
-            place = _on_axes(scene, matched.rest, planar=size == 2)
+            axes = {axis for axis in range(3) if matched.rows[axis] >= 0}
+            place = _on_axes(scene, matched.rest, axes)
             if place is not None:
                 is_position, vector, _ = matched.candidate
                 yield Rolling(matched.rows, matched.signs, vector, is_position, *place)
@@ -162,16 +163,16 @@ def _take(graph: Graph, node: Node, taken: Node) -> Node | None:
     return g.sum(mine)
 
 
-def _on_axes(scene: Scene, rest: Vector, *, planar: bool) -> tuple[Path, Vector] | None:
-    """The rest as a vector on turned axes whose components the spec has as expressions."""
+def _on_axes(scene: Scene, rest: Vector, axes: set[int]) -> tuple[Path, Vector] | None:
+    """The rest as a vector on axes turned among ``axes`` whose components the spec has as expressions."""
     g = scene.graph
-    if planar:
+    if len(axes) == 2:
         parts = scene.velocities.peel(rest)
-        if len(parts) == 1 and parts[0].path:
+        if len(parts) == 1 and parts[0].path and _turned_among(parts[0].path) == axes:
             return parts[0].path, parts[0].local
     names = {scene.marks.of(node): node for node in reversed(reachable(g, rest))}
     for path in sorted(scene.paths, key=len, reverse=True):
-        if (len({axis for turn in path for axis in turn.plane}) == 2) != planar:
+        if _turned_among(path) != axes:
             continue
         local = []
         for node in change_axes(g, rest, (), path):
@@ -186,6 +187,10 @@ def _on_axes(scene: Scene, rest: Vector, *, planar: bool) -> tuple[Path, Vector]
         if len(local) == 3:
             return straighten(scene, path, (local[0], local[1], local[2]))
     return None
+
+
+def _turned_among(path: Path) -> set[int]:
+    return {axis for turn in path for axis in turn.plane}
 
 
 def apply_rolling(scene: Scene, rolling: Rolling) -> None:

@@ -26,7 +26,7 @@ from nhc.mechanics.turns import Turn, add_spin, change_axes, cross
 from nhc.mechanics.vectors import Reader
 from nhc.pipeline import Options, emit
 from nhc.program.model import build_program
-from tests.support import python_model, spec_path
+from tests.support import ROOT, python_model, spec_path
 from tests.trees import planar_tree, robot_arm, spatial_pair
 
 
@@ -116,6 +116,12 @@ def cost(system: System, *, moving: bool) -> int:
 def test_operations_are_saved(name: str, most: float) -> None:
     text = spec_path(name).read_text()
     assert cost(system_of(text), moving=True) < most * cost(system_of(text), moving=False)
+
+
+def test_a_pair_of_the_kinetic_energy_keeps_its_plane() -> None:
+    """On axes that turn in space the base's velocity would have a third component, which is no form of T."""
+    system = system_of((ROOT / "tests" / "specs" / "gantry.yaml").read_text())
+    assert assert_same(system) > 0
 
 
 def rewritten(name: str, way: str) -> str:
