@@ -22,7 +22,8 @@ from nhc.mechanics.moving_rows import (
     Sided,
     along_direction,
     direction_vector,
-    read_square,
+    order_roots,
+    read_group,
     read_vector,
     rewrite_row,
     square_groups,
@@ -61,9 +62,8 @@ def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...]
     moving = g.mask((*system.q, system.t))
     scene = Scene(system, held, tuple(values), marks, forms, Reader(g, moving), Reader(g, moving), backs=backs)
     vectors: list[Placed] = []
-    for group in groups:
-        components = [kinetic.atoms[k] for k in group] + [g.zero] * (3 - len(group))
-        vectors.append((group, *read_square(scene, (components[0], components[1], components[2]))))
+    for group in order_roots(scene, kinetic, groups):
+        vectors.append(read_group(scene, kinetic, group))
         lean = find_lean(g, [part.path for part in vectors[-1][1].parts]) if len(backs) < _LEANS else None
         straight = None if lean is None else move(*count_from_joint(lean, system, kinetic, frame), (*backs, lean.back))
         if straight is not None:
@@ -82,6 +82,7 @@ def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...]
     vectors = _standing(scene, vectors, [equation.base for equation in rolling])
     if not vectors:
         return None
+    scene.pairs.update((is_position, vector.components) for group, vector, is_position in vectors if len(group) == 2)
     for equation in rolling:
         apply_rolling(scene, equation)
     for _, vector, is_position in vectors:

@@ -58,6 +58,7 @@ class Scene:
     dropped: set[int] = field(default_factory=set)  # forms that are among the components
     # the spec's expressions of angular velocities -> the chain's
     replaced: dict[Node, Node] = field(default_factory=dict)
+    pairs: set[tuple[bool, Vector]] = field(default_factory=set)  # vectors of which T has two components and no third
     backs: tuple[Turn, ...] = ()  # constant turns to axes on which the spec may have its components
 
     @cached_property
@@ -151,11 +152,12 @@ class Scene:
 
     def _candidates(self, vector: Chained, is_position: bool) -> list[Path]:
         own = [part.path for part in vector.parts if part.path]
-        if own:
+        if not own:
+            own = [*self.paths, ()] if vector.base is None else [self.home(vector.base, is_position).path]
+        if (is_position, vector.components) not in self.pairs:
             return own
-        if vector.base is not None:
-            return [self.home(vector.base, is_position).path]
-        return [*self.paths, ()]
+        # on other axes it would have a third component, which is no form of T
+        return [path for path in own if all({*turn.plane} == {0, 1} for turn in path)] or [()]
 
     def components_in(self, vector: Chained, is_position: bool, path: Path) -> Vector:
         """The velocity on the axes of a path: what has the base's axes is added before they are changed."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import permutations
 
 from nhc.algebra.calculus import list_terms
-from nhc.algebra.graph import NEG, Graph, Node
+from nhc.algebra.graph import NEG, SYM, Graph, Node
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.system import System
@@ -30,10 +32,26 @@ def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
             by_factor.setdefault(factor, []).append(k)
     coordinates = g.mask(system.q)
     groups: list[tuple[int, ...]] = []
+    written = _list_symbols(g, kinetic.tau)
     for members in by_factor.values():
+        members.sort(key=lambda k: written[kinetic.u[k]])
         reach = {k: g.deps[kinetic.atoms[k]] & coordinates for k in members}
         groups += _pair(members, reach)
-    return sorted(groups)
+    return sorted(groups, key=sorted)
+
+
+def _list_symbols(graph: Graph, root: Node) -> dict[Node, int]:
+    """The symbols of an expression by their places, from left to right."""
+    found: dict[Node, int] = {}
+    seen, stack = set[Node](), [root]
+    while stack:
+        node = stack.pop()
+        if graph.op[node] == SYM:
+            found.setdefault(node, len(found))
+        elif node not in seen:
+            seen.add(node)
+            stack += reversed(graph.kids[node])
+    return found
 
 
 def _pair(members: Sequence[int], reach: dict[int, int]) -> Iterator[tuple[int, ...]]:
@@ -109,6 +127,43 @@ def read_vector(scene: Scene, components: Vector) -> tuple[Chained, bool]:
     if x is None or y is None or z is None:
         return scene.velocities.read(components), False
     return scene.positions.read((x, y, z)), True
+
+
+def order_roots(scene: Scene, kinetic: Kinetic, groups: Sequence[tuple[int, ...]]) -> list[tuple[int, ...]]:
+    """The groups, those of coordinates' own velocities in the order in which the rows and the other groups use these."""
+    g, system = scene.graph, scene.system
+    votes = Counter[tuple[Node, int]]()
+    for value in scene.values:
+        sided = along_direction(g, value)
+        if sided is not None:
+            votes.update((node, axis) for axis, node in enumerate(direction_vector(g, sided)[0]))
+    own = dict(zip(system.q, system.v, strict=True))
+    for group in groups:
+        for axis, k in enumerate(group):
+            place = place_of(scene, kinetic.atoms[k])
+            votes.update((own[term], axis) for term in list_terms(g, place or g.zero) if term in own and term != place)
+    ordered = []
+    for group in groups:
+        orders = list(permutations(group)) if all(kinetic.atoms[k] in system.v for k in group) else [group]
+        agree = [sum(votes[kinetic.atoms[k], axis] for axis, k in enumerate(order)) for order in orders]
+        ordered.append(orders[agree.index(max(agree))])
+    return ordered
+
+
+def read_group(scene: Scene, kinetic: Kinetic, group: tuple[int, ...]) -> tuple[tuple[int, ...], Chained, bool]:
+    """A group of squares as a vector: in the given order, or in one in which it stands on a vector that is known."""
+
+    def filled(nodes: Iterable[Node]) -> Vector:
+        x, y, z = [*nodes, scene.graph.zero][:3]
+        return x, y, z
+
+    def stands(order: tuple[int, ...]) -> bool:
+        places = [place_of(scene, kinetic.atoms[k]) for k in order]
+        known = [place for place in places if place is not None]
+        return len(known) == len(places) and scene.positions.stands_on_known(filled(known))
+
+    order = next(filter(stands, permutations(group)), group)
+    return order, *read_square(scene, filled(kinetic.atoms[k] for k in order))
 
 
 def read_square(scene: Scene, components: Vector) -> tuple[Chained, bool]:

@@ -80,6 +80,9 @@ def _as_written(graph: Graph, forms: Sequence[Node], w: Sequence[Node], paramete
             known[node] = {made.define(terms, constant): graph.one}, graph.zero
         else:
             known[node] = terms, constant
+    for node in dict.fromkeys(forms):
+        if node not in uses:  # no rate moves it: constraints prescribe what it is
+            known[node] = ({made.define({}, node): graph.one} if node != graph.zero else {}), graph.zero
     made.forms = [known[node][0] for node in forms]
     return made
 

@@ -11,6 +11,7 @@ of point masses this is the elimination of the rods' tensions, written with acce
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -106,8 +107,11 @@ class Rods:
         for rod in self.roots:
             _, d = rod.axes(g)
             held = [(i, g.mul(x, rod.stiffness), x) for i, x in zip(rod.foot, d, strict=True) if i is not None]
-            for k, (a, pushed, _) in enumerate(held):
-                found += [(min(a, b), max(a, b), g.mul(pushed, x)) for b, _, x in held[k:]]
+            found += [(a, a, g.mul(pushed, x)) for a, pushed, x in held]
+            for (a, pushed, _), (b, _, x) in itertools.combinations(held, 2):
+                # a foot whose components are one variable has both entries off the diagonal on it
+                weight = g.mul(pushed, x)
+                found.append((min(a, b), max(a, b), g.mul(g.number(2), weight) if a == b else weight))
         return found
 
     def push(self, pull: list[Node], drift: Sequence[Node], *, moving: bool) -> dict[int, Node]:

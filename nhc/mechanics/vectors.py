@@ -105,6 +105,10 @@ class Reader:
         """Whether it is known, or stands on one that is."""
         return components in self.known or self._take_base(components)[0] is not None
 
+    def stands_on_known(self, components: Vector) -> bool:
+        """Whether all components of a vector that is known are terms of these."""
+        return bool(self._list_fitting(self._terms_of(components)))
+
     def _keep(self, vector: Chained) -> Chained:
         known = self.known.get(vector.components)
         if known is not None:
@@ -117,19 +121,24 @@ class Reader:
 
     def _take_base(self, components: Vector) -> tuple[Chained | None, Vector]:
         """The newest known vector whose components are terms of these, and what is left."""
-        g = self.graph
-        terms = [list_terms(self.graph, x, known) for x, known in zip(components, self._at, strict=True)]
-        candidates: dict[Vector, Chained] = {}
-        for at, list_of in zip(self._at, terms, strict=True):
-            candidates.update((v.components, v) for term in list_of for v in at.get(term, ()))
-        fitting = [
-            key for key in candidates if all(x == g.zero or x in list_of for x, list_of in zip(key, terms, strict=True))
-        ]
-        base = candidates[max(fitting)] if fitting else None
+        terms = self._terms_of(components)
+        fitting = self._list_fitting(terms)
+        base = self.known[max(fitting)] if fitting else None
         rest = components if base is None else self._without(terms, base.components)
         if len(self.angles_of(rest)) > _FEW_ANGLES:
             return self._nearest(components, base, rest)
         return base, rest
+
+    def _terms_of(self, components: Vector) -> list[list[Node]]:
+        return [list_terms(self.graph, x, known) for x, known in zip(components, self._at, strict=True)]
+
+    def _list_fitting(self, terms: Sequence[list[Node]]) -> list[Vector]:
+        """Components of the known vectors that the terms contain."""
+        found: dict[Vector, None] = {}
+        for at, list_of in zip(self._at, terms, strict=True):
+            found.update((v.components, None) for term in list_of for v in at.get(term, ()))
+        zero = self.graph.zero
+        return [key for key in found if all(x == zero or x in own for x, own in zip(key, terms, strict=True))]
 
     def _without(self, terms: Sequence[list[Node]], base: Vector) -> Vector:
         rest = []
