@@ -55,10 +55,13 @@ class Step:
         return self.model.jacobian(t, y, self.p)
 
     def allowed(self, reached: Vector) -> Vector:
-        """The error that each component may make: relative to its own size in the run so far."""
-        least = 1e-6 * max(self.size, default=0.0)
-        sizes = (max(a, abs(b), least) for a, b in zip(self.size, reached, strict=True))
-        return [max(self.tolerance * size, sys.float_info.min) for size in sizes]
+        """The error that each component may make: relative to its own size in the run so far, this step's end included.
+
+        From rest, where nothing has a size yet, what grows with a high power of the time counts beside what grows sooner.
+        """
+        sizes = [max(a, abs(b)) for a, b in zip(self.size, reached, strict=True)]
+        least = 1e-6 * max(sizes, default=0.0)
+        return [max(self.tolerance * max(size, least), sys.float_info.min) for size in sizes]
 
     def cubic(self) -> list[Vector]:
         """Hermite's cubic through both ends, in the terms of ``interpolate``."""
