@@ -111,3 +111,24 @@ def test_a_driver_starts_from_rest(tmp_path: Path, swum: list[float]) -> None:
         assert done.returncode == 0, done.stderr
         last = list(csv.reader(io.StringIO(done.stdout)))[-1]
         assert [float(x) for x in last[1:]] == pytest.approx(swum, abs=1e-6)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize(
+    ("method", "torque"), [("dop853", "A*t^8"), ("dopri5", "A*t^4"), ("radau5", "A*t^3"), ("radau5", "A*max(0, t - 1)")]
+)
+def test_forces_of_a_high_power_of_the_time_from_rest(method: str, torque: str, compiled: bool) -> None:
+    """B (theta + delta)'' = M by quadrature.  Even what grows first has one relative error in all steps from zero."""
+    text = SWIMMER.replace("A*sin(Omega*t)", f'"{torque}"').replace("[0, 20]", "[0, 2]")
+    text = text.replace("scenes:", "outputs: {wheel: theta + delta}\nscenes:")
+    job = open_scene(Source("swimmer.yaml", text), method=method, formulation="multipliers", needs=("wheel",))
+    found = run(job, Settings(method, 1e-9, 0.0, 2, compiled))
+    assert found.ended == "done", found.reason
+    scale = 0.5 / 0.03
+    exact = {
+        "A*t^8": scale * 2**10 / 90,
+        "A*t^4": scale * 2**6 / 30,
+        "A*t^3": scale * 2**5 / 20,
+        "A*max(0, t - 1)": scale / 6,
+    }
+    assert found.rows[-1] == pytest.approx([exact[torque]], rel=1e-8)
