@@ -221,6 +221,7 @@ def _report(found: Trajectory, target: Path | None) -> int:
 
 def _advise(found: Trajectory, lost: bool) -> list[str]:
     """What can be done about a singular place; ``lost``: the constraints have no full rank there."""
+    from nhc.simulate.outcomes import find_lost
     from nhc.simulate.task import CROSSED
 
     job, outcome = found.job, found.outcome
@@ -228,7 +229,7 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
         return ["there the constraints lose rank, and no formulation has a motion beyond: end the scene before"]
     if outcome.kind != CROSSED:
         return []
-    if job.watch.kinds[outcome.status] == "mass":
+    if job.watch.kinds[find_lost(job, outcome)] == "mass":
         return ["look at T there, or take coordinates that are regular, such as a `rotation:` for angles in space"]
     if job.recipe is None or not job.recipe.weak:
         return ["leave `--stay` out: the run then goes on with another choice of velocities"]

@@ -2,9 +2,9 @@
 
 The integrals are the functions that the allowed motions leave constant: e_mu(f) = 0 for every free direction and X_0(f) = 0 for
 the drift.  Among candidate functions (coordinates, the functions and named definitions that the constraints are made of,
-products of coordinates, each also times a parameter of the constraints) all constant combinations with this property are found
-by exact linear algebra at random points of a prime field.  That finds integrals of single constraints and of combinations alike,
-with no integrating factor; each is tested again modulo another prime.
+products of coordinates, each also times a parameter of the constraints; antiderivatives of the constraints' terms) all constant
+combinations with this property are found by exact linear algebra at random points of a prime field.  That finds integrals of single
+constraints and of combinations alike, with no integrating factor; each is tested again modulo another prime.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from nhc.mechanics.conserved import Candidate, combine
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.leaf import Leaf, has_values, leaf_of, rank_on
 from nhc.mechanics.named import named_text
+from nhc.mechanics.primitives import find_primitives
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
@@ -100,6 +101,7 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
         [*coordinates, *scaled, *(g.mul(s, x) for s in parameters for x in (*atoms, *_partners(g, atoms)))],
         [*coordinates, *scaled, *pairs],
         [*coordinates, *scaled, *products, *(g.mul(s, x) for s in parameters for x in products)],
+        [*coordinates, *find_primitives(system)],
         [*coordinates, *scaled, *_elementary(g, coordinates)],
     ]
     for form in system.constraints:

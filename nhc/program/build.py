@@ -197,7 +197,7 @@ class Planner(PlannerBase):
 
 
 def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Function, ...]:
-    """The functions asked for (all by default), in their fixed order."""
+    """The functions asked for, in their fixed order; all of them where none is named, or one that this system does not have."""
     functions = []
     wanted = set(only)
     if any(name in wanted and planner.calls_rhs(name) for name in ("accelerations", "reactions")):
@@ -208,6 +208,8 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
         plan = getattr(planner, name)()
         if plan is not None:
             functions.append(lower_function(planner.graph, rewrite(planner, plan), planner.parameters))
+        elif name in wanted:
+            return build_functions(planner)  # the emitter refuses it, and names those that there are
     return tuple(functions)
 
 

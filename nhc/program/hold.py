@@ -17,6 +17,7 @@ from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import rank
 from nhc.mechanics.associate import Equations
+from nhc.mechanics.constancy import shows_jumps
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System
@@ -31,6 +32,7 @@ TORN = (
     "a constraint jumps here, as a sign or the branch of an angle does, and no motion goes on beyond; "
     "write it without the jump"
 )
+STRAYED = "a step ends too far from the constraints to be brought back to the motion: it is too long"
 _TOLERANCE = 1e-13
 TURNS = 2  # Newton steps for positions: a step's drift is small, and each one squares it
 
@@ -60,7 +62,14 @@ def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[tuple[
 def make_hold(planner: Planner) -> Hold | None:
     """The same for a driver; None where its formulation holds everything."""
     functions, calls = hold_functions(planner)
-    return Hold(functions, calls, SINGULAR_HOLD, SINGULAR, TORN) if calls else None
+    return Hold(functions, calls, SINGULAR_HOLD, SINGULAR, tell_torn(planner.system)) if calls else None
+
+
+def tell_torn(system: System) -> str:
+    """Why a step's end lies far from the constraints: only those that jump somewhere tear a motion."""
+    forms = system.constraints
+    nodes = [x for form in forms for x in (form.equation, *form.coefficients, form.constant) if x is not None]
+    return TORN if shows_jumps(system, nodes) else STRAYED
 
 
 def must_hold(equations: Equations) -> bool:

@@ -66,7 +66,8 @@ class Watch:
         if index < self.dips:
             return f"{what}: the determinant changes its sign here, and {beyond}"
         if kind == "mass":
-            return f"{what}: a pivot of it vanishes here, where the coordinates do not tell the motion, and {beyond}"
+            who = "the coordinates, or the velocities that are kept," if "frame" in self.kinds else "the coordinates"
+            return f"{what}: a pivot of it vanishes here, where {who} do not tell the motion, and {beyond}"
         if kind == "rank":
             return f"{what} here: their minors vanish together, and {beyond}"
         return f"{what}: the determinant vanishes here, and {beyond}"

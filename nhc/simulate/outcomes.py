@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from nhc.algebra.graph import Node
+from nhc.mechanics.conditioning import conditioning
 from nhc.mechanics.singular import smallest_singular_value
 from nhc.mechanics.undefined import find_undefined
 from nhc.simulate.prepare import Job
@@ -19,6 +20,8 @@ from nhc.simulate.task import (
     Outcome,
 )
 
+_POOR = 1e-4  # of a coframe's determinant, relative to its rows: its square has lost half of a double's digits
+
 
 def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
     """(done, event, stopped or failed; why)."""
@@ -29,7 +32,7 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
     if outcome.kind == STOPPED:
         return "stopped", "interrupted"
     if outcome.kind == CROSSED:
-        return "failed", job.watch.describe(outcome.status)
+        return "failed", job.watch.describe(find_lost(job, outcome))
     reasons = {
         SINGULAR: _why_singular(job, outcome),
         UNDERFLOW: "the step size underflows: the motion approaches a singularity, or is not smooth there",
@@ -39,6 +42,21 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
         NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
     }
     return "failed", reasons.get(outcome.kind, "it fails")
+
+
+def find_lost(job: Job, outcome: Outcome) -> int:
+    """The watched value that says why a run ended at one of them: where a choice of velocities becomes singular the mass matrix on
+    them, which has their determinant squared in it, is lost first.
+    """
+    watch, index = job.watch, outcome.status
+    frames = [k for k in range(watch.dips, watch.weak) if watch.kinds[k] == "frame"]
+    if watch.kinds[index] != "mass" or not frames:
+        return index
+    try:
+        sound = conditioning(job.system, job.formulation, _place_of(job, outcome))
+    except (ArithmeticError, ValueError):
+        return index
+    return frames[0] if sound ** max(job.system.l, 1) < _POOR else index
 
 
 def _why_singular(job: Job, outcome: Outcome) -> str:
@@ -60,7 +78,7 @@ def _place_of(job: Job, outcome: Outcome) -> dict[Node, float]:
 def name_outcome(job: Job, outcome: Outcome) -> str:
     """Why a run does not end, in a few words."""
     if outcome.kind == CROSSED:
-        return job.watch.about[outcome.status]
+        return job.watch.about[find_lost(job, outcome)]
     if outcome.kind == NO_SOLUTION:
         return "Newton's iteration does not converge"
     return describe_outcome(job, outcome)[1].partition(":")[0]

@@ -15,7 +15,7 @@ from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner, build_functions
 from nhc.program.clock import find_stops
-from nhc.program.hold import TORN, TORN_HOLD, hold_functions
+from nhc.program.hold import TORN_HOLD, hold_functions, tell_torn
 from nhc.program.ir import Function, Leaps, Program, Stop
 from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program
@@ -140,7 +140,7 @@ def prepare(
         tolerance=float(scene.tolerance),
         columns=tuple(columns),
         checks=tuple(checked),
-        meanings=meanings | ({TORN_HOLD: TORN} if calls else {}),
+        meanings=meanings | ({TORN_HOLD: tell_torn(system)} if calls else {}),
         watch=watched,
         structure=structure,
         holds=calls,

@@ -151,21 +151,24 @@ def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None
         (("u' = R*z'", "b' = R*(1 - exp(-t))"), "b - R*t - R*exp(-t)"),  # a motor that comes up to speed
         (("z' = b*u' + u*b' + R", "w' = u*b'"), "z - b*u - R*t"),
         (("z' = z*(R*b' + u')", "w' = u*b'"), "log(z) - R*b - u"),
+        (("z' = u*b'", "w' = b*u' + R*sin(3*t)"), "z + w - u*b + R*cos(3*t)/3"),  # neither row alone, and driven
+        (("z' = 3*R*b^2*u*b' + R*b^3*u' + R^2*t^2", "w' = u*z'"), "z - R*b^3*u - R^2*t^3/3"),  # all of one degree
+        (("z' = R*cos(u + R*t)*u' + R^2*cos(u + R*t)",), "z - R*sin(u + R*t)"),  # on a wave that passes
     ],
 )
 def test_integrals_with_a_parameter_beside_a_function(rows: tuple[str, ...], integral: str) -> None:
     system = constrained("b, u, z, w", *rows, parameters="{R: 0.4}")
     facts = describe(system, formulate(system), Bag(system.spec.origin))
     assert "not found" not in facts.lines_by_key["integrals"]
-    b, z, R, t, u = sympy.symbols("b z R t u")
-    wanted = sympy.sympify(integral, {"b": b, "z": z, "R": R, "t": t, "u": u})
+    b, u, z, w, R, t = sympy.symbols("b u z w R t")
+    wanted = sympy.sympify(integral, {"b": b, "u": u, "z": z, "w": w, "R": R, "t": t})
     found = [sympy.sympify(e["integral"].replace("^", "**")) for e in facts.data["integrals"]]
     ratios = [
-        [sympy.simplify(sympy.diff(f, x) - k * sympy.diff(wanted, x)) for x in (b, z, t, u)]
+        [sympy.simplify(sympy.diff(f, x) - k * sympy.diff(wanted, x)) for x in (b, u, z, w, t)]
         for f in found
-        for k in (1, -1)
+        for k in (1, -1, 3, -3)
     ]
-    assert [0, 0, 0, 0] in ratios, found
+    assert [0, 0, 0, 0, 0] in ratios, found
 
 
 def test_an_integral_that_is_not_elementary_is_said_to_be_missing() -> None:

@@ -123,6 +123,22 @@ def test_a_run_ends_where_a_holonomic_constraint_jumps(
     assert len(found.times) == 16  # up to t = 3
 
 
+@pytest.mark.parametrize("compiled", [False, True])
+def test_steps_that_are_too_long_are_not_blamed_on_a_jump(compiled: bool) -> None:
+    """The constraint is smooth: a table with a hole, and a string through it whose other end hangs."""
+    text = """nhc: 1
+system: string
+coordinates: [x, y, z]
+T: (x'^2 + y'^2)/2 + z'^2
+V: 19.62*z
+holonomic: ["sqrt(x^2 + y^2) - z = 2"]
+scenes: {a: {initial: {x: 1, z: -1, y': 4.5}, time: [0, 5]}}
+"""
+    found = motion(text, method="rk4", step=1.0, compiled=compiled)
+    assert found.ended == "failed"
+    assert "jump" not in found.reason and "it is too long" in found.reason
+
+
 @pytest.mark.parametrize("formulation", ["chaplygin", "multipliers"])
 @pytest.mark.parametrize(("method", "step"), [("dop853", 0.0), ("rk4", 0.2)])
 def test_a_run_goes_on_where_the_angle_has_no_cut(formulation: str, method: str, step: float) -> None:

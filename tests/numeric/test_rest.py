@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import math
+import subprocess
+from pathlib import Path
 
 import pytest
 
 from nhc.diagnostics import Source
+from nhc.pipeline import Options, emit
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, is_adaptive
 from nhc.simulate.opening import RunError, open_scene
 from nhc.simulate.run import Settings, run
-from tests.support import COMPILER
+from tests.support import COMPILER, compile_c
 
 PUSH = """nhc: 1
 system: push
@@ -53,3 +58,77 @@ def test_what_rests_in_balance_stays(method: str) -> None:
         found = run(job, Settings(method, 1e-8, 0.0 if is_adaptive(method) else 0.1, 3, compiled))
         assert found.ended == "done" and {x for row in found.rows for x in row} == {0.0}
         assert found.outcome.steps <= 25
+
+
+SWIMMER = """nhc: 1
+system: swimmer
+about: A sleigh on an edge that a wheel turns to and fro; at the start everything is exactly zero, the wheel's torque too.
+coordinates: [x, y, theta, delta]
+parameters: {m: 1.2, I: 0.1, B: 0.03, a: 0.2, A: 0.5, Omega: 2}
+T: m/2*((x' - a*sin(theta)*theta')^2 + (y' + a*cos(theta)*theta')^2) + I/2*theta'^2 + B/2*(theta' + delta')^2
+forces: {delta: A*sin(Omega*t)}
+constraints: ["-sin(theta)*x' + cos(theta)*y' = 0"]
+scenes: {go: {time: [0, 20]}}
+"""
+
+
+def swim(t: float, y: list[float]) -> list[float]:
+    """(x, y, theta, delta, v, omega, rho) by momentum and angular momentum about the edge: m v' = m a omega^2,
+    (I + m a^2) omega' = -m a v omega - M, B rho' = M, where rho = theta' + delta'.
+    """
+    _, _, theta, _, v, omega, rho = y
+    torque = 0.5 * math.sin(2 * t)
+    turn = (-1.2 * 0.2 * v * omega - torque) / (0.1 + 1.2 * 0.04)
+    return [v * math.cos(theta), v * math.sin(theta), omega, rho - omega, 0.2 * omega**2, turn, torque / 0.03]
+
+
+@pytest.fixture(scope="module")
+def swum() -> list[float]:
+    """Where it ends."""
+    from scipy.integrate import solve_ivp
+
+    found = solve_ivp(swim, (0, 20), [0.0] * 7, method="DOP853", rtol=1e-13, atol=1e-15, max_step=0.05)
+    return [float(x) for x in found.y[:4, -1]]
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("method", [m for m in RUNGE_KUTTA if is_adaptive(m)])
+def test_what_grows_late_from_rest_holds_no_step_up(method: str, compiled: bool, swum: list[float]) -> None:
+    """omega ~ t^2, v ~ t^5, y ~ t^9: in a step from zero the error of each is the same part of its size, however short it is."""
+    found = run(
+        open_scene(Source("swimmer.yaml", SWIMMER), method=method),
+        Settings(method, 1e-9, 0.0, 2, compiled),
+    )
+    assert found.ended == "done", found.reason
+    assert found.rows[-1] == pytest.approx(swum, abs=1e-7)
+
+
+def test_a_driver_starts_from_rest(tmp_path: Path, swum: list[float]) -> None:
+    files = emit(Source("swimmer.yaml", SWIMMER), "c", Options(driver=True))
+    program = compile_c(files, tmp_path, "swimmer", library=False)
+    for tolerance in ("1e-8", "1e-9", "1e-12"):
+        done = subprocess.run([program, "go", "2", tolerance], capture_output=True, text=True, timeout=60)
+        assert done.returncode == 0, done.stderr
+        last = list(csv.reader(io.StringIO(done.stdout)))[-1]
+        assert [float(x) for x in last[1:]] == pytest.approx(swum, abs=1e-6)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize(
+    ("method", "torque"), [("dop853", "A*t^8"), ("dopri5", "A*t^4"), ("radau5", "A*t^3"), ("radau5", "A*max(0, t - 1)")]
+)
+def test_forces_of_a_high_power_of_the_time_from_rest(method: str, torque: str, compiled: bool) -> None:
+    """B (theta + delta)'' = M by quadrature.  Even what grows first has one relative error in all steps from zero."""
+    text = SWIMMER.replace("A*sin(Omega*t)", f'"{torque}"').replace("[0, 20]", "[0, 2]")
+    text = text.replace("scenes:", "outputs: {wheel: theta + delta}\nscenes:")
+    job = open_scene(Source("swimmer.yaml", text), method=method, formulation="multipliers", needs=("wheel",))
+    found = run(job, Settings(method, 1e-9, 0.0, 2, compiled))
+    assert found.ended == "done", found.reason
+    scale = 0.5 / 0.03
+    exact = {
+        "A*t^8": scale * 2**10 / 90,
+        "A*t^4": scale * 2**6 / 30,
+        "A*t^3": scale * 2**5 / 20,
+        "A*max(0, t - 1)": scale / 6,
+    }
+    assert found.rows[-1] == pytest.approx([exact[torque]], rel=1e-8)

@@ -169,3 +169,17 @@ def test_a_root_of_a_negative_number_is_no_singular_mass_matrix(
     assert main(["run", str(path), *how]) == 3
     said = capsys.readouterr().err
     assert "`sqrt(y)` has no real, finite value" in said and "mass matrix" not in said
+
+
+@pytest.mark.parametrize("formulation", ["voronec", "chaplygin"])
+def test_a_choice_that_is_singular_is_not_blamed_on_the_masses(
+    formulation: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The roller racer straight ahead: x' and y' do not follow, as sin(phi) = 0; the masses are regular there.
+
+    The mass matrix on theta' and phi' has that sine squared in its denominators, so that its pivots are lost first.
+    """
+    assert main(["run", "roller_racer", "-f", formulation, "--stay", "--points", "2"]) == 3
+    said = capsys.readouterr().err
+    assert "the constraints cannot be solved for x', y'" in said and "mass matrix" not in said
+    assert "leave `--stay` out" in said

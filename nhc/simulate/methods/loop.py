@@ -242,6 +242,8 @@ def _advance(run: _Run) -> Outcome | None:
         run.rejected += 1
         run.growth, s.first = 1.0, True
         run.next = h * (max(_pace(run, error, True), 0.333) if error > 1.0 else 0.25)
+        if task.step <= 0 and error > 1.0:
+            s.learn_sizes(error if isinstance(run.method, Explicit) else error * error)
         if task.step > 0 or run.next < 4 * _EPSILON * max(abs(s.t), 1e-3 * duration):
             return run.leave(reason, s.status)
         return None

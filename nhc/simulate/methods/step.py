@@ -55,10 +55,23 @@ class Step:
         return self.model.jacobian(t, y, self.p)
 
     def allowed(self, reached: Vector) -> Vector:
-        """The error that each component may make: relative to its own size in the run so far."""
-        least = 1e-6 * max(self.size, default=0.0)
-        sizes = (max(a, abs(b), least) for a, b in zip(self.size, reached, strict=True))
-        return [max(self.tolerance * size, sys.float_info.min) for size in sizes]
+        """The error that each component may make: relative to its own size in the run so far, this step's end included.
+
+        From rest, where nothing has a size yet, what grows with a high power of the time counts beside what grows sooner.
+        """
+        sizes = [max(a, abs(b)) for a, b in zip(self.size, reached, strict=True)]
+        least = 1e-6 * max(sizes, default=0.0)
+        return [max(self.tolerance * max(size, least), sys.float_info.min) for size in sizes]
+
+    def learn_sizes(self, square: float) -> None:
+        """From a state that is next to nothing: sizes to come, by a refused step that is right to a tenth.
+
+        Leaving rest as a power of the time, a motion has the same error relative to itself in each step from there, however short.
+        ``square``: of the error relative to what is allowed.
+        """
+        ends = [abs(x) for x in self.reached]
+        if square * self.tolerance**2 <= 0.01 and max(self.size, default=0.0) <= 1e-3 * max(ends, default=0.0):
+            self.size = [max(a, b) for a, b in zip(self.size, ends, strict=True)]
 
     def cubic(self) -> list[Vector]:
         """Hermite's cubic through both ends, in the terms of ``interpolate``."""
