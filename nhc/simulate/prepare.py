@@ -103,8 +103,7 @@ def prepare(
     weak: bool = False,
     fixed: bool = True,
 ) -> Job:
-    """The job of a scene; ``needs`` are names (default: the scene's own); ``weak``: watched for weakness, too; ``fixed``: for the
-    scene's values of the parameters, else for all between those that the system's scenes have.
+    """The job of a scene with ``needs`` (default: its own); ``fixed``: watched for its parameters only, not for all scenes'.
 
     Raises:
         KeyError: a need that the spec does not have.
