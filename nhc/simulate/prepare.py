@@ -117,15 +117,13 @@ def prepare(
     watch, watched = watch_function(planner, event, weak, known)
     functions = build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (needed_function(planner, [*columns, *checked, *drawn]),)
-    functions += () if watch is None else (watch,)
+    leaps = None if natural else find_leaps(planner, known)
+    functions += (*(() if watch is None else (watch,)), *(() if leaps is None else (leaps.function,)))
     structure = structure_of(planner) if natural else Structure()
     functions += structure.functions
-    leaps = None if natural else find_leaps(planner, known)
-    functions += () if leaps is None else (leaps.function,)
     held, calls = hold_functions(planner) if hold and not natural else ((), ())
     functions += held
-    if natural:
-        functions += build_functions(planner, ("velocities", "state"))
+    functions += build_functions(planner, ("velocities", "state")) if natural else ()
     frame = build_program(system, formulation, equations, only=("residuals",), scenes=False)
     program = replace(frame, functions=functions, scenes=(), leaps=leaps)
     meanings = {status.code: status.what for status in list_statuses(program)}
