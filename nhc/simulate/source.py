@@ -158,22 +158,19 @@ def write_source(
     ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
     its values being the user's and those from ``dips`` on being sought where they only touch zero; ``holds`` are called in this
     order after each step, each with what stands in for it.  ``trig``: the inlined sine and cosine were faster in every run, but are
-    for doubles only.  ``lanes``: many starts side by side, where an explicit method without ``holds``, linear systems and leaps
-    allows it.
+    for doubles only.  ``lanes``: many starts side by side, where an explicit method without ``holds`` and linear systems allows it.
     """
     functions = {function.name: function for function in program.functions}
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
     implicit = [method for method in methods if isinstance(method, Collocation)]
-    explicit, watch = [method for method in methods if isinstance(method, Explicit)], functions.get("watch")
+    explicit = [method for method in methods if isinstance(method, Explicit)]
+    parts, watch = list_parts(program), functions.get("watch")
     kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
     watching = print_kernel(program, watch) if watch is not None and lanes else None
-    leaps = program.leaps if "places" in functions else None
-    lanes = lanes and kernel is not None and not holds and leaps is None and (watch is None or watching is not None)
+    lanes = lanes and kernel is not None and not holds and not parts and (watch is None or watching is not None)
     known = [one for one in (kernel, watching if lanes else None) if one is not None]
     context: dict[str, object] = {
-        "name": program.system,
-        "capitals": program.system.upper(),
-        "head": f"{program.system}_run.c: integrates {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})",
+        **_name(program),
         "declarations": tuple(declare(program.system, function) for function in program.functions),
         "kernels": tuple(known),
         "lanes": lanes,
@@ -187,14 +184,14 @@ def write_source(
         "paced": bool(explicit),
         "slopes": max(3, *(len(m.rows) + 1 for m in explicit)) if explicit else 3,
         "shapes": max([5, *(CUBIC + len(m.dense) for m in explicit)]),
-        "watched": size(functions.get("watch")),
+        "watched": size(watch),
         "events": events,
-        "dips": dips is not None and dips < size(functions.get("watch")),
+        "dips": dips is not None and dips < size(watch),
         "first_dip": dips,
-        "parts": leaps.parts if leaps else (),
+        "parts": parts,
         "holds": tuple(holds),
-        **_HOLD_STATUSES,
         "needed": size(functions["needed"]),
+        **_HOLD_STATUSES,
         "collocations": bool(implicit),
         "hermite": bool(explicit) or any(not method.adaptive for method in implicit),
         "allowed": any(method.adaptive for method in methods) or bool(implicit),
@@ -224,15 +221,24 @@ def write_natural(program: Program, method: Scheme) -> dict[str, str]:
     used = tuple(f for f in used if f.name != "total" or method.name == "energy")
     model = render(program, "c", EmitOptions(only=tuple(f.name for f in used)))
     context: dict[str, object] = {
-        "name": program.system,
-        "capitals": program.system.upper(),
-        "head": f"{program.system}_run.c: integrates {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})",
+        **_name(program),
         "declarations": tuple(declare(program.system, function) for function in used),
         "needed": size(next(function for function in used if function.name == "needed")),
         "method": Named(method.name, f"c/methods/{method.name}.c.jinja"),
         "constrained": any(function.name == "rows" for function in used),
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/natural.c.jinja", context))}
+
+
+def _name(program: Program) -> dict[str, object]:
+    head = f"{program.system}_run.c: integrates {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})"
+    return {"name": program.system, "capitals": program.system.upper(), "head": head}
+
+
+def list_parts(program: Program) -> tuple[tuple[float, float], ...]:
+    """Those of the arguments that a step must not leap over, where the program has their function."""
+    known = any(function.name == "places" for function in program.functions)
+    return program.leaps.parts if program.leaps is not None and known else ()
 
 
 def count_packs(states: int) -> int:

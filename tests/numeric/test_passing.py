@@ -292,3 +292,28 @@ def test_what_has_no_such_places_is_emitted_as_before() -> None:
     source = Source("plain.yaml", bumpy().text.replace("exp(-((x - 50)/w)^2)", "sin(x/w)"))
     assert "places" not in "".join(emit(source, "c", Options(driver=True)).values())
     assert "places" in "".join(emit(bumpy(), "c", Options(driver=True)).values())
+
+
+def test_a_model_on_less_than_the_whole_state() -> None:
+    """What is left out (y) is not asked for: a friction that turns within 1e-3 of rest, for x alone."""
+    text = """nhc: 1
+system: rubbing
+coordinates: [x, y]
+T: (x'^2 + y'^2)/2
+V: x^2/2
+forces: {x: "-0.1*tanh(x'/1e-3)", y: "-0.1*tanh(y'/1e-3)"}
+scenes:
+  go: {initial: {x: 1, y': 1}, time: [0, 6], tolerance: 1e-9, need: [x]}
+"""
+    job = open_scene(Source("rubbing.yaml", text))
+    assert job.state_names == ("x", "x'")
+    short = solve_ivp(
+        lambda t, y: [y[1], -y[0] - 0.1 * math.tanh(y[1] / 1e-3)],
+        (0.0, 6.0),
+        [1.0, 0.0],
+        method="DOP853",
+        rtol=1e-11,
+        atol=1e-12,
+        max_step=0.001,
+    )
+    assert run(job, Settings(points=2)).rows[-1][0] == pytest.approx(float(short.y[0, -1]), rel=1e-7)
