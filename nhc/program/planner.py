@@ -20,7 +20,7 @@ from nhc.program.mass_route import mass_route
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
-_FRAME_DIGITS, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 12, 1e-14, 1e-13
+_FRAME_DIGITS, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 12, 1e-12, 1e-13
 _HELD_TOLERANCE = 1e-10  # six digits are left
 T_ARGUMENT = Argument("t", -1)
 

@@ -5,6 +5,8 @@ Held against the multiplier equations, solved by LAPACK with pivoting: they are 
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy
 import pytest
 
@@ -102,4 +104,46 @@ def test_digits_that_are_lost_have_a_status(tmp_path_factory: pytest.TempPathFac
             refused += 1
         else:
             assert numpy.allclose(found, expected, rtol=1e-5, atol=1e-5 * abs(expected).max())
+    assert refused >= 2
+
+
+HITCHED = """nhc: 1
+system: hitched
+coordinates: [x, y, a, b, c]
+parameters: {m: 1, n: 0.5, J: 0.3, K: 0.1, l: 0.7, d: 0.2, e: 0.4}
+define:
+  X1: x - d*cos(a) - l*cos(b)
+  Y1: y - d*sin(a) - l*sin(b)
+  X2: X1 - d*cos(b) - e*cos(c)
+  Y2: Y1 - d*sin(b) - e*sin(c)
+T: m/2*(x'^2 + y'^2) + J/2*a'^2 + n/2*(X1'^2 + Y1'^2) + K/2*(b'^2 + c'^2) + n/2*(X2'^2 + Y2'^2)
+constraints:
+  - "-sin(a)*x' + cos(a)*y' = 0"
+  - "-sin(b)*X1' + cos(b)*Y1' = 0"
+  - "-sin(c)*X2' + cos(c)*Y2' = 0"
+"""
+
+
+@pytest.mark.parametrize("formulation", ["euler-lagrange", "voronec"])
+def test_a_short_trailer_is_right_to_digits_or_refused(formulation: str, tmp_path: Path) -> None:
+    """K/e^2 swamps the other masses; the multiplier equations are well conditioned there and tell what is right."""
+    path = tmp_path / "hitched.yaml"
+    path.write_text(HITCHED)
+    only = ("state", "velocities", "accelerations")
+    named = {kind: compile_spec(path, "python", formulation=kind, only=only) for kind in (formulation, "multipliers")}
+    one, other = (
+        python_model(text, f"hitched_{k}") for k, files in enumerate(named.values()) for text in files.values()
+    )
+    q, refused = [0.1, 0.2, 0.3, 0.5, 0.4], 0
+    for length in (1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9):
+        p = [*one.DEFAULTS[:-1], length]
+        v = one.velocities(0.0, [*q, 0.7, 0.4], p)
+        expected = numpy.array(other.accelerations(0.0, other.state(0.0, q, v, p), p))
+        try:
+            found = one.accelerations(0.0, one.state(0.0, q, v, p), p)
+        except one.SingularModelError as error:
+            assert error.status == 2 and length < 1e-6
+            refused += 1
+        else:
+            assert numpy.allclose(found, expected, rtol=1e-4, atol=1e-4 * abs(expected).max())
     assert refused >= 2
