@@ -104,6 +104,8 @@ class PlannerBase:
 
     def _guard_pivots(self, pivots: Sequence[tuple[Node, Node]], tolerance: float) -> list[GuardPlan]:
         what = "the mass matrix is singular"
+        if any(not self._is_constant(value) for value, _ in self.equations.guards):  # squared they are in it, and lost later
+            what += ", or the velocities that are kept are"
         return [
             GuardPlan(pivot, self._mass_scale(pivot, scale), tolerance, SINGULAR_MASS, what)
             for pivot, scale in pivots

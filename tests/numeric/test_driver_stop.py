@@ -132,3 +132,21 @@ def test_the_interpolant_is_that_of_runs() -> None:
         assert table is not None
         written = [float(x) for x in re.findall(r"-?\d+\.\d+", table[1])]
         assert written == [x for row in rows for x in row]
+
+
+def test_a_motion_that_slides_along_a_jump(tmp_path: Path) -> None:
+    """Dry friction holds the body at rest from t = 10 on: steps that change its velocity's sign have no end."""
+    source = Source(
+        "stick.yaml",
+        """nhc: 1
+system: stick
+coordinates: [x, y]
+T: (x'^2 + y'^2)/2
+V: x^2/2
+forces: {y: "-0.1*sign(y')"}
+scenes: {go: {initial: {x: 1, y': 1}, time: [0, 12], tolerance: 1e-9, need: [x, x', y, y']}}
+""",
+    )
+    done = drive(source, tmp_path, "go", "13")
+    assert find_stop(done) == pytest.approx(10.0, abs=1e-3) and "slides along a jump" in done.stderr
+    assert float(done.stdout.splitlines()[-1].split(",")[-1]) == pytest.approx(0.0, abs=1e-8)

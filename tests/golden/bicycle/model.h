@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:f821c4fdae840983)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:785482da9aafa972)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -96,7 +96,7 @@ enum {
 enum {
     BICYCLE_OK = 0, /* the result is good */
     BICYCLE_SINGULAR_1 = 1, /* the coframe is singular */
-    BICYCLE_SINGULAR_2 = 2, /* the mass matrix is singular */
+    BICYCLE_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
     BICYCLE_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:aa0488d1015a7d03).
+"""bicycle, emitted by nhc 0.1.0 (nhc:ec9419756587f02b).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -175,7 +175,7 @@ DEFAULTS: tuple[float, ...] = (
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular",
+    "the mass matrix is singular, or the velocities that are kept are",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -416,7 +416,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s7 = z47 * z64 - (z62 * z65 - (z57 * z66 + (z61 * z67 + z74)))
         z75 = z53 * (z58 + z59) + s7
         z76 = z38 * (k28 * z47 + (k26 * z38 - k27 * z48)) + z75
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z76) > 0.0:
             raise _refuse(abs(z76), 0.0, 2, "rhs")
         z77 = z16 * z12
@@ -450,7 +450,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z103 = 1.0 / z76
         z104 = z102 * z103
         z105 = z100 - z102 * z104
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z105) > 1e-12 * z100:
             raise _refuse(abs(z105), 1e-12 * z100, 2, "rhs")
         z106 = z18 * z25
@@ -494,7 +494,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z135 = 1.0 / z105
         z136 = z134 * z135
         z137 = z128 - z131 * z132 - z134 * z136
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z137) > 1e-12 * z128:
             raise _refuse(abs(z137), 1e-12 * z128, 2, "rhs")
         c_yaw = math.cos(yaw)
@@ -2012,7 +2012,7 @@ def jacobian(
         s5 = z65 * z72 + (z70 * z73 + (z63 * z74 + (z68 * z75 + z82)))
         z83 = z53 * z66 + (z67 * z71 + s5)
         z84 = z83 + R_yy * (z61 * z61) + F_yy * (z67 * z67)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z84) > 0.0:
             raise _refuse(abs(z84), 0.0, 2, "jacobian")
         z85 = z18 * z8
@@ -2062,7 +2062,7 @@ def jacobian(
         z125 = 1.0 / z84
         z126 = z124 * z125
         z127 = z121 - z124 * z126
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z127) > 1e-12 * z121:
             raise _refuse(abs(z127), 1e-12 * z121, 2, "jacobian")
         z128 = z20 * z25
@@ -2118,7 +2118,7 @@ def jacobian(
         z172 = 1.0 / z127
         z173 = z171 * z172
         z174 = z164 - z167 * z168 - z171 * z173
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z174) > 1e-12 * z164:
             raise _refuse(abs(z174), 1e-12 * z164, 2, "jacobian")
         s_yaw = math.sin(yaw)

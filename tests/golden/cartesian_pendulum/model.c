@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:b676dd83ccf8393d)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:f019f5f6e5af5e78)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -198,7 +198,7 @@ int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *d
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
             return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(m * z3) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(m * z3), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
@@ -257,7 +257,7 @@ int cartesian_pendulum_accelerations(double t, const double *y, const double *p,
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
             return cartesian_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), CARTESIAN_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(m * z4) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(m * z4), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
@@ -329,7 +329,7 @@ int cartesian_pendulum_reactions(double t, const double *y, const double *p, dou
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
             return cartesian_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), CARTESIAN_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z5) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(z5), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
@@ -391,7 +391,7 @@ int cartesian_pendulum_jacobian(double t, const double *y, const double *p, doub
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
             return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(m * z3) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(m * z3), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
@@ -443,7 +443,7 @@ static __attribute__((noinline)) void cartesian_pendulum_rhs_lanes(const double 
     bad |= cartesian_pendulum_misses(cartesian_pendulum_size(CARTESIAN_PENDULUM_SPREAD(z1)), 1e-12 * (z2 *
         z2));
     const cartesian_pendulum_lanes z3 = 1.0 / z1;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, or the velocities that are kept are */
     bad |= cartesian_pendulum_misses(cartesian_pendulum_size(CARTESIAN_PENDULUM_SPREAD(m * z3)),
         CARTESIAN_PENDULUM_SPREAD(0.0));
     const cartesian_pendulum_lanes z4 = v * z3;

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:ea043342536f22be)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:8b784c3a71e969a2)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -57,7 +57,7 @@ enum {
 enum {
     CARTESIAN_PENDULUM_OK = 0, /* the result is good */
     CARTESIAN_PENDULUM_SINGULAR_1 = 1, /* the coframe is singular */
-    CARTESIAN_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CARTESIAN_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
     CARTESIAN_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:288dcf6f1fabe6f6).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:e5655052bd2e69a8).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -51,7 +51,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 9.81)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular",
+    "the mass matrix is singular, or the velocities that are kept are",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -110,7 +110,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(z1) > 1e-12 * (z2 * z2):
             raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "rhs")
         z3 = 1.0 / z1
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(m * z3) > 0.0:
             raise _refuse(abs(m * z3), 0.0, 2, "rhs")
         z4 = v * z3
@@ -183,7 +183,7 @@ def accelerations(
         if not abs(z2) > 1e-12 * (z3 * z3):
             raise _refuse(abs(z2), 1e-12 * (z3 * z3), 1, "accelerations")
         z4 = 1.0 / z2
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(m * z4) > 0.0:
             raise _refuse(abs(m * z4), 0.0, 2, "accelerations")
         z5 = z4 * v * v
@@ -273,7 +273,7 @@ def reactions(
             raise _refuse(abs(z2), 1e-12 * (z3 * z3), 1, "reactions")
         z4 = 1.0 / z2
         z5 = m * z4
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z5) > 0.0:
             raise _refuse(abs(z5), 0.0, 2, "reactions")
         z6 = z4 * z4 * v * v
@@ -333,7 +333,7 @@ def jacobian(
         if not abs(z1) > 1e-12 * (z2 * z2):
             raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "jacobian")
         z3 = 1.0 / z1
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(m * z3) > 0.0:
             raise _refuse(abs(m * z3), 0.0, 2, "jacobian")
         z4 = v * (x * (z3 * z3))

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:5c2542c7a08fdb55)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:a82c8fc593256c7c)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -67,7 +67,7 @@ enum {
 enum {
     CHAPLYGIN_BALL_OK = 0, /* the result is good */
     CHAPLYGIN_BALL_SINGULAR_1 = 1, /* the coframe is singular */
-    CHAPLYGIN_BALL_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CHAPLYGIN_BALL_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
     CHAPLYGIN_BALL_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:9d8b101d019c6e68).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:69bb153592559daf).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -61,7 +61,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 1.0, 0.4, 0.5, 0.7)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular",
+    "the mass matrix is singular, or the velocities that are kept are",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -132,7 +132,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "rhs")
         c_psi = math.cos(psi)
@@ -142,7 +142,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = 1.0 / z2
         z7 = z6 * z5
         z8 = z3 - z5 * z7
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 1e-12 * z3:
             raise _refuse(abs(z8), 1e-12 * z3, 2, "rhs")
         z9 = I3 + z4
@@ -154,7 +154,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z14 = 1.0 / z8
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z16) > 1e-12 * z9:
             raise _refuse(abs(z16), 1e-12 * z9, 2, "rhs")
         s_phi = math.sin(phi)
@@ -278,7 +278,7 @@ def accelerations(
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "accelerations")
         c_psi = math.cos(psi)
@@ -288,7 +288,7 @@ def accelerations(
         z6 = 1.0 / z2
         z7 = z6 * z5
         z8 = z3 - z5 * z7
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 1e-12 * z3:
             raise _refuse(abs(z8), 1e-12 * z3, 2, "accelerations")
         z9 = I3 + z4
@@ -300,7 +300,7 @@ def accelerations(
         z14 = 1.0 / z8
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z16) > 1e-12 * z9:
             raise _refuse(abs(z16), 1e-12 * z9, 2, "accelerations")
         z17 = 1.0 / s_theta
@@ -465,7 +465,7 @@ def reactions(
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "reactions")
         c_psi = math.cos(psi)
@@ -475,7 +475,7 @@ def reactions(
         z6 = 1.0 / z2
         z7 = z6 * z5
         z8 = z3 - z5 * z7
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 1e-12 * z3:
             raise _refuse(abs(z8), 1e-12 * z3, 2, "reactions")
         z9 = I3 + z4
@@ -489,7 +489,7 @@ def reactions(
         z16 = 1.0 / z8
         z17 = z16 * z15
         z18 = z9 - z12 * z13 - z15 * z17
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z18) > 1e-12 * z9:
             raise _refuse(abs(z18), 1e-12 * z9, 2, "reactions")
         c_phi = math.cos(phi)
@@ -591,7 +591,7 @@ def jacobian(
         z1 = s_psi * s_psi
         z2 = s_theta * s_theta
         z3 = I1 + k1 * (1.0 - z1 * z2)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z3) > 0.0:
             raise _refuse(abs(z3), 0.0, 2, "jacobian")
         c_psi = math.cos(psi)
@@ -603,7 +603,7 @@ def jacobian(
         z9 = 1.0 / z3
         z10 = z8 * z9
         z11 = z5 - z8 * z10
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z11) > 1e-12 * z5:
             raise _refuse(abs(z11), 1e-12 * z5, 2, "jacobian")
         z12 = I3 + z6
@@ -617,7 +617,7 @@ def jacobian(
         z19 = 1.0 / z11
         z20 = z18 * z19
         z21 = z12 - z15 * z16 - z18 * z20
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z21) > 1e-12 * z12:
             raise _refuse(abs(z21), 1e-12 * z12, 2, "jacobian")
         c_phi = math.cos(phi)

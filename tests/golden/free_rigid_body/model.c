@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:f222da4ed91f66cd)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:90859511499f9350)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -227,15 +227,15 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt
     dydt[5] = w1 * w2 * k3; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
@@ -328,15 +328,15 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     qddot[2] = w1 * w2 * k3 + (z8 * z5 + c_theta * z14); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
@@ -401,15 +401,15 @@ int free_rigid_body_reactions(double t, const double *y, const double *p, double
 
     /* state */
     const double s_theta = sin(theta);
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, or the velocities that are kept are */
     if (!(fabs(I1) > 0.0)) {
         return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, or the velocities that are kept are */
     if (!(fabs(I2) > 0.0)) {
         return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, or the velocities that are kept are */
     if (!(fabs(I3) > 0.0)) {
         return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
@@ -490,15 +490,15 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[13] + J[14] + J[16] + J[22] + J[23] + J[27] + J[29] + J[33] + J[34]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }

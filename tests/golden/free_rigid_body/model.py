@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:2e926044a7246a76).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:4df058d95692d4f6).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -51,7 +51,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 2.0, 3.0)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular",
+    "the mass matrix is singular, or the velocities that are kept are",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -106,13 +106,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "rhs")
         # parameters only
@@ -206,13 +206,13 @@ def accelerations(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # parameters only
@@ -328,13 +328,13 @@ def reactions(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "reactions")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "reactions")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
         # state
@@ -387,13 +387,13 @@ def jacobian(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # parameters only

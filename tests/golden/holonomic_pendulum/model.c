@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:da7a78038f280713)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:b921ddc81d49c68f)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -199,7 +199,7 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *d
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
             return holonomic_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(m * z3) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(m * z3), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -258,7 +258,7 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
             return holonomic_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(m * z4) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(m * z4), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -350,7 +350,7 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
             return holonomic_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z5) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z5), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -412,7 +412,7 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
             return holonomic_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(m * z3) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(m * z3), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -459,7 +459,7 @@ static __attribute__((noinline)) void holonomic_pendulum_rhs_lanes(const double 
     bad |= holonomic_pendulum_misses(holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(z1)), 1e-12 * (z2 *
         z2));
     const holonomic_pendulum_lanes z3 = 1.0 / z1;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, or the velocities that are kept are */
     bad |= holonomic_pendulum_misses(holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(m * z3)),
         HOLONOMIC_PENDULUM_SPREAD(0.0));
     const holonomic_pendulum_lanes z4 = v * z3;

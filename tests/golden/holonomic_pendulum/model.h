@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:3596d63c8bdee117)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:cadf1bc2a997c5af)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -55,7 +55,7 @@ enum {
 enum {
     HOLONOMIC_PENDULUM_OK = 0, /* the result is good */
     HOLONOMIC_PENDULUM_SINGULAR_1 = 1, /* the coframe is singular */
-    HOLONOMIC_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular */
+    HOLONOMIC_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
     HOLONOMIC_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:49ea8e1f328e2f92)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:cb7b73726905a5d7)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -70,7 +70,7 @@ enum {
 enum {
     RATTLEBACK_OK = 0, /* the result is good */
     RATTLEBACK_SINGULAR_1 = 1, /* the coframe is singular */
-    RATTLEBACK_SINGULAR_2 = 2, /* the mass matrix is singular */
+    RATTLEBACK_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
     RATTLEBACK_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

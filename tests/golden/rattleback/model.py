@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:32f67e729080bd4d).
+"""rattleback, emitted by nhc 0.1.0 (nhc:d5b6bde8e3b47fe3).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -65,7 +65,7 @@ DEFAULTS: tuple[float, ...] = (20.0, 3.0, 2.0, 1.0, 2.0, 16.0, 17.0, -0.2, 981.0
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular",
+    "the mass matrix is singular, or the velocities that are kept are",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -150,7 +150,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "rhs")
         z9 = z1 * k1
@@ -161,7 +161,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z15) > 1e-12 * z11:
             raise _refuse(abs(z15), 1e-12 * z11, 2, "rhs")
         z16 = I_c + (z7 + z10)
@@ -171,7 +171,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z20 = 1.0 / z15
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z22) > 1e-12 * z16:
             raise _refuse(abs(z22), 1e-12 * z16, 2, "rhs")
         s_gamma = math.sin(gamma)
@@ -353,7 +353,7 @@ def accelerations(
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "accelerations")
         z9 = z1 * k1
@@ -364,7 +364,7 @@ def accelerations(
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z15) > 1e-12 * z11:
             raise _refuse(abs(z15), 1e-12 * z11, 2, "accelerations")
         z16 = I_c + (z7 + z10)
@@ -374,7 +374,7 @@ def accelerations(
         z20 = 1.0 / z15
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z22) > 1e-12 * z16:
             raise _refuse(abs(z22), 1e-12 * z16, 2, "accelerations")
         z23 = r3 * w1 - r1 * w3
@@ -611,7 +611,7 @@ def reactions(
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "reactions")
         z9 = z1 * k1
@@ -622,7 +622,7 @@ def reactions(
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z15) > 1e-12 * z11:
             raise _refuse(abs(z15), 1e-12 * z11, 2, "reactions")
         z16 = I_c + (z7 + z10)
@@ -632,7 +632,7 @@ def reactions(
         z20 = 1.0 / z15
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z22) > 1e-12 * z16:
             raise _refuse(abs(z22), 1e-12 * z16, 2, "reactions")
         s_gamma = math.sin(gamma)
@@ -805,7 +805,7 @@ def jacobian(
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "jacobian")
         z9 = z1 * k1
@@ -816,7 +816,7 @@ def jacobian(
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z15) > 1e-12 * z11:
             raise _refuse(abs(z15), 1e-12 * z11, 2, "jacobian")
         z16 = I_c + (z7 + z10)
@@ -827,7 +827,7 @@ def jacobian(
         z21 = 1.0 / z15
         z22 = z20 * z21
         z23 = z16 - z17 * z18 - z20 * z22
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z23) > 1e-12 * z16:
             raise _refuse(abs(z23), 1e-12 * z16, 2, "jacobian")
         s_gamma = math.sin(gamma)

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:30477929667b087e)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:2425f9f6c963ae7e)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -255,15 +255,15 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(k6) > 0.0)) {
             return rolling_disk_refuse(fabs(k6), 0.0, ROLLING_DISK_SINGULAR_2);
         }
@@ -365,15 +365,15 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     qddot[4] = z11 + (z3 * (s_theta * w_t) + c_theta * z13); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(k2) > 0.0)) {
             return rolling_disk_refuse(fabs(k2), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
@@ -492,15 +492,15 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     lambda[1] = (s_phi * z3 - c_phi * z2) * k1; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(A) > 0.0 && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(k4) > 0.0)) {
             return rolling_disk_refuse(fabs(k4), 0.0, ROLLING_DISK_SINGULAR_2);
         }
@@ -609,15 +609,15 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2] + J[10] + J[11] + J[15] + J[35] + J[43] + J[46] + J[47] + J[51] + J[53] + J[54] + J[55] +
         J[61] + J[62]) <= DBL_MAX
         && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(k2) > 0.0)) {
             return rolling_disk_refuse(fabs(k2), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }

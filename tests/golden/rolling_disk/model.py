@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:4edea89251c739f4).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:6f6cada29c2879ab).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -60,7 +60,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 0.5, 0.0625, 0.125, 9.81)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular",
+    "the mass matrix is singular, or the velocities that are kept are",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -117,20 +117,20 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "rhs")
         # parameters only
         k1 = m * R
         k2 = R * k1
         k3 = C + k2
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "rhs")
         k4 = g * k1
         k5 = 1.0 / A
         k6 = A + k2
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(k6) > 0.0:
             raise _refuse(abs(k6), 0.0, 2, "rhs")
         k7 = -1.0 / k6
@@ -237,17 +237,17 @@ def accelerations(
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "accelerations")
         # parameters only
         k1 = m * R * R
         k2 = A + k1
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "accelerations")
         k3 = C + k1
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "accelerations")
         k4 = g * (m * R)
@@ -391,18 +391,18 @@ def reactions(
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "reactions")
         # parameters only
         k1 = m * R
         k2 = m * R * R
         k3 = A + k2
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "reactions")
         k4 = C + k2
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(k4) > 0.0:
             raise _refuse(abs(k4), 0.0, 2, "reactions")
         k5 = g * k1
@@ -483,17 +483,17 @@ def jacobian(
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "jacobian")
         # parameters only
         k1 = m * R * R
         k2 = A + k1
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "jacobian")
         k3 = C + k1
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "jacobian")
         k4 = g * (m * R)

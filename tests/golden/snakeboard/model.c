@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:ffc4b0e5806e77fc)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:87986d08b1a86fbe)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -320,11 +320,11 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(z21) > 1e-12 * z21)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -332,7 +332,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z21) > 1e-12 * z21)) {
             return snakeboard_refuse(fabs(z21), 1e-12 * z21, SNAKEBOARD_SINGULAR_2);
         }
@@ -505,11 +505,11 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(z21) > 1e-12 * z21)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -517,7 +517,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z21) > 1e-12 * z21)) {
             return snakeboard_refuse(fabs(z21), 1e-12 * z21, SNAKEBOARD_SINGULAR_2);
         }
@@ -729,11 +729,11 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(z21) > 1e-12 * z21)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -741,7 +741,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z21) > 1e-12 * z21)) {
             return snakeboard_refuse(fabs(z21), 1e-12 * z21, SNAKEBOARD_SINGULAR_2);
         }
@@ -1030,11 +1030,11 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
         && fabs(J_w) > 0.0
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(z26) > 1e-12 * z26)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -1042,7 +1042,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z26) > 1e-12 * z26)) {
             return snakeboard_refuse(fabs(z26), 1e-12 * z26, SNAKEBOARD_SINGULAR_2);
         }
@@ -1156,7 +1156,7 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes z19 = c1 * z15 + z16 * z11;
     const snakeboard_lanes z20 = z7 * z19;
     const snakeboard_lanes z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, or the velocities that are kept are */
     bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z21)), 1e-12 * z21);
     const snakeboard_lanes z22 = v * z7;
     const snakeboard_lanes z23 = z13 * z22;

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:bfa89140beb73c1b)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:30ec1c50a2f9008c)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -70,7 +70,7 @@ enum {
 enum {
     SNAKEBOARD_OK = 0, /* the result is good */
     SNAKEBOARD_SINGULAR_1 = 1, /* the coframe is singular */
-    SNAKEBOARD_SINGULAR_2 = 2, /* the mass matrix is singular */
+    SNAKEBOARD_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
     SNAKEBOARD_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:fab58803c4e7c691).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:fdd072ec774b886a).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -77,7 +77,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 0.5, 0.1, 0.05, 0.02, 0.05, 0.02, 1.0)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular",
+    "the mass matrix is singular, or the velocities that are kept are",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -140,10 +140,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "rhs")
         # parameters only
@@ -186,7 +186,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z19 = c1 * z15 + z16 * z11
         z20 = z7 * z19
         z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z21) > 1e-12 * z21:
             raise _refuse(abs(z21), 1e-12 * z21, 2, "rhs")
         z22 = v * z7
@@ -343,10 +343,10 @@ def accelerations(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "accelerations")
         # parameters only
@@ -389,7 +389,7 @@ def accelerations(
         z19 = c1 * z15 + z16 * z11
         z20 = z7 * z19
         z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z21) > 1e-12 * z21:
             raise _refuse(abs(z21), 1e-12 * z21, 2, "accelerations")
         z22 = p_b_dot * c_p_b
@@ -572,10 +572,10 @@ def reactions(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "reactions")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "reactions")
         # parameters only
@@ -619,7 +619,7 @@ def reactions(
         z19 = l * (z13 + c_p_b * z18)
         z20 = z8 * z19
         z21 = J * (z9 * z9) + m * (z8 * (z16 * z17 + z19 * z20))
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z21) > 1e-12 * z21:
             raise _refuse(abs(z21), 1e-12 * z21, 2, "reactions")
         z22 = l * c_p_f
@@ -774,10 +774,10 @@ def jacobian(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "jacobian")
         # parameters only
@@ -823,7 +823,7 @@ def jacobian(
         z24 = z7 * z23
         z25 = z19 * z20 + z23 * z24
         z26 = J_2 * (z14 * z14) + m * (z7 * z25)
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z26) > 1e-12 * z26:
             raise _refuse(abs(z26), 1e-12 * z26, 2, "jacobian")
         z27 = v * z7

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:9b18d3205bd7a1de)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:3dec5b29430ce7eb)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -60,7 +60,7 @@ enum {
 enum {
     SUSLOV_OK = 0, /* the result is good */
     SUSLOV_SINGULAR_1 = 1, /* the coframe is singular */
-    SUSLOV_SINGULAR_2 = 2, /* the mass matrix is singular */
+    SUSLOV_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
     SUSLOV_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:0a9d32dd871abee8).
+"""suslov, emitted by nhc 0.1.0 (nhc:60f69b6e50b8c495).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -54,7 +54,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 1.6, 2.0, 0.3, -0.2)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular",
+    "the mass matrix is singular, or the velocities that are kept are",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -109,10 +109,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "rhs")
         # parameters only
@@ -203,10 +203,10 @@ def accelerations(
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "accelerations")
         # parameters only
@@ -330,10 +330,10 @@ def reactions(
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "reactions")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "reactions")
         # parameters only
@@ -392,10 +392,10 @@ def jacobian(
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "jacobian")
         # parameters only

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:5fb5066d39268a1c)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:663c60f55431e68f)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -259,11 +259,11 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z8) > 0.0)) {
             return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z14) > 1e-12 * z13)) {
             return veselova_refuse(fabs(-z14), 1e-12 * z13, VESELOVA_SINGULAR_2);
         }
@@ -376,11 +376,11 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z8) > 0.0)) {
             return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z14) > 1e-12 * z13)) {
             return veselova_refuse(fabs(-z14), 1e-12 * z13, VESELOVA_SINGULAR_2);
         }
@@ -507,11 +507,11 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z8) > 0.0)) {
             return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z14) > 1e-12 * z13)) {
             return veselova_refuse(fabs(-z14), 1e-12 * z13, VESELOVA_SINGULAR_2);
         }
@@ -701,11 +701,11 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z11) > 0.0)) {
             return veselova_refuse(fabs(z11), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z17) > 1e-12 * z16)) {
             return veselova_refuse(fabs(-z17), 1e-12 * z16, VESELOVA_SINGULAR_2);
         }
@@ -805,7 +805,7 @@ static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, si
     const veselova_lanes z12 = z10 * z11;
     const veselova_lanes z13 = z3 - c_phi * z9;
     const veselova_lanes z14 = z10 * z12 - z13;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, or the velocities that are kept are */
     bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(-z14)), 1e-12 * z13);
     const veselova_lanes z15 = 1.0 / s_theta;
     const veselova_lanes z16 = s_phi * w_x - c_phi * w_y;

@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:48e30118823a877d)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:71cbed502ca6c1b7)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -59,7 +59,7 @@ enum {
 enum {
     VESELOVA_OK = 0, /* the result is good */
     VESELOVA_SINGULAR_1 = 1, /* the coframe is singular */
-    VESELOVA_SINGULAR_2 = 2, /* the mass matrix is singular */
+    VESELOVA_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
     VESELOVA_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

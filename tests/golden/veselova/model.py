@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:749114bfdd1d908e).
+"""veselova, emitted by nhc 0.1.0 (nhc:395165210b90fc1d).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -53,7 +53,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 1.7, 2.3)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular",
+    "the mass matrix is singular, or the velocities that are kept are",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -130,7 +130,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = s_psi * c_theta
         z7 = k1 * (c_psi * z6)
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "rhs")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
@@ -139,7 +139,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z12 = z10 * z11
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(-z14) > 1e-12 * z13:
             raise _refuse(abs(-z14), 1e-12 * z13, 2, "rhs")
         z15 = 1.0 / s_theta
@@ -247,7 +247,7 @@ def accelerations(
         z6 = s_psi * c_theta
         z7 = k1 * (c_psi * z6)
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "accelerations")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
@@ -256,7 +256,7 @@ def accelerations(
         z12 = z10 * z11
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(-z14) > 1e-12 * z13:
             raise _refuse(abs(-z14), 1e-12 * z13, 2, "accelerations")
         z15 = s_theta * s_phi
@@ -395,7 +395,7 @@ def reactions(
         z6 = s_psi * c_theta
         z7 = k1 * (c_psi * z6)
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "reactions")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
@@ -404,7 +404,7 @@ def reactions(
         z12 = z10 * z11
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(-z14) > 1e-12 * z13:
             raise _refuse(abs(-z14), 1e-12 * z13, 2, "reactions")
         z15 = s_theta * s_psi
@@ -522,7 +522,7 @@ def jacobian(
         z9 = z8 * k1
         z10 = s_phi * z6 + 2.0 * (c_phi * z9)
         z11 = z3 - s_phi * z10
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(z11) > 0.0:
             raise _refuse(abs(z11), 0.0, 2, "jacobian")
         z12 = c_phi * z6 - 2.0 * (s_phi * z9)
@@ -531,7 +531,7 @@ def jacobian(
         z15 = z13 * z14
         z16 = z3 - c_phi * z12
         z17 = z13 * z15 - z16
-        # the mass matrix is singular
+        # the mass matrix is singular, or the velocities that are kept are
         if not abs(-z17) > 1e-12 * z16:
             raise _refuse(abs(-z17), 1e-12 * z16, 2, "jacobian")
         z18 = 1.0 / s_theta
