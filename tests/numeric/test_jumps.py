@@ -29,7 +29,6 @@ JUMPING = (
     "tanh(1/x)",
     "atan(tan(2*x))",
     "max(x, 0)/x",
-    "1/(1 + exp(1/x))",
     "sign(x^2 + y^2 - 0.3)",
     "sqrt(x^2*(1 + y^2))/x",
 )
@@ -63,6 +62,15 @@ def test_an_energy_that_jumps_is_not_conserved(V: str) -> None:
     found = motion(f"{HEAD}T: (x'^2 + y'^2)/2\nV: {V}\n{ENDS}")
     energies = [row[0] for row in found.rows]
     assert max(energies) - min(energies) > 0.5
+
+
+def test_a_run_ends_where_an_energy_jumps_out_of_sight() -> None:
+    """Beside the jump at x = 0 the exponential is more than any double, and the force no number: the run says where."""
+    V = "1/(1 + exp(1/x))"
+    assert not is_conserved(V)
+    found = motion(f"{HEAD}T: (x'^2 + y'^2)/2\nV: {V}\n{ENDS}")
+    assert found.ended == "failed" and "not finite" in found.reason
+    assert found.outcome.t == pytest.approx(0.33908228, abs=1e-6)
 
 
 @pytest.mark.parametrize("V", CONTINUOUS)

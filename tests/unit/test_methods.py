@@ -82,6 +82,7 @@ class Oscillator:
     watched: bool = False
     holds: tuple[str, ...] = ()
     dips: int = 1
+    parts: tuple[tuple[float, float], ...] = ()
 
     def rhs(self, t: float, y: list[float], p: list[float]) -> list[float]:
         return [y[1], -y[0] + 0.5 * math.cos(0.5 * t)]

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:eb1e2254d1cac19e)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:db5f387477a7bd59)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -264,14 +264,14 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[3] = z16 * z38 + 0.5 * (z17 * z42); /* x'' */
     dydt[4] = -z42; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(-z20) > 1e-12 * z19)) {
+    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(-z20) > 1e-13 * z19)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
             return affine_voronec_refuse(fabs(z13), 0.0, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z20) > 1e-12 * z19)) {
-            return affine_voronec_refuse(fabs(-z20), 1e-12 * z19, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(-z20) > 1e-13 * z19)) {
+            return affine_voronec_refuse(fabs(-z20), 1e-13 * z19, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(5, dydt);
     }
@@ -381,14 +381,14 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     qddot[1] = z49; /* y'' */
     qddot[2] = z24 + (z26 + (z28 - z6 * z50 + 0.5 * (z29 + z13 * z49))); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z19) > 1e-12 * z18)) {
+    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z19) > 1e-13 * z18)) {
         /* the mass matrix is singular */
         if (!(fabs(z12) > 0.0)) {
             return affine_voronec_refuse(fabs(z12), 0.0, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z19) > 1e-12 * z18)) {
-            return affine_voronec_refuse(fabs(-z19), 1e-12 * z18, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(-z19) > 1e-13 * z18)) {
+            return affine_voronec_refuse(fabs(-z19), 1e-13 * z18, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(3, qddot);
     }
@@ -518,14 +518,14 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     /* (I.4.1) 18:5 */
     lambda[0] = -z49; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z20) > 1e-12 * z16)) {
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z20) > 1e-13 * z16)) {
         /* the mass matrix is singular */
         if (!(fabs(z12) > 0.0)) {
             return affine_voronec_refuse(fabs(z12), 0.0, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z20) > 1e-12 * z16)) {
-            return affine_voronec_refuse(fabs(z20), 1e-12 * z16, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z20) > 1e-13 * z16)) {
+            return affine_voronec_refuse(fabs(z20), 1e-13 * z16, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(1, lambda);
     }
@@ -737,14 +737,14 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     J[24] = z125;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[22]) <= DBL_MAX
-        && fabs(z21) > 1e-12 * z17)) {
+        && fabs(z21) > 1e-13 * z17)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
             return affine_voronec_refuse(fabs(z13), 0.0, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z21) > 1e-12 * z17)) {
-            return affine_voronec_refuse(fabs(z21), 1e-12 * z17, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z21) > 1e-13 * z17)) {
+            return affine_voronec_refuse(fabs(z21), 1e-13 * z17, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(25, J);
     }
@@ -802,7 +802,7 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z19 = z18 * z2 + 0.25 * (z11 * (z14 * z14));
     const affine_voronec_lanes z20 = 0.25 * (z15 * z17) - z19;
     /* the mass matrix is singular */
-    bad |= affine_voronec_misses(affine_voronec_size(AFFINE_VORONEC_SPREAD(-z20)), 1e-12 * z19);
+    bad |= affine_voronec_misses(affine_voronec_size(AFFINE_VORONEC_SPREAD(-z20)), 1e-13 * z19);
     const affine_voronec_lanes z21 = y_dot * z14;
     const affine_voronec_lanes c_t = cosine1;
     const affine_voronec_lanes z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);

@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:48bceb9968cf5963).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:ceba886e6d9ca88e).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -128,8 +128,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z19 = z18 * z2 + 0.25 * (z11 * (z14 * z14))
         z20 = 0.25 * (z15 * z17) - z19
         # the mass matrix is singular
-        if not abs(-z20) > 1e-12 * z19:
-            raise _refuse(abs(-z20), 1e-12 * z19, 2, "rhs")
+        if not abs(-z20) > 1e-13 * z19:
+            raise _refuse(abs(-z20), 1e-13 * z19, 2, "rhs")
         z21 = y_dot * z14
         c_t = math.cos(t_)
         z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t)
@@ -261,8 +261,8 @@ def accelerations(
         z18 = z17 * z2 + 0.25 * (z10 * (z13 * z13))
         z19 = 0.25 * (z14 * z16) - z18
         # the mass matrix is singular
-        if not abs(-z19) > 1e-12 * z18:
-            raise _refuse(abs(-z19), 1e-12 * z18, 2, "accelerations")
+        if not abs(-z19) > 1e-13 * z18:
+            raise _refuse(abs(-z19), 1e-13 * z18, 2, "accelerations")
         c_t = math.cos(t_)
         z20 = x + t_ * x_dot
         z21 = y_dot * z13
@@ -423,8 +423,8 @@ def reactions(
         z19 = z17 * z18
         z20 = z16 - 0.25 * (z17 * z19)
         # the mass matrix is singular
-        if not abs(z20) > 1e-12 * z16:
-            raise _refuse(abs(z20), 1e-12 * z16, 2, "reactions")
+        if not abs(z20) > 1e-13 * z16:
+            raise _refuse(abs(z20), 1e-13 * z16, 2, "reactions")
         c_t = math.cos(t_)
         z21 = x + t_ * x_dot
         z22 = y_dot * z14
@@ -559,8 +559,8 @@ def jacobian(
         z20 = z18 * z19
         z21 = z17 - 0.25 * (z18 * z20)
         # the mass matrix is singular
-        if not abs(z21) > 1e-12 * z17:
-            raise _refuse(abs(z21), 1e-12 * z17, 2, "jacobian")
+        if not abs(z21) > 1e-13 * z17:
+            raise _refuse(abs(z21), 1e-13 * z17, 2, "jacobian")
         z22 = 0.3 + 0.5 * y_dot
         z23 = x_dot * z5
         c_t = math.cos(t_)

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:6b4c7fe86ffdcac4)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:aeaab240741ff4ca)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -286,7 +286,7 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(k * k2) > 0.0
-        && fabs(z2) > 1e-12 * (k2 * (k + z1)))) {
+        && fabs(z2) > 1e-13 * (k2 * (k + z1)))) {
         /* the mass matrix is singular */
         if (!(fabs(k * k2) > 0.0)) {
             return ball_on_table_refuse(fabs(k * k2), 0.0, BALL_ON_TABLE_SINGULAR_2);
@@ -296,8 +296,8 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
             return ball_on_table_refuse(fabs(k6), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 1e-12 * (k2 * (k + z1)))) {
-            return ball_on_table_refuse(fabs(z2), 1e-12 * (k2 * (k + z1)), BALL_ON_TABLE_SINGULAR_2);
+        if (!(fabs(z2) > 1e-13 * (k2 * (k + z1)))) {
+            return ball_on_table_refuse(fabs(z2), 1e-13 * (k2 * (k + z1)), BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(8, dydt);
     }
@@ -418,7 +418,7 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[4]) <= DBL_MAX
         && fabs(k3) > 0.0
-        && fabs(z2) > 1e-12 * z1)) {
+        && fabs(z2) > 1e-13 * z1)) {
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
             return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
@@ -428,8 +428,8 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
             return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 1e-12 * z1)) {
-            return ball_on_table_refuse(fabs(z2), 1e-12 * z1, BALL_ON_TABLE_SINGULAR_2);
+        if (!(fabs(z2) > 1e-13 * z1)) {
+            return ball_on_table_refuse(fabs(z2), 1e-13 * z1, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(5, qddot);
     }
@@ -575,7 +575,7 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     /* (I.4.1) 28:5 */
     lambda[1] = z29; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(k3) > 0.0 && fabs(z2) > 1e-12 * z1)) {
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(k3) > 0.0 && fabs(z2) > 1e-13 * z1)) {
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
             return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
@@ -585,8 +585,8 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
             return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 1e-12 * z1)) {
-            return ball_on_table_refuse(fabs(z2), 1e-12 * z1, BALL_ON_TABLE_SINGULAR_2);
+        if (!(fabs(z2) > 1e-13 * z1)) {
+            return ball_on_table_refuse(fabs(z2), 1e-13 * z1, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(2, lambda);
     }
@@ -755,7 +755,7 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[3] + J[7] + J[10] + J[11] + J[15] + J[40] + J[41] + J[42] + J[43] + J[46] + J[47] +
         J[48] + J[49] + J[50] + J[51] + J[53] + J[55] + J[56] + J[57] + J[58] + J[62] + J[63]) <= DBL_MAX
-        && fabs(z2) > 1e-12 * z1)) {
+        && fabs(z2) > 1e-13 * z1)) {
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
             return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
@@ -765,8 +765,8 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
             return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 1e-12 * z1)) {
-            return ball_on_table_refuse(fabs(z2), 1e-12 * z1, BALL_ON_TABLE_SINGULAR_2);
+        if (!(fabs(z2) > 1e-13 * z1)) {
+            return ball_on_table_refuse(fabs(z2), 1e-13 * z1, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(64, J);
     }
@@ -851,7 +851,7 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const ball_on_table_lanes z1 = s_theta * s_theta;
     const ball_on_table_lanes z2 = z1 * k6;
     /* the mass matrix is singular */
-    bad |= ball_on_table_misses(ball_on_table_size(BALL_ON_TABLE_SPREAD(z2)), 1e-12 * (k2 * (k + z1)));
+    bad |= ball_on_table_misses(ball_on_table_size(BALL_ON_TABLE_SPREAD(z2)), 1e-13 * (k2 * (k + z1)));
     const ball_on_table_lanes z3 = t_ * nu;
     ball_on_table_lanes sine2, cosine2;
     ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(z3), &far, &sine2, &cosine2);

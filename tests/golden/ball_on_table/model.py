@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:a205864ec97a13e7).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:cc1bdc915a924930).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -150,8 +150,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z1 = s_theta * s_theta
         z2 = z1 * k6
         # the mass matrix is singular
-        if not abs(z2) > 1e-12 * (k2 * (k + z1)):
-            raise _refuse(abs(z2), 1e-12 * (k2 * (k + z1)), 2, "rhs")
+        if not abs(z2) > 1e-13 * (k2 * (k + z1)):
+            raise _refuse(abs(z2), 1e-13 * (k2 * (k + z1)), 2, "rhs")
         z3 = t_ * nu
         s1 = math.sin(z3)
         z4 = Omega1 * s1
@@ -293,8 +293,8 @@ def accelerations(
         c_theta = math.cos(theta)
         z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
-        if not abs(z2) > 1e-12 * z1:
-            raise _refuse(abs(z2), 1e-12 * z1, 2, "accelerations")
+        if not abs(z2) > 1e-13 * z1:
+            raise _refuse(abs(z2), 1e-13 * z1, 2, "accelerations")
         z3 = t_ * nu
         c1 = math.cos(z3)
         z4 = nu * c1
@@ -468,8 +468,8 @@ def reactions(
         c_theta = math.cos(theta)
         z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
-        if not abs(z2) > 1e-12 * z1:
-            raise _refuse(abs(z2), 1e-12 * z1, 2, "reactions")
+        if not abs(z2) > 1e-13 * z1:
+            raise _refuse(abs(z2), 1e-13 * z1, 2, "reactions")
         c_phi = math.cos(phi)
         z3 = t_ * nu
         s1 = math.sin(z3)
@@ -608,8 +608,8 @@ def jacobian(
         c_theta = math.cos(theta)
         z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
-        if not abs(z2) > 1e-12 * z1:
-            raise _refuse(abs(z2), 1e-12 * z1, 2, "jacobian")
+        if not abs(z2) > 1e-13 * z1:
+            raise _refuse(abs(z2), 1e-13 * z1, 2, "jacobian")
         z3 = t_ * nu
         s1 = math.sin(z3)
         z4 = Omega1 * s1

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:8674fc830109a2db)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:ea666d9c67405ffe)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -697,8 +697,8 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[9] + dydt[10]) <= DBL_MAX
         && fabs(-z35) > 1e-12 * (k22 * ((z36 + k24) * (z36 + k25)))
-        && fabs(z105) > 1e-12 * z100
-        && fabs(z137) > 1e-12 * z128)) {
+        && fabs(z105) > 1e-13 * z100
+        && fabs(z137) > 1e-13 * z128)) {
         /* the coframe is singular */
         if (!(fabs(-z35) > 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))))) {
             return bicycle_refuse(fabs(-z35), 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))),
@@ -709,12 +709,12 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
             return bicycle_refuse(fabs(z76), 0.0, BICYCLE_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z105) > 1e-12 * z100)) {
-            return bicycle_refuse(fabs(z105), 1e-12 * z100, BICYCLE_SINGULAR_2);
+        if (!(fabs(z105) > 1e-13 * z100)) {
+            return bicycle_refuse(fabs(z105), 1e-13 * z100, BICYCLE_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z137) > 1e-12 * z128)) {
-            return bicycle_refuse(fabs(z137), 1e-12 * z128, BICYCLE_SINGULAR_2);
+        if (!(fabs(z137) > 1e-13 * z128)) {
+            return bicycle_refuse(fabs(z137), 1e-13 * z128, BICYCLE_SINGULAR_2);
         }
         return bicycle_finish(12, dydt);
     }
@@ -3027,13 +3027,13 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z121 = kept[153];
     const double z127 = kept[156];
     /* the mass matrix is singular, or the velocities that are kept are */
-    if (!(fabs(z127) > 1e-12 * z121)) {
-        return bicycle_refuse(fabs(z127), 1e-12 * z121, BICYCLE_SINGULAR_2);
+    if (!(fabs(z127) > 1e-13 * z121)) {
+        return bicycle_refuse(fabs(z127), 1e-13 * z121, BICYCLE_SINGULAR_2);
     }
     const double z164 = kept[189];
     /* the mass matrix is singular, or the velocities that are kept are */
-    if (!(fabs(z174) > 1e-12 * z164)) {
-        return bicycle_refuse(fabs(z174), 1e-12 * z164, BICYCLE_SINGULAR_2);
+    if (!(fabs(z174) > 1e-13 * z164)) {
+        return bicycle_refuse(fabs(z174), 1e-13 * z164, BICYCLE_SINGULAR_2);
     }
     return BICYCLE_OK;
 }
@@ -4669,7 +4669,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z104 = z102 * z103;
     const bicycle_lanes z105 = z100 - z102 * z104;
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z105)), 1e-12 * z100);
+    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z105)), 1e-13 * z100);
     const bicycle_lanes z106 = z18 * z25;
     const bicycle_lanes z107 = z18 * z13;
     const bicycle_lanes z108 = z39 * (z5 * z106 - z32 * z107);
@@ -4711,7 +4711,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z136 = z134 * z135;
     const bicycle_lanes z137 = z128 - z131 * z132 - z134 * z136;
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z137)), 1e-12 * z128);
+    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z137)), 1e-13 * z128);
     bicycle_lanes sine4, cosine4;
     bicycle_turn_lanes(BICYCLE_SPREAD(yaw), &far, &sine4, &cosine4);
     const bicycle_lanes c_yaw = cosine4;

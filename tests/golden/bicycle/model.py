@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:ec9419756587f02b).
+"""bicycle, emitted by nhc 0.1.0 (nhc:1d251c226018c9e9).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -451,8 +451,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z104 = z102 * z103
         z105 = z100 - z102 * z104
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z105) > 1e-12 * z100:
-            raise _refuse(abs(z105), 1e-12 * z100, 2, "rhs")
+        if not abs(z105) > 1e-13 * z100:
+            raise _refuse(abs(z105), 1e-13 * z100, 2, "rhs")
         z106 = z18 * z25
         z107 = z18 * z13
         z108 = z39 * (z5 * z106 - z32 * z107)
@@ -495,8 +495,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z136 = z134 * z135
         z137 = z128 - z131 * z132 - z134 * z136
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z137) > 1e-12 * z128:
-            raise _refuse(abs(z137), 1e-12 * z128, 2, "rhs")
+        if not abs(z137) > 1e-13 * z128:
+            raise _refuse(abs(z137), 1e-13 * z128, 2, "rhs")
         c_yaw = math.cos(yaw)
         z138 = roll_dot * c1
         z139 = s_steer * z138
@@ -2063,8 +2063,8 @@ def jacobian(
         z126 = z124 * z125
         z127 = z121 - z124 * z126
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z127) > 1e-12 * z121:
-            raise _refuse(abs(z127), 1e-12 * z121, 2, "jacobian")
+        if not abs(z127) > 1e-13 * z121:
+            raise _refuse(abs(z127), 1e-13 * z121, 2, "jacobian")
         z128 = z20 * z25
         z129 = z20 * z23
         z130 = z7 * z26 - z14 * z128 + z13 * z129
@@ -2119,8 +2119,8 @@ def jacobian(
         z173 = z171 * z172
         z174 = z164 - z167 * z168 - z171 * z173
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z174) > 1e-12 * z164:
-            raise _refuse(abs(z174), 1e-12 * z164, 2, "jacobian")
+        if not abs(z174) > 1e-13 * z164:
+            raise _refuse(abs(z174), 1e-13 * z164, 2, "jacobian")
         s_yaw = math.sin(yaw)
         z175 = s1 * z62 - c1 * z69
         z176 = e2z * z175 - c_roll * z44

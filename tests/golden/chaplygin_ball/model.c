@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:308ff0cd8030c0b5)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:ec571341a1a691ed)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -276,8 +276,8 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z8) > 1e-12 * z3
-        && fabs(z16) > 1e-12 * z9)) {
+        && fabs(z8) > 1e-13 * z3
+        && fabs(z16) > 1e-13 * z9)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
@@ -287,12 +287,12 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt)
             return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z8) > 1e-12 * z3)) {
-            return chaplygin_ball_refuse(fabs(z8), 1e-12 * z3, CHAPLYGIN_BALL_SINGULAR_2);
+        if (!(fabs(z8) > 1e-13 * z3)) {
+            return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z16) > 1e-12 * z9)) {
-            return chaplygin_ball_refuse(fabs(z16), 1e-12 * z9, CHAPLYGIN_BALL_SINGULAR_2);
+        if (!(fabs(z16) > 1e-13 * z9)) {
+            return chaplygin_ball_refuse(fabs(z16), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(8, dydt);
     }
@@ -427,8 +427,8 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z8) > 1e-12 * z3
-        && fabs(z16) > 1e-12 * z9)) {
+        && fabs(z8) > 1e-13 * z3
+        && fabs(z16) > 1e-13 * z9)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
@@ -438,12 +438,12 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
             return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z8) > 1e-12 * z3)) {
-            return chaplygin_ball_refuse(fabs(z8), 1e-12 * z3, CHAPLYGIN_BALL_SINGULAR_2);
+        if (!(fabs(z8) > 1e-13 * z3)) {
+            return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z16) > 1e-12 * z9)) {
-            return chaplygin_ball_refuse(fabs(z16), 1e-12 * z9, CHAPLYGIN_BALL_SINGULAR_2);
+        if (!(fabs(z16) > 1e-13 * z9)) {
+            return chaplygin_ball_refuse(fabs(z16), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(5, qddot);
     }
@@ -583,8 +583,8 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z8) > 1e-12 * z3
-        && fabs(z18) > 1e-12 * z9)) {
+        && fabs(z8) > 1e-13 * z3
+        && fabs(z18) > 1e-13 * z9)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
@@ -594,12 +594,12 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
             return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z8) > 1e-12 * z3)) {
-            return chaplygin_ball_refuse(fabs(z8), 1e-12 * z3, CHAPLYGIN_BALL_SINGULAR_2);
+        if (!(fabs(z8) > 1e-13 * z3)) {
+            return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z18) > 1e-12 * z9)) {
-            return chaplygin_ball_refuse(fabs(z18), 1e-12 * z9, CHAPLYGIN_BALL_SINGULAR_2);
+        if (!(fabs(z18) > 1e-13 * z9)) {
+            return chaplygin_ball_refuse(fabs(z18), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(2, lambda);
     }
@@ -802,8 +802,8 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     if (!(fabs(J[2] + J[4] + J[5] + J[6] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15] + J[19] + J[20] +
         J[28] + J[38] + J[43] + J[44] + J[45] + J[46] + J[47] + J[51] + J[53] + J[55]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z11) > 1e-12 * z5
-        && fabs(z21) > 1e-12 * z12)) {
+        && fabs(z11) > 1e-13 * z5
+        && fabs(z21) > 1e-13 * z12)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
@@ -813,12 +813,12 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
             return chaplygin_ball_refuse(fabs(z3), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z11) > 1e-12 * z5)) {
-            return chaplygin_ball_refuse(fabs(z11), 1e-12 * z5, CHAPLYGIN_BALL_SINGULAR_2);
+        if (!(fabs(z11) > 1e-13 * z5)) {
+            return chaplygin_ball_refuse(fabs(z11), 1e-13 * z5, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z21) > 1e-12 * z12)) {
-            return chaplygin_ball_refuse(fabs(z21), 1e-12 * z12, CHAPLYGIN_BALL_SINGULAR_2);
+        if (!(fabs(z21) > 1e-13 * z12)) {
+            return chaplygin_ball_refuse(fabs(z21), 1e-13 * z12, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(64, J);
     }
@@ -909,7 +909,7 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     const chaplygin_ball_lanes z7 = z6 * z5;
     const chaplygin_ball_lanes z8 = z3 - z5 * z7;
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z8)), 1e-12 * z3);
+    bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z8)), 1e-13 * z3);
     const chaplygin_ball_lanes z9 = I3 + z4;
     const chaplygin_ball_lanes c_theta = cosine1;
     const chaplygin_ball_lanes z10 = c_theta * (s_theta * k1);
@@ -920,7 +920,7 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     const chaplygin_ball_lanes z15 = z13 * z14;
     const chaplygin_ball_lanes z16 = z9 - z11 * z12 - z13 * z15;
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z16)), 1e-12 * z9);
+    bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z16)), 1e-13 * z9);
     chaplygin_ball_lanes sine3, cosine3;
     chaplygin_ball_turn_lanes(CHAPLYGIN_BALL_SPREAD(phi), &far, &sine3, &cosine3);
     const chaplygin_ball_lanes s_phi = sine3;

@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:69bb153592559daf).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:4cc247d1356d2810).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -143,8 +143,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z7 = z6 * z5
         z8 = z3 - z5 * z7
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z8) > 1e-12 * z3:
-            raise _refuse(abs(z8), 1e-12 * z3, 2, "rhs")
+        if not abs(z8) > 1e-13 * z3:
+            raise _refuse(abs(z8), 1e-13 * z3, 2, "rhs")
         z9 = I3 + z4
         c_theta = math.cos(theta)
         z10 = c_theta * (s_theta * k1)
@@ -155,8 +155,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z16) > 1e-12 * z9:
-            raise _refuse(abs(z16), 1e-12 * z9, 2, "rhs")
+        if not abs(z16) > 1e-13 * z9:
+            raise _refuse(abs(z16), 1e-13 * z9, 2, "rhs")
         s_phi = math.sin(phi)
         z17 = 1.0 / s_theta
         z18 = z17 * (s_theta * c_psi * w1 - s_theta * s_psi * w2)
@@ -289,8 +289,8 @@ def accelerations(
         z7 = z6 * z5
         z8 = z3 - z5 * z7
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z8) > 1e-12 * z3:
-            raise _refuse(abs(z8), 1e-12 * z3, 2, "accelerations")
+        if not abs(z8) > 1e-13 * z3:
+            raise _refuse(abs(z8), 1e-13 * z3, 2, "accelerations")
         z9 = I3 + z4
         c_theta = math.cos(theta)
         z10 = c_theta * (s_theta * k1)
@@ -301,8 +301,8 @@ def accelerations(
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z16) > 1e-12 * z9:
-            raise _refuse(abs(z16), 1e-12 * z9, 2, "accelerations")
+        if not abs(z16) > 1e-13 * z9:
+            raise _refuse(abs(z16), 1e-13 * z9, 2, "accelerations")
         z17 = 1.0 / s_theta
         z18 = s_theta * c_psi
         z19 = s_theta * s_psi
@@ -476,8 +476,8 @@ def reactions(
         z7 = z6 * z5
         z8 = z3 - z5 * z7
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z8) > 1e-12 * z3:
-            raise _refuse(abs(z8), 1e-12 * z3, 2, "reactions")
+        if not abs(z8) > 1e-13 * z3:
+            raise _refuse(abs(z8), 1e-13 * z3, 2, "reactions")
         z9 = I3 + z4
         c_theta = math.cos(theta)
         z10 = s_psi * c_theta
@@ -490,8 +490,8 @@ def reactions(
         z17 = z16 * z15
         z18 = z9 - z12 * z13 - z15 * z17
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z18) > 1e-12 * z9:
-            raise _refuse(abs(z18), 1e-12 * z9, 2, "reactions")
+        if not abs(z18) > 1e-13 * z9:
+            raise _refuse(abs(z18), 1e-13 * z9, 2, "reactions")
         c_phi = math.cos(phi)
         z19 = w2 * w3 * k3
         z20 = w1 * w3 * k4 - z19 * z7
@@ -604,8 +604,8 @@ def jacobian(
         z10 = z8 * z9
         z11 = z5 - z8 * z10
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z11) > 1e-12 * z5:
-            raise _refuse(abs(z11), 1e-12 * z5, 2, "jacobian")
+        if not abs(z11) > 1e-13 * z5:
+            raise _refuse(abs(z11), 1e-13 * z5, 2, "jacobian")
         z12 = I3 + z6
         c_theta = math.cos(theta)
         z13 = s_theta * k1
@@ -618,8 +618,8 @@ def jacobian(
         z20 = z18 * z19
         z21 = z12 - z15 * z16 - z18 * z20
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z21) > 1e-12 * z12:
-            raise _refuse(abs(z21), 1e-12 * z12, 2, "jacobian")
+        if not abs(z21) > 1e-13 * z12:
+            raise _refuse(abs(z21), 1e-13 * z12, 2, "jacobian")
         c_phi = math.cos(phi)
         z22 = s_psi * w2 - c_psi * w1
         z23 = a * z22

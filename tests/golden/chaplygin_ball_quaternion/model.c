@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:50d68f6e03e4f7c6)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:2b7ce370b20b479f)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -270,20 +270,20 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
     dydt[8] = z38; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
-        && fabs(z23) > 1e-12 * z15
-        && fabs(z35) > 1e-12 * z27)) {
+        && fabs(z23) > 1e-13 * z15
+        && fabs(z35) > 1e-13 * z27)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
             return chaplygin_ball_quaternion_refuse(fabs(z13), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z23) > 1e-12 * z15)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z23), 1e-12 * z15,
+        if (!(fabs(z23) > 1e-13 * z15)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z23), 1e-13 * z15,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z35) > 1e-12 * z27)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z35), 1e-12 * z27,
+        if (!(fabs(z35) > 1e-13 * z27)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z35), 1e-13 * z27,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         return chaplygin_ball_quaternion_finish(9, dydt);
@@ -421,20 +421,20 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
     qddot[5] = -0.5 * z50; /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
-        && fabs(z22) > 1e-12 * z15
-        && fabs(z33) > 1e-12 * z25)) {
+        && fabs(z22) > 1e-13 * z15
+        && fabs(z33) > 1e-13 * z25)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
             return chaplygin_ball_quaternion_refuse(fabs(z13), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z22) > 1e-12 * z15)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z22), 1e-12 * z15,
+        if (!(fabs(z22) > 1e-13 * z15)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z22), 1e-13 * z15,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z33) > 1e-12 * z25)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z33), 1e-12 * z25,
+        if (!(fabs(z33) > 1e-13 * z25)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z33), 1e-13 * z25,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         return chaplygin_ball_quaternion_finish(6, qddot);
@@ -622,19 +622,19 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     /* (I.4.1) 10:3 */
     lambda[2] = 0.0; /* reaction of R_norm: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z21) > 1e-12 * z12 && fabs(z35) > 1e-12 * z24)) {
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z21) > 1e-13 * z12 && fabs(z35) > 1e-13 * z24)) {
         /* the mass matrix is singular */
         if (!(fabs(z10) > 0.0)) {
             return chaplygin_ball_quaternion_refuse(fabs(z10), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z21) > 1e-12 * z12)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z21), 1e-12 * z12,
+        if (!(fabs(z21) > 1e-13 * z12)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z21), 1e-13 * z12,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z35) > 1e-12 * z24)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z35), 1e-12 * z24,
+        if (!(fabs(z35) > 1e-13 * z24)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z35), 1e-13 * z24,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         return chaplygin_ball_quaternion_finish(3, lambda);
@@ -1176,14 +1176,14 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double z15 = kept[15];
     const double z30 = kept[24];
     /* the mass matrix is singular */
-    if (!(fabs(z30) > 1e-12 * z15)) {
-        return chaplygin_ball_quaternion_refuse(fabs(z30), 1e-12 * z15, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
+    if (!(fabs(z30) > 1e-13 * z15)) {
+        return chaplygin_ball_quaternion_refuse(fabs(z30), 1e-13 * z15, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
     }
     const double z33 = kept[27];
     const double z49 = kept[41];
     /* the mass matrix is singular */
-    if (!(fabs(z49) > 1e-12 * z33)) {
-        return chaplygin_ball_quaternion_refuse(fabs(z49), 1e-12 * z33, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
+    if (!(fabs(z49) > 1e-13 * z33)) {
+        return chaplygin_ball_quaternion_refuse(fabs(z49), 1e-13 * z33, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
@@ -1299,7 +1299,7 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     /* the mass matrix is singular */
     bad |=
         chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z23)),
-        1e-12 * z15);
+        1e-13 * z15);
     const chaplygin_ball_quaternion_lanes z24 = R_3 * z10;
     const chaplygin_ball_quaternion_lanes z25 = z24 - R_1 * z7;
     const chaplygin_ball_quaternion_lanes z26 = z18 + R_2 * z7;
@@ -1316,7 +1316,7 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     /* the mass matrix is singular */
     bad |=
         chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z35)),
-        1e-12 * z27);
+        1e-13 * z27);
     const chaplygin_ball_quaternion_lanes z36 = w2 * w3 * k2;
     const chaplygin_ball_quaternion_lanes z37 = w1 * w3 * k3 + 4.0 * (z36 * z22);
     const chaplygin_ball_quaternion_lanes z38 = (w1 * w2 * k4 - 2.0 * (z36 * z31) - z37 * z34) / z35;

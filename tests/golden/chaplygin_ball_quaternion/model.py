@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:af5bb4bba28788aa).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:605a18efcdb554c3).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -159,8 +159,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z22 = z21 * z20
         z23 = z15 - 16.0 * (z20 * z22)
         # the mass matrix is singular
-        if not abs(z23) > 1e-12 * z15:
-            raise _refuse(abs(z23), 1e-12 * z15, 2, "rhs")
+        if not abs(z23) > 1e-13 * z15:
+            raise _refuse(abs(z23), 1e-13 * z15, 2, "rhs")
         z24 = R_3 * z10
         z25 = z24 - R_1 * z7
         z26 = z18 + R_2 * z7
@@ -175,8 +175,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z34 = z33 * z32
         z35 = z27 - 4.0 * (z30 * z31) - z32 * z34
         # the mass matrix is singular
-        if not abs(z35) > 1e-12 * z27:
-            raise _refuse(abs(z35), 1e-12 * z27, 2, "rhs")
+        if not abs(z35) > 1e-13 * z27:
+            raise _refuse(abs(z35), 1e-13 * z27, 2, "rhs")
         z36 = w2 * w3 * k2
         z37 = w1 * w3 * k3 + 4.0 * (z36 * z22)
         z38 = (w1 * w2 * k4 - 2.0 * (z36 * z31) - z37 * z34) / z35
@@ -315,8 +315,8 @@ def accelerations(
         z21 = z20 * z19
         z22 = z15 - 16.0 * (z19 * z21)
         # the mass matrix is singular
-        if not abs(z22) > 1e-12 * z15:
-            raise _refuse(abs(z22), 1e-12 * z15, 2, "accelerations")
+        if not abs(z22) > 1e-13 * z15:
+            raise _refuse(abs(z22), 1e-13 * z15, 2, "accelerations")
         z23 = R_3 * z10 - R_1 * z7
         z24 = R_1 * z11 + R_2 * z7
         z25 = I3 + 4.0 * (k1 * (z23 * z23 + z24 * z24))
@@ -330,8 +330,8 @@ def accelerations(
         z32 = z30 * z31
         z33 = z25 - 4.0 * (z28 * z29) - z30 * z32
         # the mass matrix is singular
-        if not abs(z33) > 1e-12 * z25:
-            raise _refuse(abs(z33), 1e-12 * z25, 2, "accelerations")
+        if not abs(z33) > 1e-13 * z25:
+            raise _refuse(abs(z33), 1e-13 * z25, 2, "accelerations")
         z34 = w2 * w3 * k2
         z35 = w1 * w3 * k3 + 4.0 * (z34 * z21)
         z36 = (w1 * w2 * k4 - 2.0 * (z34 * z29) + z32 * z35) / z33
@@ -552,8 +552,8 @@ def reactions(
         z20 = z18 * z19
         z21 = z12 - 16.0 * (z18 * z20)
         # the mass matrix is singular
-        if not abs(z21) > 1e-12 * z12:
-            raise _refuse(abs(z21), 1e-12 * z12, 2, "reactions")
+        if not abs(z21) > 1e-13 * z12:
+            raise _refuse(abs(z21), 1e-13 * z12, 2, "reactions")
         z22 = R_1 * z15 + R_2 * z5
         z23 = R_1 * z5 - R_2 * z15
         z24 = I3 + 4.0 * (k1 * (z22 * z22 + z23 * z23))
@@ -570,8 +570,8 @@ def reactions(
         z34 = z32 * z33
         z35 = z24 - 4.0 * (z28 * z29) - z32 * z34
         # the mass matrix is singular
-        if not abs(z35) > 1e-12 * z24:
-            raise _refuse(abs(z35), 1e-12 * z24, 2, "reactions")
+        if not abs(z35) > 1e-13 * z24:
+            raise _refuse(abs(z35), 1e-13 * z24, 2, "reactions")
         z36 = z4 * k2
         z37 = w2 * w3 * k3
         z38 = w1 * w3 * k4 + 4.0 * (z37 * z20)
@@ -704,8 +704,8 @@ def jacobian(
         z29 = z27 * z28
         z30 = z15 - 16.0 * (z27 * z29)
         # the mass matrix is singular
-        if not abs(z30) > 1e-12 * z15:
-            raise _refuse(abs(z30), 1e-12 * z15, 2, "jacobian")
+        if not abs(z30) > 1e-13 * z15:
+            raise _refuse(abs(z30), 1e-13 * z15, 2, "jacobian")
         z31 = R_3 * z10 - R_1 * z7
         z32 = R_1 * z11 + R_2 * z7
         z33 = I3 + 4.0 * (k1 * (z31 * z31 + z32 * z32))
@@ -726,8 +726,8 @@ def jacobian(
         z48 = z46 * z47
         z49 = z33 - 4.0 * (z39 * z40) - z46 * z48
         # the mass matrix is singular
-        if not abs(z49) > 1e-12 * z33:
-            raise _refuse(abs(z49), 1e-12 * z33, 2, "jacobian")
+        if not abs(z49) > 1e-13 * z33:
+            raise _refuse(abs(z49), 1e-13 * z33, 2, "jacobian")
         z50 = a * w1
         z51 = a * w3
         z52 = R_3 * z50 - R_1 * z51

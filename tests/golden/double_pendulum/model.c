@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:b08f39f3a5e63b34)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:615e4df73f8daa61)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -235,14 +235,14 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     dydt[2] = k1 * (g * s_theta1 + z5); /* theta1'' */
     dydt[3] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-12 * m1)) {
+    if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-13 * m1)) {
         /* the mass matrix is singular */
         if (!(fabs(m2) > 0.0)) {
             return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z3) > 1e-12 * m1)) {
-            return double_pendulum_refuse(fabs(z3), 1e-12 * m1, DOUBLE_PENDULUM_SINGULAR_2);
+        if (!(fabs(z3) > 1e-13 * m1)) {
+            return double_pendulum_refuse(fabs(z3), 1e-13 * m1, DOUBLE_PENDULUM_SINGULAR_2);
         }
         return double_pendulum_finish(4, dydt);
     }
@@ -300,14 +300,14 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     qddot[0] = k1 * (g * s_theta1 + z5); /* theta1'' */
     qddot[1] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-12 * m1)) {
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-13 * m1)) {
         /* the mass matrix is singular */
         if (!(fabs(m2) > 0.0)) {
             return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z3) > 1e-12 * m1)) {
-            return double_pendulum_refuse(fabs(z3), 1e-12 * m1, DOUBLE_PENDULUM_SINGULAR_2);
+        if (!(fabs(z3) > 1e-13 * m1)) {
+            return double_pendulum_refuse(fabs(z3), 1e-13 * m1, DOUBLE_PENDULUM_SINGULAR_2);
         }
         return double_pendulum_finish(2, qddot);
     }
@@ -360,8 +360,8 @@ int double_pendulum_reactions(double t, const double *y, const double *p, double
         return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(m1 + s1 * (m2 * s1)) > 1e-12 * m1)) {
-        return double_pendulum_refuse(fabs(m1 + s1 * (m2 * s1)), 1e-12 * m1, DOUBLE_PENDULUM_SINGULAR_2);
+    if (!(fabs(m1 + s1 * (m2 * s1)) > 1e-13 * m1)) {
+        return double_pendulum_refuse(fabs(m1 + s1 * (m2 * s1)), 1e-13 * m1, DOUBLE_PENDULUM_SINGULAR_2);
     }
     (void)lambda;
     return DOUBLE_PENDULUM_OK;
@@ -463,14 +463,14 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[8] + J[9] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15]) <= DBL_MAX
         && fabs(m2) > 0.0
-        && fabs(z3) > 1e-12 * m1)) {
+        && fabs(z3) > 1e-13 * m1)) {
         /* the mass matrix is singular */
         if (!(fabs(m2) > 0.0)) {
             return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z3) > 1e-12 * m1)) {
-            return double_pendulum_refuse(fabs(z3), 1e-12 * m1, DOUBLE_PENDULUM_SINGULAR_2);
+        if (!(fabs(z3) > 1e-13 * m1)) {
+            return double_pendulum_refuse(fabs(z3), 1e-13 * m1, DOUBLE_PENDULUM_SINGULAR_2);
         }
         return double_pendulum_finish(16, J);
     }
@@ -530,7 +530,7 @@ static __attribute__((noinline)) void double_pendulum_rhs_lanes(const double *fi
     const double_pendulum_lanes z3 = m1 + s1 * z2;
     /* the mass matrix is singular */
     bad |= double_pendulum_misses(double_pendulum_size(DOUBLE_PENDULUM_SPREAD(z3)),
-        DOUBLE_PENDULUM_SPREAD(1e-12 * m1));
+        DOUBLE_PENDULUM_SPREAD(1e-13 * m1));
     double_pendulum_lanes sine2, cosine2;
     double_pendulum_turn_lanes(DOUBLE_PENDULUM_SPREAD(theta1), &far, &sine2, &cosine2);
     const double_pendulum_lanes s_theta1 = sine2;

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:6c2a308eb291ac85).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:e41ec29b73b5fca1).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -120,8 +120,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z2 = m2 * s1
         z3 = m1 + s1 * z2
         # the mass matrix is singular
-        if not abs(z3) > 1e-12 * m1:
-            raise _refuse(abs(z3), 1e-12 * m1, 2, "rhs")
+        if not abs(z3) > 1e-13 * m1:
+            raise _refuse(abs(z3), 1e-13 * m1, 2, "rhs")
         s_theta1 = math.sin(theta1)
         c1 = math.cos(z1)
         c_theta1 = math.cos(theta1)
@@ -199,8 +199,8 @@ def accelerations(
         z2 = m2 * s1
         z3 = m1 + s1 * z2
         # the mass matrix is singular
-        if not abs(z3) > 1e-12 * m1:
-            raise _refuse(abs(z3), 1e-12 * m1, 2, "accelerations")
+        if not abs(z3) > 1e-13 * m1:
+            raise _refuse(abs(z3), 1e-13 * m1, 2, "accelerations")
         s_theta1 = math.sin(theta1)
         c1 = math.cos(z1)
         c_theta1 = math.cos(theta1)
@@ -281,8 +281,8 @@ def reactions(
         s1 = math.sin(theta1 - theta2)
         s2 = m1 + s1 * (m2 * s1)
         # the mass matrix is singular
-        if not abs(s2) > 1e-12 * m1:
-            raise _refuse(abs(s2), 1e-12 * m1, 2, "reactions")
+        if not abs(s2) > 1e-13 * m1:
+            raise _refuse(abs(s2), 1e-13 * m1, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -356,8 +356,8 @@ def jacobian(
         z2 = m2 * s1
         z3 = m1 + s1 * z2
         # the mass matrix is singular
-        if not abs(z3) > 1e-12 * m1:
-            raise _refuse(abs(z3), 1e-12 * m1, 2, "jacobian")
+        if not abs(z3) > 1e-13 * m1:
+            raise _refuse(abs(z3), 1e-13 * m1, 2, "jacobian")
         c_theta1 = math.cos(theta1)
         z4 = g * c_theta1
         z5 = 1.0 / z3

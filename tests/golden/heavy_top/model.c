@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:cece435dec5d99d9)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:7939b5b8e2575491)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -237,7 +237,7 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = s_theta * (mgl + phi_dot * (z7 - z8)) * k2; /* theta'' */
     dydt[5] = z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z5) > 1e-12 * I3)) {
+    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z5) > 1e-13 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
@@ -247,8 +247,8 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
             return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z5) > 1e-12 * I3)) {
-            return heavy_top_refuse(fabs(z5), 1e-12 * I3, HEAVY_TOP_SINGULAR_2);
+        if (!(fabs(z5) > 1e-13 * I3)) {
+            return heavy_top_refuse(fabs(z5), 1e-13 * I3, HEAVY_TOP_SINGULAR_2);
         }
         return heavy_top_finish(6, dydt);
     }
@@ -311,7 +311,7 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     qddot[1] = s_theta * (mgl + phi_dot * (z8 - z9)) * k2; /* theta'' */
     qddot[2] = z11; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z6) > 1e-12 * I3)) {
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z6) > 1e-13 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
@@ -321,8 +321,8 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
             return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z6) > 1e-12 * I3)) {
-            return heavy_top_refuse(fabs(z6), 1e-12 * I3, HEAVY_TOP_SINGULAR_2);
+        if (!(fabs(z6) > 1e-13 * I3)) {
+            return heavy_top_refuse(fabs(z6), 1e-13 * I3, HEAVY_TOP_SINGULAR_2);
         }
         return heavy_top_finish(3, qddot);
     }
@@ -388,8 +388,8 @@ int heavy_top_reactions(double t, const double *y, const double *p, double *lamb
         return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(I3 - z3 * (z3 / z2)) > 1e-12 * I3)) {
-        return heavy_top_refuse(fabs(I3 - z3 * (z3 / z2)), 1e-12 * I3, HEAVY_TOP_SINGULAR_2);
+    if (!(fabs(I3 - z3 * (z3 / z2)) > 1e-13 * I3)) {
+        return heavy_top_refuse(fabs(I3 - z3 * (z3 / z2)), 1e-13 * I3, HEAVY_TOP_SINGULAR_2);
     }
     (void)lambda;
     return HEAVY_TOP_OK;
@@ -483,7 +483,7 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     J[35] = -z26;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[19] + J[21] + J[22] + J[23] + J[25] + J[27] + J[29] + J[35]) <= DBL_MAX
-        && fabs(z6) > 1e-12 * I3)) {
+        && fabs(z6) > 1e-13 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
@@ -493,8 +493,8 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
             return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z6) > 1e-12 * I3)) {
-            return heavy_top_refuse(fabs(z6), 1e-12 * I3, HEAVY_TOP_SINGULAR_2);
+        if (!(fabs(z6) > 1e-13 * I3)) {
+            return heavy_top_refuse(fabs(z6), 1e-13 * I3, HEAVY_TOP_SINGULAR_2);
         }
         return heavy_top_finish(36, J);
     }
@@ -554,7 +554,7 @@ static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, s
     const heavy_top_lanes z4 = z1 * z3;
     const heavy_top_lanes z5 = I3 - z1 * z4;
     /* the mass matrix is singular */
-    bad |= heavy_top_misses(heavy_top_size(HEAVY_TOP_SPREAD(z5)), HEAVY_TOP_SPREAD(1e-12 * I3));
+    bad |= heavy_top_misses(heavy_top_size(HEAVY_TOP_SPREAD(z5)), HEAVY_TOP_SPREAD(1e-13 * I3));
     const heavy_top_lanes z6 = theta_dot * s_theta;
     const heavy_top_lanes z7 = phi_dot * c_theta * k1;
     const heavy_top_lanes z8 = psi_dot * I3;

@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:38540ac3381f3f66).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:175dba17cc805433).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -123,8 +123,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z4 = z1 * z3
         z5 = I3 - z1 * z4
         # the mass matrix is singular
-        if not abs(z5) > 1e-12 * I3:
-            raise _refuse(abs(z5), 1e-12 * I3, 2, "rhs")
+        if not abs(z5) > 1e-13 * I3:
+            raise _refuse(abs(z5), 1e-13 * I3, 2, "rhs")
         z6 = theta_dot * s_theta
         z7 = phi_dot * c_theta * k1
         z8 = psi_dot * I3
@@ -214,8 +214,8 @@ def accelerations(
         z5 = z3 * z4
         z6 = I3 - z3 * z5
         # the mass matrix is singular
-        if not abs(z6) > 1e-12 * I3:
-            raise _refuse(abs(z6), 1e-12 * I3, 2, "accelerations")
+        if not abs(z6) > 1e-13 * I3:
+            raise _refuse(abs(z6), 1e-13 * I3, 2, "accelerations")
         z7 = theta_dot * s_theta
         z8 = phi_dot * c_theta * k1
         z9 = psi_dot * I3
@@ -306,8 +306,8 @@ def reactions(
         z3 = I3 * c_theta
         s1 = I3 - z3 * (z3 / z2)
         # the mass matrix is singular
-        if not abs(s1) > 1e-12 * I3:
-            raise _refuse(abs(s1), 1e-12 * I3, 2, "reactions")
+        if not abs(s1) > 1e-13 * I3:
+            raise _refuse(abs(s1), 1e-13 * I3, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -378,8 +378,8 @@ def jacobian(
         z5 = z3 * z4
         z6 = I3 - z3 * z5
         # the mass matrix is singular
-        if not abs(z6) > 1e-12 * I3:
-            raise _refuse(abs(z6), 1e-12 * I3, 2, "jacobian")
+        if not abs(z6) > 1e-13 * I3:
+            raise _refuse(abs(z6), 1e-13 * I3, 2, "jacobian")
         z7 = theta_dot * s_theta
         z8 = z7 * k1
         z9 = 1.0 / z6

@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:1601d6a72196bc68)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:e98759121c4095eb)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -280,7 +280,7 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[5] = -(z33 * z15 + z16 * z35); /* v' */
     dydt[6] = -z35; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(-z18) > 1e-12 * z17)) {
+    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(-z18) > 1e-13 * z17)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
@@ -290,8 +290,8 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
             return n_snake3_refuse(fabs(z8), 0.0, N_SNAKE3_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z18) > 1e-12 * z17)) {
-            return n_snake3_refuse(fabs(-z18), 1e-12 * z17, N_SNAKE3_SINGULAR_2);
+        if (!(fabs(-z18) > 1e-13 * z17)) {
+            return n_snake3_refuse(fabs(-z18), 1e-13 * z17, N_SNAKE3_SINGULAR_2);
         }
         return n_snake3_finish(7, dydt);
     }
@@ -424,7 +424,7 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     qddot[3] = k1 * z43; /* theta2'' */
     qddot[4] = z44; /* theta3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z18) > 1e-12 * z12)) {
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z18) > 1e-13 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
@@ -434,8 +434,8 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
             return n_snake3_refuse(fabs(z7), 0.0, N_SNAKE3_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-12 * z12)) {
-            return n_snake3_refuse(fabs(z18), 1e-12 * z12, N_SNAKE3_SINGULAR_2);
+        if (!(fabs(z18) > 1e-13 * z12)) {
+            return n_snake3_refuse(fabs(z18), 1e-13 * z12, N_SNAKE3_SINGULAR_2);
         }
         return n_snake3_finish(5, qddot);
     }
@@ -598,7 +598,7 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     /* (I.4.1) 27:5 */
     lambda[2] = k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z40; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z18) > 1e-12 * z12)) {
+    if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z18) > 1e-13 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
@@ -608,8 +608,8 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
             return n_snake3_refuse(fabs(z7), 0.0, N_SNAKE3_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-12 * z12)) {
-            return n_snake3_refuse(fabs(z18), 1e-12 * z12, N_SNAKE3_SINGULAR_2);
+        if (!(fabs(z18) > 1e-13 * z12)) {
+            return n_snake3_refuse(fabs(z18), 1e-13 * z12, N_SNAKE3_SINGULAR_2);
         }
         return n_snake3_finish(3, lambda);
     }
@@ -841,7 +841,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[24] + J[31] + J[32] + J[33] + J[37] + J[38] + J[39] + J[40] + J[41] + J[44] + J[46] + J[48])
         <= DBL_MAX
-        && fabs(z18) > 1e-12 * z12)) {
+        && fabs(z18) > 1e-13 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
@@ -851,8 +851,8 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
             return n_snake3_refuse(fabs(z7), 0.0, N_SNAKE3_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-12 * z12)) {
-            return n_snake3_refuse(fabs(z18), 1e-12 * z12, N_SNAKE3_SINGULAR_2);
+        if (!(fabs(z18) > 1e-13 * z12)) {
+            return n_snake3_refuse(fabs(z18), 1e-13 * z12, N_SNAKE3_SINGULAR_2);
         }
         return n_snake3_finish(49, J);
     }
@@ -923,7 +923,7 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const n_snake3_lanes z17 = z5 * k5 + J * z4 + z7 * k5;
     const n_snake3_lanes z18 = z14 * z16 - z17;
     /* the mass matrix is singular */
-    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(-z18)), 1e-12 * z17);
+    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(-z18)), 1e-13 * z17);
     n_snake3_lanes sine3, cosine3;
     n_snake3_turn_lanes(N_SNAKE3_SPREAD(theta1), &far, &sine3, &cosine3);
     const n_snake3_lanes c_theta1 = cosine3;

@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:0a48f0492259157e).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:225e341edfedc3a9).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -147,8 +147,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z17 = z5 * k5 + J * z4 + z7 * k5
         z18 = z14 * z16 - z17
         # the mass matrix is singular
-        if not abs(-z18) > 1e-12 * z17:
-            raise _refuse(abs(-z18), 1e-12 * z17, 2, "rhs")
+        if not abs(-z18) > 1e-13 * z17:
+            raise _refuse(abs(-z18), 1e-13 * z17, 2, "rhs")
         c_theta1 = math.cos(theta1)
         s_theta1 = math.sin(theta1)
         z19 = a * w
@@ -299,8 +299,8 @@ def accelerations(
         z17 = z16 * z15
         z18 = z12 - z15 * z17
         # the mass matrix is singular
-        if not abs(z18) > 1e-12 * z12:
-            raise _refuse(abs(z18), 1e-12 * z12, 2, "accelerations")
+        if not abs(z18) > 1e-13 * z12:
+            raise _refuse(abs(z18), 1e-13 * z12, 2, "accelerations")
         s_theta1 = math.sin(theta1)
         z19 = v * w
         c_theta1 = math.cos(theta1)
@@ -495,8 +495,8 @@ def reactions(
         z17 = z16 * z15
         z18 = z12 - z15 * z17
         # the mass matrix is singular
-        if not abs(z18) > 1e-12 * z12:
-            raise _refuse(abs(z18), 1e-12 * z12, 2, "reactions")
+        if not abs(z18) > 1e-13 * z12:
+            raise _refuse(abs(z18), 1e-13 * z12, 2, "reactions")
         z19 = a * w
         v1_x2 = v * c1 + s1 * z19
         z20 = v * s1 - c1 * z19
@@ -652,8 +652,8 @@ def jacobian(
         z17 = z16 * z15
         z18 = z12 - z15 * z17
         # the mass matrix is singular
-        if not abs(z18) > 1e-12 * z12:
-            raise _refuse(abs(z18), 1e-12 * z12, 2, "jacobian")
+        if not abs(z18) > 1e-13 * z12:
+            raise _refuse(abs(z18), 1e-13 * z12, 2, "jacobian")
         s_theta1 = math.sin(theta1)
         c_theta1 = math.cos(theta1)
         z19 = a * w

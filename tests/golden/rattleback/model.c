@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:f2002f2d59b1390d)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:59be68a9ebf3f4fc)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -331,8 +331,8 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(c_alpha) > 1e-12 * 4.0
-        && fabs(z15) > 1e-12 * z11
-        && fabs(z22) > 1e-12 * z16)) {
+        && fabs(z15) > 1e-13 * z11
+        && fabs(z22) > 1e-13 * z16)) {
         /* the coframe is singular */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
@@ -342,12 +342,12 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
             return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z15) > 1e-12 * z11)) {
-            return rattleback_refuse(fabs(z15), 1e-12 * z11, RATTLEBACK_SINGULAR_2);
+        if (!(fabs(z15) > 1e-13 * z11)) {
+            return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z22) > 1e-12 * z16)) {
-            return rattleback_refuse(fabs(z22), 1e-12 * z16, RATTLEBACK_SINGULAR_2);
+        if (!(fabs(z22) > 1e-13 * z16)) {
+            return rattleback_refuse(fabs(z22), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
         }
         return rattleback_finish(9, dydt);
     }
@@ -535,8 +535,8 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(c_alpha) > 1e-12 * 4.0
-        && fabs(z15) > 1e-12 * z11
-        && fabs(z22) > 1e-12 * z16)) {
+        && fabs(z15) > 1e-13 * z11
+        && fabs(z22) > 1e-13 * z16)) {
         /* the coframe is singular */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
@@ -546,12 +546,12 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
             return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z15) > 1e-12 * z11)) {
-            return rattleback_refuse(fabs(z15), 1e-12 * z11, RATTLEBACK_SINGULAR_2);
+        if (!(fabs(z15) > 1e-13 * z11)) {
+            return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z22) > 1e-12 * z16)) {
-            return rattleback_refuse(fabs(z22), 1e-12 * z16, RATTLEBACK_SINGULAR_2);
+        if (!(fabs(z22) > 1e-13 * z16)) {
+            return rattleback_refuse(fabs(z22), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
         }
         return rattleback_finish(6, qddot);
     }
@@ -766,8 +766,8 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX
         && fabs(c_alpha) > 1e-12 * 4.0
-        && fabs(z15) > 1e-12 * z11
-        && fabs(z22) > 1e-12 * z16)) {
+        && fabs(z15) > 1e-13 * z11
+        && fabs(z22) > 1e-13 * z16)) {
         /* the coframe is singular */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
@@ -777,12 +777,12 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
             return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z15) > 1e-12 * z11)) {
-            return rattleback_refuse(fabs(z15), 1e-12 * z11, RATTLEBACK_SINGULAR_2);
+        if (!(fabs(z15) > 1e-13 * z11)) {
+            return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z22) > 1e-12 * z16)) {
-            return rattleback_refuse(fabs(z22), 1e-12 * z16, RATTLEBACK_SINGULAR_2);
+        if (!(fabs(z22) > 1e-13 * z16)) {
+            return rattleback_refuse(fabs(z22), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
         }
         return rattleback_finish(3, lambda);
     }
@@ -1427,12 +1427,12 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     const double z11 = kept[19];
     const double z15 = kept[23];
     /* the mass matrix is singular, or the velocities that are kept are */
-    if (!(fabs(z15) > 1e-12 * z11)) {
-        return rattleback_refuse(fabs(z15), 1e-12 * z11, RATTLEBACK_SINGULAR_2);
+    if (!(fabs(z15) > 1e-13 * z11)) {
+        return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
     }
     /* the mass matrix is singular, or the velocities that are kept are */
-    if (!(fabs(z23) > 1e-12 * z16)) {
-        return rattleback_refuse(fabs(z23), 1e-12 * z16, RATTLEBACK_SINGULAR_2);
+    if (!(fabs(z23) > 1e-13 * z16)) {
+        return rattleback_refuse(fabs(z23), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
     }
     return RATTLEBACK_OK;
 }
@@ -1527,7 +1527,7 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes z14 = z12 * z13;
     const rattleback_lanes z15 = z11 - z12 * z14;
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z15)), 1e-12 * z11);
+    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z15)), 1e-13 * z11);
     const rattleback_lanes z16 = I_c + (z7 + z10);
     const rattleback_lanes z17 = r1 * r3;
     const rattleback_lanes z18 = z17 * z13;
@@ -1536,7 +1536,7 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes z21 = z19 * z20;
     const rattleback_lanes z22 = z16 - z17 * z18 - z19 * z21;
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z22)), 1e-12 * z16);
+    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z22)), 1e-13 * z16);
     rattleback_lanes sine3, cosine3;
     rattleback_turn_lanes(RATTLEBACK_SPREAD(gamma_), &far, &sine3, &cosine3);
     const rattleback_lanes s_gamma = sine3;

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:d5b6bde8e3b47fe3).
+"""rattleback, emitted by nhc 0.1.0 (nhc:1d99a641fe076ada).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -162,8 +162,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z14 = z12 * z13
         z15 = z11 - z12 * z14
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z15) > 1e-12 * z11:
-            raise _refuse(abs(z15), 1e-12 * z11, 2, "rhs")
+        if not abs(z15) > 1e-13 * z11:
+            raise _refuse(abs(z15), 1e-13 * z11, 2, "rhs")
         z16 = I_c + (z7 + z10)
         z17 = r1 * r3
         z18 = z17 * z13
@@ -172,8 +172,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z22) > 1e-12 * z16:
-            raise _refuse(abs(z22), 1e-12 * z16, 2, "rhs")
+        if not abs(z22) > 1e-13 * z16:
+            raise _refuse(abs(z22), 1e-13 * z16, 2, "rhs")
         s_gamma = math.sin(gamma)
         z23 = r3 * w1 - r1 * w3
         u1 = r3 * w2 + z6 * w3
@@ -365,8 +365,8 @@ def accelerations(
         z14 = z12 * z13
         z15 = z11 - z12 * z14
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z15) > 1e-12 * z11:
-            raise _refuse(abs(z15), 1e-12 * z11, 2, "accelerations")
+        if not abs(z15) > 1e-13 * z11:
+            raise _refuse(abs(z15), 1e-13 * z11, 2, "accelerations")
         z16 = I_c + (z7 + z10)
         z17 = r1 * r3
         z18 = z17 * z13
@@ -375,8 +375,8 @@ def accelerations(
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z22) > 1e-12 * z16:
-            raise _refuse(abs(z22), 1e-12 * z16, 2, "accelerations")
+        if not abs(z22) > 1e-13 * z16:
+            raise _refuse(abs(z22), 1e-13 * z16, 2, "accelerations")
         z23 = r3 * w1 - r1 * w3
         u1 = r3 * w2 + z6 * w3
         z24 = r1 * w2 + z6 * w1
@@ -623,8 +623,8 @@ def reactions(
         z14 = z12 * z13
         z15 = z11 - z12 * z14
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z15) > 1e-12 * z11:
-            raise _refuse(abs(z15), 1e-12 * z11, 2, "reactions")
+        if not abs(z15) > 1e-13 * z11:
+            raise _refuse(abs(z15), 1e-13 * z11, 2, "reactions")
         z16 = I_c + (z7 + z10)
         z17 = r1 * r3
         z18 = z17 * z13
@@ -633,8 +633,8 @@ def reactions(
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z22) > 1e-12 * z16:
-            raise _refuse(abs(z22), 1e-12 * z16, 2, "reactions")
+        if not abs(z22) > 1e-13 * z16:
+            raise _refuse(abs(z22), 1e-13 * z16, 2, "reactions")
         s_gamma = math.sin(gamma)
         z23 = mu2 * s_gamma
         c_gamma = math.cos(gamma)
@@ -817,8 +817,8 @@ def jacobian(
         z14 = z12 * z13
         z15 = z11 - z12 * z14
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z15) > 1e-12 * z11:
-            raise _refuse(abs(z15), 1e-12 * z11, 2, "jacobian")
+        if not abs(z15) > 1e-13 * z11:
+            raise _refuse(abs(z15), 1e-13 * z11, 2, "jacobian")
         z16 = I_c + (z7 + z10)
         z17 = r1 * r3
         z18 = z17 * z13
@@ -828,8 +828,8 @@ def jacobian(
         z22 = z20 * z21
         z23 = z16 - z17 * z18 - z20 * z22
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z23) > 1e-12 * z16:
-            raise _refuse(abs(z23), 1e-12 * z16, 2, "jacobian")
+        if not abs(z23) > 1e-13 * z16:
+            raise _refuse(abs(z23), 1e-13 * z16, 2, "jacobian")
         s_gamma = math.sin(gamma)
         z24 = r3 * w1
         z25 = r1 * w3

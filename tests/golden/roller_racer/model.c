@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:40587a3895a4ad7b)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:f0ff3221786ba64c)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -251,7 +251,7 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = z7 * z12 - z8 * z13; /* v' */
     dydt[5] = -z13; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(z9) > 1e-12 * z4)) {
+    if (!(fabs(dydt[0] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(z9) > 1e-13 * z4)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
@@ -261,8 +261,8 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
             return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z9) > 1e-12 * z4)) {
-            return roller_racer_refuse(fabs(z9), 1e-12 * z4, ROLLER_RACER_SINGULAR_2);
+        if (!(fabs(z9) > 1e-13 * z4)) {
+            return roller_racer_refuse(fabs(z9), 1e-13 * z4, ROLLER_RACER_SINGULAR_2);
         }
         return roller_racer_finish(6, dydt);
     }
@@ -353,7 +353,7 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
     qddot[2] = z16; /* theta'' */
     qddot[3] = -k1 * (z12 + z2 * z16 + (z13 - s_phi * z17)); /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX && fabs(z9) > 1e-12 * z4)) {
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX && fabs(z9) > 1e-13 * z4)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
@@ -363,8 +363,8 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
             return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z9) > 1e-12 * z4)) {
-            return roller_racer_refuse(fabs(z9), 1e-12 * z4, ROLLER_RACER_SINGULAR_2);
+        if (!(fabs(z9) > 1e-13 * z4)) {
+            return roller_racer_refuse(fabs(z9), 1e-13 * z4, ROLLER_RACER_SINGULAR_2);
         }
         return roller_racer_finish(4, qddot);
     }
@@ -474,7 +474,7 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
     /* (I.4.1) 20:5 */
     lambda[1] = -z14; /* reaction of front: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-12 * z4)) {
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-13 * z4)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
@@ -484,8 +484,8 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
             return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z9) > 1e-12 * z4)) {
-            return roller_racer_refuse(fabs(z9), 1e-12 * z4, ROLLER_RACER_SINGULAR_2);
+        if (!(fabs(z9) > 1e-13 * z4)) {
+            return roller_racer_refuse(fabs(z9), 1e-13 * z4, ROLLER_RACER_SINGULAR_2);
         }
         return roller_racer_finish(2, lambda);
     }
@@ -603,7 +603,7 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
     J[34] = z36;
     J[35] = z38;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[21] + J[27] + J[28] + J[29] + J[33]) <= DBL_MAX && fabs(z10) > 1e-12 * z5)) {
+    if (!(fabs(J[2] + J[21] + J[27] + J[28] + J[29] + J[33]) <= DBL_MAX && fabs(z10) > 1e-13 * z5)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
@@ -613,8 +613,8 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
             return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z10) > 1e-12 * z5)) {
-            return roller_racer_refuse(fabs(z10), 1e-12 * z5, ROLLER_RACER_SINGULAR_2);
+        if (!(fabs(z10) > 1e-13 * z5)) {
+            return roller_racer_refuse(fabs(z10), 1e-13 * z5, ROLLER_RACER_SINGULAR_2);
         }
         return roller_racer_finish(36, J);
     }
@@ -675,7 +675,7 @@ static __attribute__((noinline)) void roller_racer_rhs_lanes(const double *fixed
     const roller_racer_lanes z8 = z7 * z6;
     const roller_racer_lanes z9 = z4 - z6 * z8;
     /* the mass matrix is singular */
-    bad |= roller_racer_misses(roller_racer_size(ROLLER_RACER_SPREAD(z9)), 1e-12 * z4);
+    bad |= roller_racer_misses(roller_racer_size(ROLLER_RACER_SPREAD(z9)), 1e-13 * z4);
     roller_racer_lanes sine2, cosine2;
     roller_racer_turn_lanes(ROLLER_RACER_SPREAD(theta), &far, &sine2, &cosine2);
     const roller_racer_lanes c_theta = cosine2;

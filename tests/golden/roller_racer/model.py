@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:db69405a4edf5c9a).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:e1ccc464b51a97ec).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -136,8 +136,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z8 = z7 * z6
         z9 = z4 - z6 * z8
         # the mass matrix is singular
-        if not abs(z9) > 1e-12 * z4:
-            raise _refuse(abs(z9), 1e-12 * z4, 2, "rhs")
+        if not abs(z9) > 1e-13 * z4:
+            raise _refuse(abs(z9), 1e-13 * z4, 2, "rhs")
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z10 = k1 * (theta_dot * (d2 + z2) - v * s_phi)
@@ -248,8 +248,8 @@ def accelerations(
         z8 = z7 * z6
         z9 = z4 - z6 * z8
         # the mass matrix is singular
-        if not abs(z9) > 1e-12 * z4:
-            raise _refuse(abs(z9), 1e-12 * z4, 2, "accelerations")
+        if not abs(z9) > 1e-13 * z4:
+            raise _refuse(abs(z9), 1e-13 * z4, 2, "accelerations")
         s_theta = math.sin(theta)
         z10 = theta_dot * v
         c_theta = math.cos(theta)
@@ -392,8 +392,8 @@ def reactions(
         z8 = z7 * z6
         z9 = z4 - z6 * z8
         # the mass matrix is singular
-        if not abs(z9) > 1e-12 * z4:
-            raise _refuse(abs(z9), 1e-12 * z4, 2, "reactions")
+        if not abs(z9) > 1e-13 * z4:
+            raise _refuse(abs(z9), 1e-13 * z4, 2, "reactions")
         z10 = k1 * (theta_dot * z2 - v * s_phi)
         z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v)
         z12 = k3 * (s_phi * z11)
@@ -489,8 +489,8 @@ def jacobian(
         z9 = z8 * z7
         z10 = z5 - z7 * z9
         # the mass matrix is singular
-        if not abs(z10) > 1e-12 * z5:
-            raise _refuse(abs(z10), 1e-12 * z5, 2, "jacobian")
+        if not abs(z10) > 1e-13 * z5:
+            raise _refuse(abs(z10), 1e-13 * z5, 2, "jacobian")
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z11 = theta_dot * d1

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:adbc6df39bdae8dd)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:530f3aea07aa74a1)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -267,7 +267,7 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[6] = s_theta * z16 / z4; /* theta'' */
     dydt[7] = z15; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z9) > 1e-12 * z5)) {
+    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z9) > 1e-13 * z5)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
             return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
@@ -277,8 +277,8 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
             return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z9) > 1e-12 * z5)) {
-            return routh_sphere_refuse(fabs(z9), 1e-12 * z5, ROUTH_SPHERE_SINGULAR_2);
+        if (!(fabs(z9) > 1e-13 * z5)) {
+            return routh_sphere_refuse(fabs(z9), 1e-13 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
         return routh_sphere_finish(8, dydt);
     }
@@ -378,7 +378,7 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     qddot[3] = z14; /* theta'' */
     qddot[4] = z21; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX && fabs(z9) > 1e-12 * z5)) {
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX && fabs(z9) > 1e-13 * z5)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
             return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
@@ -388,8 +388,8 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
             return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z9) > 1e-12 * z5)) {
-            return routh_sphere_refuse(fabs(z9), 1e-12 * z5, ROUTH_SPHERE_SINGULAR_2);
+        if (!(fabs(z9) > 1e-13 * z5)) {
+            return routh_sphere_refuse(fabs(z9), 1e-13 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
         return routh_sphere_finish(5, qddot);
     }
@@ -519,7 +519,7 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     lambda[1] = -(z25 * z15 + (z25 * z16 + c_phi * z19) + m * (c_phi * z22 + s_phi * z24));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-12 * z5)) {
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-13 * z5)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
             return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
@@ -529,8 +529,8 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
             return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z9) > 1e-12 * z5)) {
-            return routh_sphere_refuse(fabs(z9), 1e-12 * z5, ROUTH_SPHERE_SINGULAR_2);
+        if (!(fabs(z9) > 1e-13 * z5)) {
+            return routh_sphere_refuse(fabs(z9), 1e-13 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
         return routh_sphere_finish(2, lambda);
     }
@@ -677,7 +677,7 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[10] + J[11] + J[15] + J[43] + J[45] + J[46] + J[47] + J[51] + J[53] + J[54] + J[55] +
         J[59] + J[63]) <= DBL_MAX
-        && fabs(z9) > 1e-12 * z5)) {
+        && fabs(z9) > 1e-13 * z5)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
             return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
@@ -687,8 +687,8 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
             return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z9) > 1e-12 * z5)) {
-            return routh_sphere_refuse(fabs(z9), 1e-12 * z5, ROUTH_SPHERE_SINGULAR_2);
+        if (!(fabs(z9) > 1e-13 * z5)) {
+            return routh_sphere_refuse(fabs(z9), 1e-13 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
         return routh_sphere_finish(64, J);
     }
@@ -772,7 +772,7 @@ static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed
     const routh_sphere_lanes z8 = z6 * z7;
     const routh_sphere_lanes z9 = z5 - z6 * z8;
     /* the mass matrix is singular */
-    bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z9)), 1e-12 * z5);
+    bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z9)), 1e-13 * z5);
     routh_sphere_lanes sine2, cosine2;
     routh_sphere_turn_lanes(ROUTH_SPHERE_SPREAD(phi), &far, &sine2, &cosine2);
     const routh_sphere_lanes c_phi = cosine2;

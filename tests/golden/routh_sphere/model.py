@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:79b4d986e1fc71ea).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:aa88c7576e3087a7).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -146,8 +146,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z8 = z6 * z7
         z9 = z5 - z6 * z8
         # the mass matrix is singular
-        if not abs(z9) > 1e-12 * z5:
-            raise _refuse(abs(z9), 1e-12 * z5, 2, "rhs")
+        if not abs(z9) > 1e-13 * z5:
+            raise _refuse(abs(z9), 1e-13 * z5, 2, "rhs")
         c_phi = math.cos(phi)
         z10 = s_theta * (psi_dot * R)
         s_phi = math.sin(phi)
@@ -272,8 +272,8 @@ def accelerations(
         z8 = z6 * z7
         z9 = z5 - z6 * z8
         # the mass matrix is singular
-        if not abs(z9) > 1e-12 * z5:
-            raise _refuse(abs(z9), 1e-12 * z5, 2, "accelerations")
+        if not abs(z9) > 1e-13 * z5:
+            raise _refuse(abs(z9), 1e-13 * z5, 2, "accelerations")
         c_phi = math.cos(phi)
         z10 = phi_dot * c_phi
         z11 = theta_dot * R
@@ -421,8 +421,8 @@ def reactions(
         z8 = z6 * z7
         z9 = z5 - z6 * z8
         # the mass matrix is singular
-        if not abs(z9) > 1e-12 * z5:
-            raise _refuse(abs(z9), 1e-12 * z5, 2, "reactions")
+        if not abs(z9) > 1e-13 * z5:
+            raise _refuse(abs(z9), 1e-13 * z5, 2, "reactions")
         c_phi = math.cos(phi)
         z10 = s_theta * c_phi
         z11 = theta_dot * s_theta
@@ -544,8 +544,8 @@ def jacobian(
         z8 = z6 * z7
         z9 = z5 - z6 * z8
         # the mass matrix is singular
-        if not abs(z9) > 1e-12 * z5:
-            raise _refuse(abs(z9), 1e-12 * z5, 2, "jacobian")
+        if not abs(z9) > 1e-13 * z5:
+            raise _refuse(abs(z9), 1e-13 * z5, 2, "jacobian")
         c_phi = math.cos(phi)
         z10 = theta_dot * R
         s_phi = math.sin(phi)

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:32c6633918696129)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:f04a9839237374e7)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -283,24 +283,24 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     dydt[9] = z27; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7] + dydt[8]) <= DBL_MAX
-        && fabs(-z7) > 1e-12 * z6
-        && fabs(-z13) > 1e-12 * k4
-        && fabs(z17) > 1e-12 * I3)) {
+        && fabs(-z7) > 1e-13 * z6
+        && fabs(-z13) > 1e-13 * k4
+        && fabs(z17) > 1e-13 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z7) > 1e-12 * z6)) {
-            return smooth_tippe_top_refuse(fabs(-z7), 1e-12 * z6, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-z7) > 1e-13 * z6)) {
+            return smooth_tippe_top_refuse(fabs(-z7), 1e-13 * z6, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z13) > 1e-12 * k4)) {
-            return smooth_tippe_top_refuse(fabs(-z13), 1e-12 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-z13) > 1e-13 * k4)) {
+            return smooth_tippe_top_refuse(fabs(-z13), 1e-13 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z17) > 1e-12 * I3)) {
-            return smooth_tippe_top_refuse(fabs(z17), 1e-12 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z17) > 1e-13 * I3)) {
+            return smooth_tippe_top_refuse(fabs(z17), 1e-13 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(10, dydt);
     }
@@ -396,24 +396,24 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     qddot[4] = z26; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX
-        && fabs(z7) > 1e-12 * z1
-        && fabs(-z13) > 1e-12 * k2
-        && fabs(z17) > 1e-12 * I3)) {
+        && fabs(z7) > 1e-13 * z1
+        && fabs(-z13) > 1e-13 * k2
+        && fabs(z17) > 1e-13 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z7) > 1e-12 * z1)) {
-            return smooth_tippe_top_refuse(fabs(z7), 1e-12 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z7) > 1e-13 * z1)) {
+            return smooth_tippe_top_refuse(fabs(z7), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z13) > 1e-12 * k2)) {
-            return smooth_tippe_top_refuse(fabs(-z13), 1e-12 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-z13) > 1e-13 * k2)) {
+            return smooth_tippe_top_refuse(fabs(-z13), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z17) > 1e-12 * I3)) {
-            return smooth_tippe_top_refuse(fabs(z17), 1e-12 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z17) > 1e-13 * I3)) {
+            return smooth_tippe_top_refuse(fabs(z17), 1e-13 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(5, qddot);
     }
@@ -500,17 +500,17 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
         return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(z5) > 1e-12 * z1)) {
-        return smooth_tippe_top_refuse(fabs(z5), 1e-12 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
+    if (!(fabs(z5) > 1e-13 * z1)) {
+        return smooth_tippe_top_refuse(fabs(z5), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(k2 - k4 * (z7 * z7) - k4 * (z8 * z8)) > 1e-12 * k2)) {
-        return smooth_tippe_top_refuse(fabs(k2 - k4 * (z7 * z7) - k4 * (z8 * z8)), 1e-12 * k2,
+    if (!(fabs(k2 - k4 * (z7 * z7) - k4 * (z8 * z8)) > 1e-13 * k2)) {
+        return smooth_tippe_top_refuse(fabs(k2 - k4 * (z7 * z7) - k4 * (z8 * z8)), 1e-13 * k2,
             SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(I3 - z9 * z9 / z5) > 1e-12 * I3)) {
-        return smooth_tippe_top_refuse(fabs(I3 - z9 * z9 / z5), 1e-12 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
+    if (!(fabs(I3 - z9 * z9 / z5) > 1e-13 * I3)) {
+        return smooth_tippe_top_refuse(fabs(I3 - z9 * z9 / z5), 1e-13 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     (void)lambda;
     return SMOOTH_TIPPE_TOP_OK;
@@ -696,24 +696,24 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[53] + J[57] + J[58] + J[59] + J[63] + J[67] + J[68] + J[69] + J[73] + J[87] + J[88] + J[89]
         + J[99]) <= DBL_MAX
-        && fabs(z7) > 1e-12 * z1
-        && fabs(z14) > 1e-12 * k2
-        && fabs(z18) > 1e-12 * I3)) {
+        && fabs(z7) > 1e-13 * z1
+        && fabs(z14) > 1e-13 * k2
+        && fabs(z18) > 1e-13 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z7) > 1e-12 * z1)) {
-            return smooth_tippe_top_refuse(fabs(z7), 1e-12 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z7) > 1e-13 * z1)) {
+            return smooth_tippe_top_refuse(fabs(z7), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z14) > 1e-12 * k2)) {
-            return smooth_tippe_top_refuse(fabs(z14), 1e-12 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z14) > 1e-13 * k2)) {
+            return smooth_tippe_top_refuse(fabs(z14), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-12 * I3)) {
-            return smooth_tippe_top_refuse(fabs(z18), 1e-12 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z18) > 1e-13 * I3)) {
+            return smooth_tippe_top_refuse(fabs(z18), 1e-13 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(100, J);
     }
@@ -800,7 +800,7 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes z6 = I3 - s_theta * s_theta * k5;
     const smooth_tippe_top_lanes z7 = z2 * z3 + (z4 * z5 - z6);
     /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z7)), 1e-12 * z6);
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z7)), 1e-13 * z6);
     const smooth_tippe_top_lanes c_theta = cosine2;
     const smooth_tippe_top_lanes z8 = c_theta * k1;
     const smooth_tippe_top_lanes z9 = c_phi * z8;
@@ -810,14 +810,14 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes z13 = z9 * z10 - (k4 - z11 * z12);
     /* the mass matrix is singular */
     bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z13)),
-        SMOOTH_TIPPE_TOP_SPREAD(1e-12 * k4));
+        SMOOTH_TIPPE_TOP_SPREAD(1e-13 * k4));
     const smooth_tippe_top_lanes z14 = I3 * c_theta;
     const smooth_tippe_top_lanes z15 = 1.0 / z7;
     const smooth_tippe_top_lanes z16 = z14 * z15;
     const smooth_tippe_top_lanes z17 = I3 + z14 * z16;
     /* the mass matrix is singular */
     bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z17)),
-        SMOOTH_TIPPE_TOP_SPREAD(1e-12 * I3));
+        SMOOTH_TIPPE_TOP_SPREAD(1e-13 * I3));
     const smooth_tippe_top_lanes z18 = theta_dot * s_theta;
     const smooth_tippe_top_lanes z19 = theta_dot * z18;
     const smooth_tippe_top_lanes z20 = phi_dot * s_theta;

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:bba01b76c315c42d).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:382b1a436086e1fc).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -151,8 +151,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = I3 - s_theta * s_theta * k5
         z7 = z2 * z3 + (z4 * z5 - z6)
         # the mass matrix is singular
-        if not abs(-z7) > 1e-12 * z6:
-            raise _refuse(abs(-z7), 1e-12 * z6, 2, "rhs")
+        if not abs(-z7) > 1e-13 * z6:
+            raise _refuse(abs(-z7), 1e-13 * z6, 2, "rhs")
         c_theta = math.cos(theta)
         z8 = c_theta * k1
         z9 = c_phi * z8
@@ -161,15 +161,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z12 = k3 * z11
         z13 = z9 * z10 - (k4 - z11 * z12)
         # the mass matrix is singular
-        if not abs(-z13) > 1e-12 * k4:
-            raise _refuse(abs(-z13), 1e-12 * k4, 2, "rhs")
+        if not abs(-z13) > 1e-13 * k4:
+            raise _refuse(abs(-z13), 1e-13 * k4, 2, "rhs")
         z14 = I3 * c_theta
         z15 = 1.0 / z7
         z16 = z14 * z15
         z17 = I3 + z14 * z16
         # the mass matrix is singular
-        if not abs(z17) > 1e-12 * I3:
-            raise _refuse(abs(z17), 1e-12 * I3, 2, "rhs")
+        if not abs(z17) > 1e-13 * I3:
+            raise _refuse(abs(z17), 1e-13 * I3, 2, "rhs")
         z18 = theta_dot * s_theta
         z19 = theta_dot * z18
         z20 = phi_dot * s_theta
@@ -288,8 +288,8 @@ def accelerations(
         z6 = z5 * k5
         z7 = z1 - z3 * z4 - z5 * z6
         # the mass matrix is singular
-        if not abs(z7) > 1e-12 * z1:
-            raise _refuse(abs(z7), 1e-12 * z1, 2, "accelerations")
+        if not abs(z7) > 1e-13 * z1:
+            raise _refuse(abs(z7), 1e-13 * z1, 2, "accelerations")
         c_theta = math.cos(theta)
         z8 = c_theta * k1
         z9 = c_phi * z8
@@ -298,15 +298,15 @@ def accelerations(
         z12 = k5 * z11
         z13 = z9 * z10 - (k2 - z11 * z12)
         # the mass matrix is singular
-        if not abs(-z13) > 1e-12 * k2:
-            raise _refuse(abs(-z13), 1e-12 * k2, 2, "accelerations")
+        if not abs(-z13) > 1e-13 * k2:
+            raise _refuse(abs(-z13), 1e-13 * k2, 2, "accelerations")
         z14 = I3 * c_theta
         z15 = 1.0 / z7
         z16 = z14 * z15
         z17 = I3 - z14 * z16
         # the mass matrix is singular
-        if not abs(z17) > 1e-12 * I3:
-            raise _refuse(abs(z17), 1e-12 * I3, 2, "accelerations")
+        if not abs(z17) > 1e-13 * I3:
+            raise _refuse(abs(z17), 1e-13 * I3, 2, "accelerations")
         z18 = s_theta * theta_dot * theta_dot
         z19 = phi_dot * s_theta
         z20 = theta_dot * c_theta
@@ -433,8 +433,8 @@ def reactions(
         z4 = s_phi * z2
         z5 = z1 - k4 * (z3 * z3) - k4 * (z4 * z4)
         # the mass matrix is singular
-        if not abs(z5) > 1e-12 * z1:
-            raise _refuse(abs(z5), 1e-12 * z1, 2, "reactions")
+        if not abs(z5) > 1e-13 * z1:
+            raise _refuse(abs(z5), 1e-13 * z1, 2, "reactions")
         c_theta = math.cos(theta)
         z6 = c_theta * k1
         z7 = s_phi * z6
@@ -442,13 +442,13 @@ def reactions(
         s1 = k2 - k4 * (z7 * z7)
         s2 = s1 - k4 * (z8 * z8)
         # the mass matrix is singular
-        if not abs(s2) > 1e-12 * k2:
-            raise _refuse(abs(s2), 1e-12 * k2, 2, "reactions")
+        if not abs(s2) > 1e-13 * k2:
+            raise _refuse(abs(s2), 1e-13 * k2, 2, "reactions")
         z9 = I3 * c_theta
         s3 = I3 - z9 * z9 / z5
         # the mass matrix is singular
-        if not abs(s3) > 1e-12 * I3:
-            raise _refuse(abs(s3), 1e-12 * I3, 2, "reactions")
+        if not abs(s3) > 1e-13 * I3:
+            raise _refuse(abs(s3), 1e-13 * I3, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -539,8 +539,8 @@ def jacobian(
         z6 = z5 * k5
         z7 = z1 - z3 * z4 - z5 * z6
         # the mass matrix is singular
-        if not abs(z7) > 1e-12 * z1:
-            raise _refuse(abs(z7), 1e-12 * z1, 2, "jacobian")
+        if not abs(z7) > 1e-13 * z1:
+            raise _refuse(abs(z7), 1e-13 * z1, 2, "jacobian")
         c_theta = math.cos(theta)
         z8 = s_phi * k1
         z9 = c_theta * z8
@@ -550,15 +550,15 @@ def jacobian(
         z13 = z12 * k5
         z14 = k2 - z9 * z10 - z12 * z13
         # the mass matrix is singular
-        if not abs(z14) > 1e-12 * k2:
-            raise _refuse(abs(z14), 1e-12 * k2, 2, "jacobian")
+        if not abs(z14) > 1e-13 * k2:
+            raise _refuse(abs(z14), 1e-13 * k2, 2, "jacobian")
         z15 = I3 * c_theta
         z16 = 1.0 / z7
         z17 = z15 * z16
         z18 = I3 - z15 * z17
         # the mass matrix is singular
-        if not abs(z18) > 1e-12 * I3:
-            raise _refuse(abs(z18), 1e-12 * I3, 2, "jacobian")
+        if not abs(z18) > 1e-13 * I3:
+            raise _refuse(abs(z18), 1e-13 * I3, 2, "jacobian")
         z19 = phi_dot * k1
         z20 = c_theta * z19
         z21 = phi_dot * s_theta

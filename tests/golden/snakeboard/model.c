@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:87986d08b1a86fbe)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:dd47d7273289cb5e)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -319,7 +319,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z21) > 1e-12 * z21)) {
+        && fabs(z21) > 1e-13 * z21)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -333,8 +333,8 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z21) > 1e-12 * z21)) {
-            return snakeboard_refuse(fabs(z21), 1e-12 * z21, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z21) > 1e-13 * z21)) {
+            return snakeboard_refuse(fabs(z21), 1e-13 * z21, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(10, dydt);
     }
@@ -504,7 +504,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z21) > 1e-12 * z21)) {
+        && fabs(z21) > 1e-13 * z21)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -518,8 +518,8 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z21) > 1e-12 * z21)) {
-            return snakeboard_refuse(fabs(z21), 1e-12 * z21, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z21) > 1e-13 * z21)) {
+            return snakeboard_refuse(fabs(z21), 1e-13 * z21, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(6, qddot);
     }
@@ -728,7 +728,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z21) > 1e-12 * z21)) {
+        && fabs(z21) > 1e-13 * z21)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -742,8 +742,8 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z21) > 1e-12 * z21)) {
-            return snakeboard_refuse(fabs(z21), 1e-12 * z21, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z21) > 1e-13 * z21)) {
+            return snakeboard_refuse(fabs(z21), 1e-13 * z21, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(2, lambda);
     }
@@ -1029,7 +1029,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
         && fabs(J_r) > 0.0
         && fabs(J_w) > 0.0
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z26) > 1e-12 * z26)) {
+        && fabs(z26) > 1e-13 * z26)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -1043,8 +1043,8 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z26) > 1e-12 * z26)) {
-            return snakeboard_refuse(fabs(z26), 1e-12 * z26, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z26) > 1e-13 * z26)) {
+            return snakeboard_refuse(fabs(z26), 1e-13 * z26, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(100, J);
     }
@@ -1157,7 +1157,7 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes z20 = z7 * z19;
     const snakeboard_lanes z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z21)), 1e-12 * z21);
+    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z21)), 1e-13 * z21);
     const snakeboard_lanes z22 = v * z7;
     const snakeboard_lanes z23 = z13 * z22;
     const snakeboard_lanes z24 = p_b_dot * c_p_b;

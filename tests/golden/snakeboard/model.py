@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:fdd072ec774b886a).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:9e07d3be79fbfa42).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -187,8 +187,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z20 = z7 * z19
         z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z21) > 1e-12 * z21:
-            raise _refuse(abs(z21), 1e-12 * z21, 2, "rhs")
+        if not abs(z21) > 1e-13 * z21:
+            raise _refuse(abs(z21), 1e-13 * z21, 2, "rhs")
         z22 = v * z7
         z23 = z13 * z22
         z24 = p_b_dot * c_p_b
@@ -390,8 +390,8 @@ def accelerations(
         z20 = z7 * z19
         z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z21) > 1e-12 * z21:
-            raise _refuse(abs(z21), 1e-12 * z21, 2, "accelerations")
+        if not abs(z21) > 1e-13 * z21:
+            raise _refuse(abs(z21), 1e-13 * z21, 2, "accelerations")
         z22 = p_b_dot * c_p_b
         z23 = p_f_dot * c_p_f
         z24 = s_p_f * z23
@@ -620,8 +620,8 @@ def reactions(
         z20 = z8 * z19
         z21 = J * (z9 * z9) + m * (z8 * (z16 * z17 + z19 * z20))
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z21) > 1e-12 * z21:
-            raise _refuse(abs(z21), 1e-12 * z21, 2, "reactions")
+        if not abs(z21) > 1e-13 * z21:
+            raise _refuse(abs(z21), 1e-13 * z21, 2, "reactions")
         z22 = l * c_p_f
         z23 = p_b_dot * c_p_b
         z24 = p_f_dot * c_p_f
@@ -824,8 +824,8 @@ def jacobian(
         z25 = z19 * z20 + z23 * z24
         z26 = J_2 * (z14 * z14) + m * (z7 * z25)
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z26) > 1e-12 * z26:
-            raise _refuse(abs(z26), 1e-12 * z26, 2, "jacobian")
+        if not abs(z26) > 1e-13 * z26:
+            raise _refuse(abs(z26), 1e-13 * z26, 2, "jacobian")
         z27 = v * z7
         z28 = l * s_p_b
         z29 = z16 + z11 * z28

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:663c60f55431e68f)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:89ee3abf68f9abca)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -254,7 +254,7 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[3]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(-z14) > 1e-12 * z13)) {
+        && fabs(-z14) > 1e-13 * z13)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
@@ -264,8 +264,8 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
             return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(-z14) > 1e-12 * z13)) {
-            return veselova_refuse(fabs(-z14), 1e-12 * z13, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z14) > 1e-13 * z13)) {
+            return veselova_refuse(fabs(-z14), 1e-13 * z13, VESELOVA_SINGULAR_2);
         }
         return veselova_finish(5, dydt);
     }
@@ -371,7 +371,7 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(-z14) > 1e-12 * z13)) {
+        && fabs(-z14) > 1e-13 * z13)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
@@ -381,8 +381,8 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
             return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(-z14) > 1e-12 * z13)) {
-            return veselova_refuse(fabs(-z14), 1e-12 * z13, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z14) > 1e-13 * z13)) {
+            return veselova_refuse(fabs(-z14), 1e-13 * z13, VESELOVA_SINGULAR_2);
         }
         return veselova_finish(3, qddot);
     }
@@ -502,7 +502,7 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     /* (I.4.1) 26:5 */
     lambda[0] = -z33; /* reaction of no_turn: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(-z14) > 1e-12 * z13)) {
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(-z14) > 1e-13 * z13)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
@@ -512,8 +512,8 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
             return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(-z14) > 1e-12 * z13)) {
-            return veselova_refuse(fabs(-z14), 1e-12 * z13, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z14) > 1e-13 * z13)) {
+            return veselova_refuse(fabs(-z14), 1e-13 * z13, VESELOVA_SINGULAR_2);
         }
         return veselova_finish(1, lambda);
     }
@@ -696,7 +696,7 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[0] + J[1] + J[11] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[24]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(-z17) > 1e-12 * z16)) {
+        && fabs(-z17) > 1e-13 * z16)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
@@ -706,8 +706,8 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
             return veselova_refuse(fabs(z11), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(-z17) > 1e-12 * z16)) {
-            return veselova_refuse(fabs(-z17), 1e-12 * z16, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z17) > 1e-13 * z16)) {
+            return veselova_refuse(fabs(-z17), 1e-13 * z16, VESELOVA_SINGULAR_2);
         }
         return veselova_finish(25, J);
     }
@@ -806,7 +806,7 @@ static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, si
     const veselova_lanes z13 = z3 - c_phi * z9;
     const veselova_lanes z14 = z10 * z12 - z13;
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(-z14)), 1e-12 * z13);
+    bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(-z14)), 1e-13 * z13);
     const veselova_lanes z15 = 1.0 / s_theta;
     const veselova_lanes z16 = s_phi * w_x - c_phi * w_y;
     const veselova_lanes z17 = z15 * z16;

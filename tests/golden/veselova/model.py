@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:395165210b90fc1d).
+"""veselova, emitted by nhc 0.1.0 (nhc:9aa825af080661a9).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -140,8 +140,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(-z14) > 1e-12 * z13:
-            raise _refuse(abs(-z14), 1e-12 * z13, 2, "rhs")
+        if not abs(-z14) > 1e-13 * z13:
+            raise _refuse(abs(-z14), 1e-13 * z13, 2, "rhs")
         z15 = 1.0 / s_theta
         z16 = s_phi * w_x - c_phi * w_y
         z17 = z15 * z16
@@ -257,8 +257,8 @@ def accelerations(
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(-z14) > 1e-12 * z13:
-            raise _refuse(abs(-z14), 1e-12 * z13, 2, "accelerations")
+        if not abs(-z14) > 1e-13 * z13:
+            raise _refuse(abs(-z14), 1e-13 * z13, 2, "accelerations")
         z15 = s_theta * s_phi
         z16 = s_theta * c_phi
         z17 = z15 * w_y + z16 * w_x
@@ -405,8 +405,8 @@ def reactions(
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(-z14) > 1e-12 * z13:
-            raise _refuse(abs(-z14), 1e-12 * z13, 2, "reactions")
+        if not abs(-z14) > 1e-13 * z13:
+            raise _refuse(abs(-z14), 1e-13 * z13, 2, "reactions")
         z15 = s_theta * s_psi
         z16 = 1.0 / s_theta
         z17 = s_phi * w_x - c_phi * w_y
@@ -532,8 +532,8 @@ def jacobian(
         z16 = z3 - c_phi * z12
         z17 = z13 * z15 - z16
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(-z17) > 1e-12 * z16:
-            raise _refuse(abs(-z17), 1e-12 * z16, 2, "jacobian")
+        if not abs(-z17) > 1e-13 * z16:
+            raise _refuse(abs(-z17), 1e-13 * z16, 2, "jacobian")
         z18 = 1.0 / s_theta
         z19 = c_phi * w_x + s_phi * w_y
         z20 = z18 * z19

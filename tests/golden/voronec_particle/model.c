@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:dc60d9c3348f3a1a)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:e866bdfd57b81c09)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -243,14 +243,14 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *dyd
     dydt[3] = 0.5 * (z10 * z24) - z9 * z22; /* x'' */
     dydt[4] = -z24; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z11) > 1e-12 * z7)) {
+    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z11) > 1e-13 * z7)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
             return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z11) > 1e-12 * z7)) {
-            return voronec_particle_refuse(fabs(z11), 1e-12 * z7, VORONEC_PARTICLE_SINGULAR_2);
+        if (!(fabs(z11) > 1e-13 * z7)) {
+            return voronec_particle_refuse(fabs(z11), 1e-13 * z7, VORONEC_PARTICLE_SINGULAR_2);
         }
         return voronec_particle_finish(5, dydt);
     }
@@ -331,14 +331,14 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
     qddot[1] = -z28; /* y'' */
     qddot[2] = z15 - z1 * z29 + 0.5 * (z16 - z6 * z28); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(z11) > 1e-12 * z7)) {
+    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(z11) > 1e-13 * z7)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
             return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z11) > 1e-12 * z7)) {
-            return voronec_particle_refuse(fabs(z11), 1e-12 * z7, VORONEC_PARTICLE_SINGULAR_2);
+        if (!(fabs(z11) > 1e-13 * z7)) {
+            return voronec_particle_refuse(fabs(z11), 1e-13 * z7, VORONEC_PARTICLE_SINGULAR_2);
         }
         return voronec_particle_finish(3, qddot);
     }
@@ -441,14 +441,14 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
     /* (I.4.1) 10:5 */
     lambda[0] = -z30; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z12) > 1e-12 * z8)) {
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z12) > 1e-13 * z8)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
             return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z12) > 1e-12 * z8)) {
-            return voronec_particle_refuse(fabs(z12), 1e-12 * z8, VORONEC_PARTICLE_SINGULAR_2);
+        if (!(fabs(z12) > 1e-13 * z8)) {
+            return voronec_particle_refuse(fabs(z12), 1e-13 * z8, VORONEC_PARTICLE_SINGULAR_2);
         }
         return voronec_particle_finish(1, lambda);
     }
@@ -616,14 +616,14 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22]) <=
         DBL_MAX
-        && fabs(z12) > 1e-12 * z8)) {
+        && fabs(z12) > 1e-13 * z8)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
             return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z12) > 1e-12 * z8)) {
-            return voronec_particle_refuse(fabs(z12), 1e-12 * z8, VORONEC_PARTICLE_SINGULAR_2);
+        if (!(fabs(z12) > 1e-13 * z8)) {
+            return voronec_particle_refuse(fabs(z12), 1e-13 * z8, VORONEC_PARTICLE_SINGULAR_2);
         }
         return voronec_particle_finish(25, J);
     }
@@ -669,7 +669,7 @@ static __attribute__((noinline)) void voronec_particle_rhs_lanes(const double *f
     const voronec_particle_lanes z10 = z8 * z9;
     const voronec_particle_lanes z11 = z7 - 0.25 * (z8 * z10);
     /* the mass matrix is singular */
-    bad |= voronec_particle_misses(voronec_particle_size(VORONEC_PARTICLE_SPREAD(z11)), 1e-12 * z7);
+    bad |= voronec_particle_misses(voronec_particle_size(VORONEC_PARTICLE_SPREAD(z11)), 1e-13 * z7);
     const voronec_particle_lanes z12 = x_dot * z1 + 0.5 * (y_dot * z6);
     const voronec_particle_lanes z13 = s_z * z12;
     const voronec_particle_lanes z14 = 0.3 * z13;

@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:ee11237c998d0176).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:1fb1051a29b6c2b9).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Caplygin's hypotheses fail.
@@ -117,8 +117,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z10 = z8 * z9
         z11 = z7 - 0.25 * (z8 * z10)
         # the mass matrix is singular
-        if not abs(z11) > 1e-12 * z7:
-            raise _refuse(abs(z11), 1e-12 * z7, 2, "rhs")
+        if not abs(z11) > 1e-13 * z7:
+            raise _refuse(abs(z11), 1e-13 * z7, 2, "rhs")
         z12 = x_dot * z1 + 0.5 * (y_dot * z6)
         z13 = s_z * z12
         z14 = 0.3 * z13
@@ -219,8 +219,8 @@ def accelerations(
         z10 = z8 * z9
         z11 = z7 - 0.25 * (z8 * z10)
         # the mass matrix is singular
-        if not abs(z11) > 1e-12 * z7:
-            raise _refuse(abs(z11), 1e-12 * z7, 2, "accelerations")
+        if not abs(z11) > 1e-13 * z7:
+            raise _refuse(abs(z11), 1e-13 * z7, 2, "accelerations")
         z12 = y_dot * c_z
         z13 = x_dot * z1 + 0.5 * (y_dot * z6)
         z14 = s_z * z13
@@ -344,8 +344,8 @@ def reactions(
         z11 = z9 * z10
         z12 = z8 - 0.25 * (z9 * z11)
         # the mass matrix is singular
-        if not abs(z12) > 1e-12 * z8:
-            raise _refuse(abs(z12), 1e-12 * z8, 2, "reactions")
+        if not abs(z12) > 1e-13 * z8:
+            raise _refuse(abs(z12), 1e-13 * z8, 2, "reactions")
         z13 = y_dot * c_z
         z14 = x_dot * z1 + 0.5 * (y_dot * z6)
         z15 = s_z * z14
@@ -443,8 +443,8 @@ def jacobian(
         z11 = z9 * z10
         z12 = z8 - 0.25 * (z9 * z11)
         # the mass matrix is singular
-        if not abs(z12) > 1e-12 * z8:
-            raise _refuse(abs(z12), 1e-12 * z8, 2, "jacobian")
+        if not abs(z12) > 1e-13 * z8:
+            raise _refuse(abs(z12), 1e-13 * z8, 2, "jacobian")
         z13 = x_dot * s_z
         z14 = y_dot * c_z
         z15 = x_dot * z1
