@@ -125,7 +125,7 @@ constraints:
 
 
 @pytest.mark.parametrize("formulation", ["euler-lagrange", "voronec"])
-def test_a_short_trailer_is_right_to_digits_or_refused(formulation: str, tmp_path: Path) -> None:
+def test_a_short_trailer_is_right_to_two_digits_or_refused(formulation: str, tmp_path: Path) -> None:
     """K/e^2 swamps the other masses; the multiplier equations are well conditioned there and tell what is right."""
     path = tmp_path / "hitched.yaml"
     path.write_text(HITCHED)
@@ -135,15 +135,15 @@ def test_a_short_trailer_is_right_to_digits_or_refused(formulation: str, tmp_pat
         python_model(text, f"hitched_{k}") for k, files in enumerate(named.values()) for text in files.values()
     )
     q, refused = [0.1, 0.2, 0.3, 0.5, 0.4], 0
-    for length in (1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9):
+    for length in (1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10):
         p = [*one.DEFAULTS[:-1], length]
         v = one.velocities(0.0, [*q, 0.7, 0.4], p)
         expected = numpy.array(other.accelerations(0.0, other.state(0.0, q, v, p), p))
         try:
             found = one.accelerations(0.0, one.state(0.0, q, v, p), p)
         except one.SingularModelError as error:
-            assert error.status == 2 and length < 1e-6
+            assert error.status == 2 and length < 1e-7
             refused += 1
         else:
-            assert numpy.allclose(found, expected, rtol=1e-4, atol=1e-4 * abs(expected).max())
+            assert numpy.allclose(found, expected, rtol=1e-2, atol=1e-2 * abs(expected).max())
     assert refused >= 2
