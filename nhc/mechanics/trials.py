@@ -11,7 +11,6 @@ from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate, evaluate_into
 from nhc.algebra.graph import Node
 from nhc.algebra.minors import balance_columns
-from nhc.algebra.modular import are_zero
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value, default_values
 
@@ -19,6 +18,7 @@ _TRIALS = 12
 _LATEST = 2.0  # time of states that are in no scene
 _NEAR = 1e-5  # of its scale: a determinant that comes nearer than this is not thought to be small by the units
 _ROUNDING = 1e-9  # of the terms of a determinant: less is taken for zero
+_NOISE = 1e-13  # of a row's largest entry: less is no entry, but rounding
 _FAR = 1e3  # between units of velocities: metres and radians go together, and so do millimetres and radians
 
 
@@ -121,11 +121,8 @@ def velocity_units(system: System) -> list[float]:
     key = tuple(form.coefficients for form in forms)
     if key not in known:
         rows = _rows(system, forms, _kept_points(system, ordinary=False))
-        zero = are_zero(system.graph, [a for row in key for a in row])
-        largest = [
-            [0.0 if zero[i * system.n + j] else max((abs(m[i][j]) for m in rows), default=0.0) for j in range(system.n)]
-            for i in range(len(forms))
-        ]
+        largest = [[max((abs(m[i][j]) for m in rows), default=0.0) for j in range(system.n)] for i in range(len(forms))]
+        largest = [[x if x > _NOISE * max(row) else 0.0 for x in row] for row in largest]
         units = balance_columns(largest, system.n)
         known[key] = units if max(units) > _FAR * min(units) else [1.0] * system.n
     return known[key]
