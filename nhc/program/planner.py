@@ -20,6 +20,7 @@ from nhc.program.mass_route import mass_route
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
+MASS_LOST = "the mass matrix is singular"
 _FRAME_DIGITS, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 12, 1e-13, 1e-13
 _HELD_TOLERANCE = 1e-10  # six digits are left
 T_ARGUMENT = Argument("t", -1)
@@ -103,7 +104,7 @@ class PlannerBase:
         self.solves = (self._dense_solve(matrix, [right], [unknowns]),)
 
     def _guard_pivots(self, pivots: Sequence[tuple[Node, Node]], tolerance: float) -> list[GuardPlan]:
-        what = "the mass matrix is singular"
+        what = MASS_LOST
         if any(
             not self._is_constant(value) for value, _ in self.equations.guards
         ):  # squared they are in it, and lost later

@@ -21,6 +21,7 @@ from nhc.mechanics.system import System
 from nhc.mechanics.trials import usual_digits
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
+from nhc.program.planner import MASS_LOST
 from nhc.records import record
 
 NOTHING = Fraction(1, 10**12)
@@ -163,7 +164,7 @@ def _pivots(planner: Planner, known: dict[Node, tuple[float, float]]) -> list[_M
         if cannot_vanish(g, normalise(g, guard.value, _TERMS), ranges):
             continue
         scale = size_of(g, guard.value) if guard.scale == g.zero else guard.scale
-        found.append(_Measure(guard.value, scale, True, "mass", guard.what))
+        found.append(_Measure(guard.value, scale, True, "mass", MASS_LOST))
     return found
 
 
@@ -178,7 +179,7 @@ def _determinant(planner: Planner, known: dict[Node, tuple[float, float]]) -> li
         return []
     if cannot_vanish(g, normalise(g, value, _TERMS), {**intervals(planner.system), **known}):
         return []
-    return [_Measure(value, row_scale(g, rows), False, "mass", "the mass matrix is singular")]
+    return [_Measure(value, row_scale(g, rows), False, "mass", MASS_LOST)]
 
 
 def _rank(planner: Planner) -> list[_Measure]:
