@@ -34,11 +34,8 @@ class _Deriver:
         self.checker = Checker(spec, Bag(spec.origin))  # what does not fit is told by `check_units`
         self.angles = {name for name, unit in list_units(spec) if unit == "rad"}
         self.angles.update(name for rotation in spec.rotations for name in rotation.velocities)
-        values: dict[str, Syntax] = {item.name: item.value for item in (*spec.definitions, *spec.quasi_velocities)}
-        for name in spec.named_order:
-            self.checker.names[name] = self.checker.measure(values[name])
-            if fold_tree(values[name], self._turns):
-                self.angles.add(name)
+        self.checker.measure_named(spec)
+        self.angles.update(name for name, value in spec.named_values if fold_tree(value, self._turns))
         self.kinetic = self.checker.measure(spec.kinetic)
 
     def derive(self) -> dict[str, str]:

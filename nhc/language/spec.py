@@ -204,6 +204,12 @@ class Spec:
         return dict(self.key_spans).get(key, Span(0, 0))
 
     @property
+    def named_values(self) -> list[tuple[str, Syntax]]:
+        """Definitions and quasi-velocities in ``named_order``."""
+        values = {item.name: item.value for item in (*self.definitions, *self.quasi_velocities)}
+        return [(name, values[name]) for name in self.named_order]
+
+    @property
     def time_unit(self) -> str:
         """Seconds where something has a unit of its own; else none."""
         turned = {name for rotation in self.rotations for name in rotation.coordinates}

@@ -52,6 +52,11 @@ class Checker:
             self.names.update(dict.fromkeys(rotation.entries, Quantity(ONE)))
             self.names.update(dict.fromkeys(rotation.velocities, Quantity(_PER_SECOND)))
 
+    def measure_named(self, spec: Spec) -> None:
+        """Let the quantities of definitions and quasi-velocities be known."""
+        for name, value in spec.named_values:
+            self.names[name] = self.measure(value)
+
     def measure(self, tree: Syntax) -> Quantity:
         """Return the quantity of an expression; what does not fit in it is reported once, where it stands."""
         return fold_tree(tree, self._visit)
@@ -203,9 +208,7 @@ def check_units(spec: Spec, bag: Bag) -> None:
     if not units or not all(units):
         return
     checker = Checker(spec, bag)
-    values: dict[str, Syntax] = {item.name: item.value for item in (*spec.definitions, *spec.quasi_velocities)}
-    for name in spec.named_order:
-        checker.names[name] = checker.measure(values[name])
+    checker.measure_named(spec)
     kinetic = checker.demand(spec.kinetic, _KINETIC, "the kinetic energy")
     energy = kinetic.dimension
     if spec.potential is not None:

@@ -55,24 +55,8 @@ _UNITS: dict[str, Dimension] = {
     "l": _dimension(m=3),
     "t": _dimension(kg=1),
 }
-_COHERENT = (
-    "1",
-    "rad",
-    "sr",
-    "N",
-    "J",
-    "W",
-    "Pa",
-    "Hz",
-    "C",
-    "V",
-    "F",
-    "ohm",
-    "S",
-    "Wb",
-    "T",
-    "H",
-)  # products of base units
+# products of base units
+_COHERENT = ("1", "rad", "sr", "N", "J", "W", "Pa", "Hz", "C", "V", "F", "ohm", "S", "Wb", "T", "H")
 _PREFIXES = ("da", *"QRYZEPTGMkhdcmunpfazyrq", "\u00b5", "\u03bc")
 _UNPREFIXED = ("1", "min", "h", "deg")
 _LETTERS = r"[A-Za-z\u00b5\u03bc\u03a9\u2126]+|1"

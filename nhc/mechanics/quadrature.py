@@ -125,9 +125,8 @@ def solve_closed(
         others = g.mask([q for i, q in enumerate(system.q) if i not in free])
         known_ones = {system.q[integral.index]: g.add(integral.symbol, integral.rest) for integral in made}
         f = normalise_kept(g, substitute(g, [node], known_ones)[0], _TERMS)
-        if g.depends(f, others) or has_jumps(
-            system, [node], elsewhere=True
-        ):  # a coordinate goes on where the branch of an angle ends
+        # a coordinate goes on where the branch of an angle ends
+        if g.depends(f, others) or has_jumps(system, [node], elsewhere=True):
             continue
         for i in sorted(free, key=lambda i: (i in first, -i)):
             try:

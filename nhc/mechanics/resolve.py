@@ -252,9 +252,8 @@ def _check_parameters(build: Resolver) -> None:
 
 def define_names(build: Resolver) -> None:
     """Add the definitions and quasi-velocities to what the resolver knows."""
-    values = {entry.name: entry.value for entry in (*build.spec.definitions, *build.spec.quasi_velocities)}
-    for name in build.spec.named_order:
-        node = build.node(values[name])
+    for name, value in build.spec.named_values:
+        node = build.node(value)
         build.names[name] = node
         if build.graph.children(node):
             build.graph.labels.setdefault(node, name)

@@ -70,9 +70,8 @@ def _in_frame(system: System, forms: Sequence[Form], reason: str) -> Formulation
         frame = make_frame(system, named, [velocity_symbol(system, form) for form in named])
     except Singular:
         return None
-    if shows_jumps(
-        system, [x for form in named for x in (*form.coefficients, form.constant)], elsewhere=True
-    ):  # it would be continuous in place of the velocities
+    held = [x for form in named for x in (*form.coefficients, form.constant)]
+    if shows_jumps(system, held, elsewhere=True):  # it would be continuous in place of the velocities
         return None
     return Formulation("euler-lagrange", "I.2.15" if system.l else "I.2.14", frame, None, (), reason)
 

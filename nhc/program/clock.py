@@ -102,9 +102,8 @@ class Search:
     ) -> None:
         self.graph, self._place = graph, place
         self.low, self.high, self._grid = low, high, grid
-        inner = (
-            low + (high - low) * (k + 0.25 * sin(2.4 * k)) / grid for k in range(1, grid)
-        )  # no period falls in with them
+        # uneven, so that no period falls in with them
+        inner = (low + (high - low) * (k + 0.25 * sin(2.4 * k)) / grid for k in range(1, grid))
         self._times = [low, *inner, high]
 
     def list_stops(self, node: Node) -> list[Stop]:

@@ -256,9 +256,8 @@ class Lowering:
         assert op in UNARY or op in BINARY
         inner = g.a[node]
         if op == "sqrt" and g.op[inner] == POW and g.b[inner] == 2 and inner not in self.names:
-            return Call(
-                "abs", (self.expression(g.a[inner]),)
-            )  # what exact tests take for a root, doubles may know better
+            # what exact tests take for a root, doubles may know better
+            return Call("abs", (self.expression(g.a[inner]),))
         return Call("pow" if op == "powf" else op, tuple(self.expression(c) for c in g.children(node)))
 
     def _whole(self, node: Node) -> Expr:

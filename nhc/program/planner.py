@@ -105,9 +105,8 @@ class PlannerBase:
 
     def _guard_pivots(self, pivots: Sequence[tuple[Node, Node]], tolerance: float) -> list[GuardPlan]:
         what = MASS_LOST
-        if any(
-            not self._is_constant(value) for value, _ in self.equations.guards
-        ):  # squared they are in it, and lost later
+        # determinants of the coframe are in it, squared: it is lost before they are
+        if any(not self._is_constant(value) for value, _ in self.equations.guards):
             what += ", or the velocities that are kept are"
         return [
             GuardPlan(pivot, self._mass_scale(pivot, scale), tolerance, SINGULAR_MASS, what)

@@ -139,9 +139,8 @@ class _Elimination:
                 values[k] = Ref(name)
             else:
                 values[k] = self._name("unknown", value)
-            if (
-                k < self.solve.masses and factors[k] and own != _ZERO and k not in held
-            ):  # what a row holds alone may well be at rest
+            # what a row holds alone may well be at rest
+            if k < self.solve.masses and factors[k] and own != _ZERO and k not in held:
                 tests.append(Test(multiply(DIGITS, multiply(own, own)), "<=", multiply(values[k], values[k])))
         return WrittenOut(named, tuple(self.lets), tuple(dict.fromkeys(tests)))
 

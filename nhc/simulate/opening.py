@@ -182,9 +182,8 @@ def parse_event(spec: Spec, text: str) -> Syntax:
             scope.names.update((entry.name, Declared(kind, entry.span)) for entry in entries)
         tree = scope.resolve(tree, "output")
         held: dict[str, bool] = {}
-        named = {d.name: d.value for d in (*spec.definitions, *spec.quasi_velocities)}
-        for name in spec.named_order:
-            held[name] = scope.holds_velocities(named[name], held, report=False)
+        for name, value in spec.named_values:
+            held[name] = scope.holds_velocities(value, held, report=False)
         scope.holds_velocities(tree, held)
     bag.raise_if_errors()
     assert tree is not None

@@ -76,9 +76,8 @@ class Follower:
                 pace.finish()
                 over = following is not None  # what it would go on from is the end itself
                 return [*legs[:-1], replace(legs[-1], outcome=replace(outcome, kind=DONE, status=0))] if over else legs
-            if (
-                job.kept is None and following.kept is not None
-            ):  # what was left out of its state cannot be carried over: once more
+            # what was left out of its state cannot be carried over: once more
+            if job.kept is None and following.kept is not None:
                 return self._repeat(following, first)
             y = outcome.y if is_same(job.formulation, following.formulation) else carry(job, following, outcome)
             if outcome.t == task.times[0]:  # nothing came of it

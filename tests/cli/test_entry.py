@@ -107,12 +107,8 @@ def test_an_interrupt_is_130(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_an_interrupt_from_outside_is_130() -> None:
     command = [*INTERRUPTIBLE, "check", "-"]
-    for patience in (
-        0.5,
-        2,
-        8,
-        20,
-    ):  # seconds until it waits for stdin; a signal before that ends the interpreter itself
+    # seconds until it waits for stdin; a signal before that ends the interpreter itself
+    for patience in (0.5, 2, 8, 20):
         with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as child:
             time.sleep(patience)
             child.send_signal(signal.SIGINT)

@@ -72,9 +72,8 @@ def test_a_pivot_without_bound_between_two_steps(tolerance: str, points: str, tm
     trajectory = run(open_scene(VESELOVA, "go", stay=True), Settings("dop853", points=2))
     assert trajectory.ended == "failed"
     assert find_stop(done) == pytest.approx(trajectory.outcome.t, abs=1e-6)
-    assert (
-        "the coframe is singular" in trajectory.reason
-    )  # that is why: the run asks, and the driver's text leaves both open
+    # that is why: the run asks, and the driver's text leaves both open
+    assert "the coframe is singular" in trajectory.reason
     assert "the mass matrix is singular" in done.stderr and "or the velocities that are kept" in done.stderr
 
 

@@ -12,10 +12,8 @@ from nhc.simulate.task import Task
 
 _CLOSE = 1e-3  # to an end: what an argument does between them is how it goes there
 _LOOKS = (0.0, _CLOSE, 2.0 * _CLOSE, 0.29, 0.5, 1.0 - 2.0 * _CLOSE, 1.0 - _CLOSE, 1.0)
-_APART, _SAME = (
-    0.5,
-    1e-9,
-)  # of the step, between two corners: closer ones may lie between two stages; closer still, they are one
+# of the step, between two corners: closer ones may lie between two stages; closer still, they are one
+_APART, _SAME = 0.5, 1e-9
 
 
 class Placed(Model, Protocol):
