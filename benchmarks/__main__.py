@@ -12,9 +12,8 @@ from benchmarks.capped import CAP
 from benchmarks.chart import draw_scaling
 from benchmarks.models import COMPILER
 from benchmarks.systems import ROOT, split_name
-from benchmarks.table import Row, describe_machine, print_rows
+from benchmarks.table import PAGE, Row, describe_machine, print_rows, print_section
 
-PAGE = ROOT / "docs" / "performance.md"
 CHART = ROOT / "docs" / "derivation.svg"
 _TIGHT = 1.10
 _LOOSE = 1.30
@@ -88,45 +87,22 @@ _COMPILE = """\
 `{compiler} -O2 -c` of whole files with every function: seconds of the processor, the least of three.
 """
 
-_SIMULATION = """\
-## Simulation
-
-Written by `make bench`, or alone by `python -m benchmarks.simulation --write`.  Time per start to a relative error of {wanted:g}
-at the end (largest component against the largest of the state).  One start at a time, each by a call from Python that copies it
-in and out: nhc's compiled dop853 as `nhc run` compiles it, with its alarms, against heyoka's Taylor method on the same program, and
-against the best of SciPy's {scipy} on nhc's compiled right-hand side through ctypes.  {starts} starts: nhc's
-lanes in one call, against heyoka's batch mode with the lanes that it recommends or with eight, whichever is faster.  All are warm.
-The time is interpolated geometrically on a ladder of tolerances, whose rungs take turns; the quickest round of each counts, for
-others may use the machine.  For many starts the error is the worst start's.  heyoka has the parameters as numbers in its compiled
-expressions, and no alarms.
-{missing}
-Machine of this section: {machine}.
-"""
-
 
 def main() -> None:
     sections = [
         _HEAD.format(machine=describe_machine()),
-        *_section(_DERIVATION.format(cap=CAP), derivation_rows()),
+        *print_section(_DERIVATION.format(cap=CAP), derivation_rows()),
         *_scaling(),
-        *_section(_PROCESS.format(command=process.IMPORT.replace('"', "'")), process_rows()),
+        *print_section(_PROCESS.format(command=process.IMPORT.replace('"', "'")), process_rows()),
         *_instructions(),
         *_gallery(),
-        *_section(_BATCH.format(flags=" ".join(batch.WIDE)), batch_rows()),
-        *_section(_COMPILE.format(compiler=Path(COMPILER).name), compile_rows()),
-        *simulation_section(simulation.SYSTEMS),
+        *print_section(_BATCH.format(flags=" ".join(batch.WIDE)), batch_rows()),
+        *print_section(_COMPILE.format(compiler=Path(COMPILER).name), compile_rows()),
+        *simulation.write_section(simulation.SYSTEMS),
     ]
     PAGE.write_text("\n".join(sections) + "\n", encoding="utf-8")
     print(f"wrote {PAGE.relative_to(ROOT)}", file=sys.stderr)
     rules.main()
-
-
-def _section(text: str, rows: Iterator[Row]) -> list[str]:
-    found = []
-    for row in rows:
-        print(print_rows([row])[-1], file=sys.stderr, flush=True)
-        found.append(row)
-    return [text, *print_rows(found), ""]
 
 
 def derivation_rows() -> Iterator[Row]:
@@ -241,34 +217,6 @@ def batch_rows() -> Iterator[Row]:
         what = f"{system}, {made.lanes} states per call"
         yield Row(what, f"{made.batch:.2f} ns", f"{made.plain:.2f} ns", made.ratio, 0.15)
         yield Row(f"{what}, inlined", f"{made.batch:.2f} ns", f"{made.inline:.2f} ns", made.batch / made.inline)
-
-
-def simulation_section(systems: tuple[str, ...]) -> list[str]:
-    """Simulation against heyoka and SciPy."""
-    missing = "" if find_spec("heyoka") else "\nheyoka was not installed for this run, and has no rows.\n"
-    text = _SIMULATION.format(
-        wanted=simulation.WANTED,
-        scipy=", ".join(simulation.SCIPY),
-        starts=simulation.STARTS,
-        missing=missing,
-        machine=describe_machine(),
-    )
-    return _section(text, simulation_rows(systems))
-
-
-def simulation_rows(systems: tuple[str, ...]) -> Iterator[Row]:
-    for system in systems:
-        made = simulation.measure(system)
-        many = f"{system}, {simulation.STARTS} starts, heyoka in {made.lanes} lanes"
-        for what, ours, peer, target in (
-            (f"{system}, heyoka", made.nhc, made.heyoka, 0.75),
-            (f"{system}, SciPy {made.best}", made.nhc, made.scipy, 0.02),
-            (many, made.each, made.batch, 0.7),
-        ):
-            if peer is not None and ours is not None:
-                yield Row(what, f"{ours * 1e6:.1f} us", f"{peer * 1e6:.1f} us", ours / peer, target)
-            elif peer is not None:
-                yield Row(what, "not reached", f"{peer * 1e6:.1f} us", float("inf"), target)
 
 
 def compile_rows() -> Iterator[Row]:

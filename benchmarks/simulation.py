@@ -12,8 +12,9 @@ import math
 import random
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ import numpy as np
 from benchmarks.peers import taylor
 from benchmarks.systems import ROOT
 from benchmarks.systems import spec as write_spec
+from benchmarks.table import PAGE, Row, describe_machine, print_section
 from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.simulate.compile import build
@@ -45,6 +47,21 @@ _WIDEST = 8
 """Lanes that heyoka is given beside the number that it recommends; its better time counts."""
 SCIPY = ("DOP853", "LSODA", "odeint")
 Solve = Callable[[Any], Any]
+
+_SIMULATION = """\
+## Simulation
+
+Written by `make bench`, or alone by `python -m benchmarks.simulation --write`.  Time per start to a relative error of {wanted:g}
+at the end (largest component against the largest of the state).  One start at a time, each by a call from Python that copies it
+in and out: nhc's compiled dop853 as `nhc run` compiles it, with its alarms, against heyoka's Taylor method on the same program, and
+against the best of SciPy's {scipy} on nhc's compiled right-hand side through ctypes.  {starts} starts: nhc's
+lanes in one call, against heyoka's batch mode with the lanes that it recommends or with eight, whichever is faster.  All are warm.
+The time is interpolated geometrically on a ladder of tolerances, whose rungs take turns; the quickest round of each counts, for
+others may use the machine.  For many starts the error is the worst start's.  heyoka has the parameters as numbers in its compiled
+expressions, and no alarms.
+{missing}
+Machine of this section: {machine}.
+"""
 
 
 @dataclass(frozen=True)
@@ -236,12 +253,38 @@ def interpolate(rungs: Sequence[tuple[float, float]], wanted: float = WANTED) ->
     return None
 
 
+def write_section(systems: tuple[str, ...]) -> list[str]:
+    """Simulation against heyoka and SciPy."""
+    missing = "" if find_spec("heyoka") else "\nheyoka was not installed for this run, and has no rows.\n"
+    text = _SIMULATION.format(
+        wanted=WANTED,
+        scipy=", ".join(SCIPY),
+        starts=STARTS,
+        missing=missing,
+        machine=describe_machine(),
+    )
+    return print_section(text, list_rows(systems))
+
+
+def list_rows(systems: tuple[str, ...]) -> Iterator[Row]:
+    for system in systems:
+        made = measure(system)
+        many = f"{system}, {STARTS} starts, heyoka in {made.lanes} lanes"
+        for what, ours, peer, target in (
+            (f"{system}, heyoka", made.nhc, made.heyoka, 0.75),
+            (f"{system}, SciPy {made.best}", made.nhc, made.scipy, 0.02),
+            (many, made.each, made.batch, 0.7),
+        ):
+            if peer is not None and ours is not None:
+                yield Row(what, f"{ours * 1e6:.1f} us", f"{peer * 1e6:.1f} us", ours / peer, target)
+            elif peer is not None:
+                yield Row(what, "not reached", f"{peer * 1e6:.1f} us", float("inf"), target)
+
+
 def main(arguments: tuple[str, ...] = ()) -> None:
     """Print the section, or put it into its page."""
-    from benchmarks.__main__ import PAGE, simulation_section
-
     systems = tuple(name for name in arguments if name != "--write")
-    section = "\n".join(simulation_section(systems or SYSTEMS))
+    section = "\n".join(write_section(systems or SYSTEMS))
     if "--write" not in arguments:
         print(section)
         return

@@ -5,13 +5,16 @@ from __future__ import annotations
 import os
 import platform
 import subprocess
-from collections.abc import Iterable
+import sys
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from benchmarks.models import COMPILER
+from benchmarks.systems import ROOT
 
+PAGE = ROOT / "docs" / "performance.md"
 _PACKAGES = ("sympy", "casadi", "pydy", "scipy", "heyoka")
 
 
@@ -81,3 +84,12 @@ def _version(name: str) -> str:
         return version(name)
     except PackageNotFoundError:
         return ""
+
+
+def print_section(text: str, rows: Iterator[Row]) -> list[str]:
+    """A section of the page, its rows told as they come."""
+    found = []
+    for row in rows:
+        print(print_rows([row])[-1], file=sys.stderr, flush=True)
+        found.append(row)
+    return [text, *print_rows(found), ""]

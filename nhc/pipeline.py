@@ -34,7 +34,7 @@ from nhc.records import record
 from nhc.stamp import stamp
 
 if TYPE_CHECKING:
-    from nhc.mechanics.certificate import Certificate
+    from nhc.mechanics.certificates.certificate import Certificate
     from nhc.program.paper import Derivation
     from nhc.program.scene_model import SceneModel
     from nhc.study.chart.case import Study
@@ -157,7 +157,7 @@ def check(source: Source, *, explain: bool = True) -> Report:
     Raises:
         SpecError: the spec has errors.
     """
-    from nhc.mechanics.facts import describe
+    from nhc.mechanics.properties.facts import describe
 
     spec = decode(source)
     system = resolve(spec)
@@ -185,7 +185,7 @@ def compare(source: Source) -> tuple[System, Certificate]:
     Raises:
         SpecError: the spec has errors.
     """
-    from nhc.mechanics.certificate import certify
+    from nhc.mechanics.certificates.certificate import certify
 
     system = resolve(decode(source))
     return system, certify(system)
@@ -197,7 +197,7 @@ def check_certificate(source: Source, text: str) -> list[str]:
     Raises:
         SpecError: the spec has errors.
     """
-    from nhc.mechanics.certificate_file import verify
+    from nhc.mechanics.certificates.file import verify
 
     return verify(text, resolve(decode(source)), source.text)[0]
 
@@ -263,13 +263,6 @@ def _functions(only: tuple[str, ...]) -> tuple[str, ...]:
     """The IR's functions behind the emitted ones that are asked for; all of them when a name is wrong (the emitter says so)."""
     wanted = tuple(dict.fromkeys("rhs" if name == "rhs_batch" else name for name in only))
     return wanted if all(name in FUNCTIONS for name in wanted) else ()
-
-
-def dump(source: Source, stage: str, options: Options = Options()) -> str:
-    """What a stage hands on, as text."""
-    from nhc.dump import DUMPS
-
-    return DUMPS[stage](source, options)
 
 
 def linearize(source: Source, request: Request, options: Options = Options()) -> Findings:

@@ -6,14 +6,14 @@ from typing import Any
 
 import casadi as ca
 
+from benchmarks.peers.casadi_assembly import Assembly
+
 FREE = (4, 6, 7)  # roll', steer', thR'
 BOUND = (3, 5, 8)  # yaw', pitch', thF'
 
 
 def bicycle() -> Any:
     """The assembled equations and the parameters in the spec's order."""
-    from benchmarks.peers.casadi_c import Assembly
-
     q, qd, u, p = ca.SX.sym("q", 9), ca.SX.sym("qd", 9), ca.SX.sym("u", 3), ca.SX.sym("p", 26)
     (w, c, lam, g, r_R, m_R, R_xx, R_yy, x_B, z_B, m_B, B_xx, B_xz, B_yy, B_zz) = ca.vertsplit(p[:15])
     (x_H, z_H, m_H, H_xx, H_xz, H_yy, H_zz, r_F, m_F, F_xx, F_yy) = ca.vertsplit(p[15:])

@@ -39,11 +39,15 @@ RULES = (
         "blocks of up to 3 constraints are solved by determinants in canonical form, not by elimination",
         "algebra/blocks.py",
     ),
-    Rule("moving axes", "vectors of T stand on axes that move, where constraints make them short", "mechanics/move.py"),
+    Rule(
+        "moving axes",
+        "vectors of T stand on axes that move, where constraints make them short",
+        "mechanics/moving/move.py",
+    ),
     Rule(
         "leaning joints",
         "a turn before a joint that leans by a constant angle goes by the sum of both angles, and the lean is gone",
-        "mechanics/askew.py",
+        "mechanics/moving/askew.py",
     ),
     Rule(
         "trees",

@@ -77,7 +77,9 @@ def command(
         if dump not in stages:
             lines = [f"{name}: {about}" for name, about in stages.items()]
             raise Failure(f"no stage `{dump}`; the stages are {', '.join(stages)}", lines, "E0502")
-        return {"": pipeline.dump(source, dump, options)}
+        from nhc.dump import DUMPS
+
+        return {"": DUMPS[dump](source, options)}
 
     asked = (formulation, scene, to)
     kept = not (anew or dump or simplify)  # what a time limit decides may differ next time

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from nhc.cli.progress import Progress
 from nhc.cli.terminal import Exit, Failure, describe_os_error, put, say
 
 if TYPE_CHECKING:
@@ -45,7 +46,6 @@ def run_starts(
     target: Path | None,
 ) -> int:
     """Read the table, integrate every start, write one CSV."""
-    from nhc.cli.run import Progress
     from nhc.language import decode
     from nhc.simulate.ensemble import run_ensemble
     from nhc.simulate.opening import RunError, find_scene, open_scene

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 import re
-import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from nhc.cli.options import formulation_option, spec_argument, split_names
+from nhc.cli.progress import Progress
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
 
@@ -237,41 +236,3 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
         "no choice of velocities is regular there: the coordinates are singular; "
         "take others, such as a `rotation:` for angles in space"
     ]
-
-
-class Progress:
-    """A bar on a terminal, after half a second; elsewhere a line after half a minute, after one, two, four and so on."""
-
-    WIDTH = 30
-    QUIET = 30.0  # seconds
-
-    def __init__(self, start: float, end: float, what: str = "t") -> None:
-        self.start, self.end, self.what = start, end, what
-        self.began = time.monotonic()
-        self.wanted = sys.stderr.isatty()
-        self.shown = False
-        self.due = self.QUIET
-
-    def show(self, t: float) -> None:
-        """Draw the part that is done."""
-        passed = time.monotonic() - self.began
-        part = min(max((t - self.start) / (self.end - self.start), 0.0), 1.0)
-        if not self.wanted:
-            if passed >= self.due:
-                self.due *= 2
-                done = f"{self.what} = {t:.6g} of {self.end:.6g}" if self.what else f"{100 * part:.0f} %"
-                say(f"after {passed:.0f} s at {done}")
-            return
-        if passed < 0.5:
-            return
-        full = round(part * self.WIDTH)
-        where = f"{self.what} = {t:.6g}" if self.what else ""
-        sys.stderr.write(f"\r[{'#' * full}{'.' * (self.WIDTH - full)}] {100 * part:3.0f} %  {where} ")
-        sys.stderr.flush()
-        self.shown = True
-
-    def clear(self) -> None:
-        """Take the bar away."""
-        if self.shown:
-            sys.stderr.write("\r" + " " * (self.WIDTH + 40) + "\r")
-            sys.stderr.flush()

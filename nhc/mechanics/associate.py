@@ -19,10 +19,10 @@ from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.motion import Motion
-from nhc.mechanics.moved import Moved, Weights
-from nhc.mechanics.rotation import along, moving, virtual_work
+from nhc.mechanics.moving.moved import Moved, Weights
 from nhc.mechanics.system import System
-from nhc.mechanics.tree import Elimination
+from nhc.mechanics.trees.tree import Elimination
+from nhc.mechanics.turning import along, moving, virtual_work
 from nhc.mechanics.turns import Vector, cross
 from nhc.records import record
 

@@ -8,12 +8,12 @@ from dataclasses import replace
 from nhc.algebra.dense import Singular
 from nhc.algebra.modular import rank
 from nhc.diagnostics import Bag, Span, several
-from nhc.mechanics import chaplygin
-from nhc.mechanics.adapt import complete, turning_choices
+from nhc.mechanics.formulations import chaplygin
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
-from nhc.mechanics.reach import becomes_singular
-from nhc.mechanics.regularity import Choice as DependentChoice
-from nhc.mechanics.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
+from nhc.mechanics.regular.adapt import complete, turning_choices
+from nhc.mechanics.regular.reach import becomes_singular
+from nhc.mechanics.regular.regularity import Choice as DependentChoice
+from nhc.mechanics.regular.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
 from nhc.mechanics.system import System
 from nhc.records import record
 
@@ -111,7 +111,7 @@ def build(system: System, name: str) -> Formulation:
         NotApplicable: a hypothesis that it cannot do without is broken.
     """
     if name == "newton":
-        from nhc.mechanics import newton  # here, for a command that needs it not starts sooner
+        from nhc.mechanics.formulations import newton  # here, for a command that needs it not starts sooner
 
         reasons = newton.broken_hypotheses(system)
         if reasons:

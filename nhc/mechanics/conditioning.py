@@ -15,10 +15,10 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regularity import relative_determinant
+from nhc.mechanics.regular.regularity import relative_determinant
+from nhc.mechanics.regular.trials import sampled_rows, trial_points, velocity_units
 from nhc.mechanics.scenes import Start
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.trials import sampled_rows, trial_points, velocity_units
 from nhc.records import record
 
 Place = dict[Node, float]

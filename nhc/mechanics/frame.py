@@ -14,10 +14,11 @@ from functools import cached_property
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import is_clearly_regular, solve_rows
-from nhc.mechanics import rotation
-from nhc.mechanics.regularity import pivot_weakness
-from nhc.mechanics.rotation import Rotation, along, from_base, moving
+from nhc.mechanics import turning
+from nhc.mechanics.regular.regularity import pivot_weakness
+from nhc.mechanics.rotation import Rotation
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.turning import along, from_base, moving
 from nhc.thesis import equation
 
 Guards = tuple[tuple[Node, Node], ...]
@@ -116,7 +117,7 @@ class Frame:
         g, n = self.graph, self.system.n
         if self.turned:
             x, x_time = (self.vectors[t], g.zero) if t < n else (self.drift, g.one)
-            closed = rotation.exterior_derivative(self.system, self.forms[i], x, x_time, self.vectors[j])
+            closed = turning.exterior_derivative(self.system, self.forms[i], x, x_time, self.vectors[j])
             if closed is not None:
                 return closed
         first = (*self.vectors[t], g.zero) if t < self.system.n else (*self.drift, g.one)

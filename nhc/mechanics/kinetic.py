@@ -22,7 +22,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.linear import degrees, linear_form
 from nhc.algebra.modular import is_zero
-from nhc.mechanics import rotation
+from nhc.mechanics import turning
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import scene_values
 
@@ -188,7 +188,7 @@ def _is_exact(system: System, form: Form) -> bool:
 def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]) -> Node:
     """domega(X, e) for omega = W_i dq_i + W_0 dt, X = (x, x_time) and a vector e without time component."""
     g = system.graph
-    closed = rotation.exterior_derivative(system, form, x, x_time, e) if system.rotations else None
+    closed = turning.exterior_derivative(system, form, x, x_time, e) if system.rotations else None
     if closed is not None:
         return closed
     along_x = {**dict(zip(system.q, x, strict=True)), system.t: x_time}

@@ -19,12 +19,12 @@ from nhc.algebra.modular import Unlucky, are_zero, rank
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.choose import Formulation, NotApplicable, build
 from nhc.mechanics.dependence import find_dependence
-from nhc.mechanics.flag import growth_vector
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
-from nhc.mechanics.integrability import is_integrable, lie_bracket
-from nhc.mechanics.rotation import moving
+from nhc.mechanics.properties.flag import growth_vector
+from nhc.mechanics.properties.integrability import is_integrable, lie_bracket
 from nhc.mechanics.system import System
+from nhc.mechanics.turning import moving
 from nhc.records import record
 
 _READABLE = 60

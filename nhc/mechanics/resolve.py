@@ -18,7 +18,7 @@ from nhc.language.numbers import DOUBLES
 from nhc.language.spec import Rotation
 from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.mechanics import rotation as mechanics
-from nhc.mechanics.dependent_rows import check_freedom, check_rank
+from nhc.mechanics.regular.dependent_rows import check_freedom, check_rank
 from nhc.mechanics.system import Form, System
 
 _LARGEST = Fraction(sys.float_info.max)

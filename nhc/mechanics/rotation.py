@@ -18,15 +18,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
-from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NotLinear, linear_form
 from nhc.mechanics.turns import Vector, cross
-
-if TYPE_CHECKING:
-    from nhc.mechanics.system import Form, System
 
 Turning = tuple[Node, Node, Node, Node]
 """(|e|^2)' and the three components of omega."""
@@ -60,7 +55,7 @@ class Rotation:
         half = [g.sum([g.mul(c[i], w) for c, w in zip(columns, turning[1:], strict=True)]) for i in range(4)]
         made = [g.div(x, g.number(2)) for x in half]
         if turning[0] != g.zero:
-            rate = g.div(turning[0], g.mul(g.number(2), _square(g, self.e)))
+            rate = g.div(turning[0], g.mul(g.number(2), square(g, self.e)))
             made = [g.add(x, g.mul(e, rate)) for x, e in zip(made, self.e, strict=True)]
         self.known.setdefault(tuple(made), turning)
         return tuple(made)
@@ -129,7 +124,8 @@ def put(graph: Graph, mapping: dict[Node, Node], node: Node, value: Node) -> Non
         mapping[core] = value if factor == 1 else graph.mul(graph.number(Fraction(1) / factor), value)
 
 
-def _square(g: Graph, e: Sequence[Node]) -> Node:
+def square(g: Graph, e: Sequence[Node]) -> Node:
+    """|e|^2."""
     return g.sum([g.power(x, 2) for x in e])
 
 
@@ -164,7 +160,7 @@ def make_rotation(
         entries[i - 1][j - 1], entries[j - 1][i - 1] = g.sub(mixed, spun), g.add(mixed, spun)
         sums.append(g.add(squares[i], squares[j]))
         entries[k][k] = g.sub(g.one, sums[k])
-    growth = tangent(g, [g.sub(_square(g, e), g.one)], dict(zip(e, v, strict=True)))[0]
+    growth = tangent(g, [g.sub(square(g, e), g.one)], dict(zip(e, v, strict=True)))[0]
     a, b, c, d = places
     made = tuple((row[0], row[1], row[2]) for row in entries)
     return Rotation(
@@ -178,124 +174,3 @@ def make_rotation(
         growth,
         (sums[0], sums[1], sums[2]),
     )
-
-
-# --- vectors of a system with rotations -------------------------------------------------------------------
-
-
-def from_base(system: System, b: Sequence[Node], rotations: Sequence[Rotation]) -> tuple[Node, ...]:
-    """The vector with these components along the base coframe."""
-    made = list(b)
-    for rotation in rotations:
-        first, x, y, z = (b[k] for k in rotation.places)
-        for k, node in zip(rotation.places, rotation.velocities(system.graph, (first, x, y, z)), strict=True):
-            made[k] = node
-    return tuple(made)
-
-
-def along(system: System, x: Sequence[Node]) -> dict[Node, Node]:
-    """Seeds of the derivative along a vector x over the coordinates."""
-    found = dict(zip(system.q, x, strict=True))
-    for rotation in system.rotations:
-        found.update(rotation.seeds(system.graph, [x[k] for k in rotation.places]))
-    return found
-
-
-def moving(system: System, x: Sequence[Node]) -> dict[Node, Node]:
-    """The velocities with the values x, for substitution; for a vector x, the seeds of the derivative by velocities."""
-    found = dict(zip(system.v, x, strict=True))
-    for rotation in system.rotations:
-        found.update(rotation.moving(system.graph, [x[k] for k in rotation.places]))
-    return found
-
-
-def virtual_work(system: System, forces: Sequence[Node], torques: Sequence[Node], e: Sequence[Node]) -> Node:
-    """Q_i e_i of the forces without potential: what turns a rotation by its torque and the angular velocity of e."""
-    g, terms = system.graph, list(zip(forces, e, strict=True))
-    for k, rotation in enumerate(system.rotations):
-        omega = rotation.turning(g, [e[i] for i in rotation.places])[1:]
-        terms += zip(torques[3 * k : 3 * k + 3], omega, strict=True)
-        for i in rotation.places:
-            terms[i] = (g.zero, e[i])
-    return g.sum([g.mul(q, x) for q, x in terms])
-
-
-# --- forms --------------------------------------------------------------------------------------------------
-
-Spread = tuple[tuple[Node, ...], Node]
-"""Coefficients of a velocity form, and its constant."""
-
-
-def _spread(system: System, value: Node) -> Spread | None:
-    """Coefficients of a velocity form by q' and by the rotations' omega, where it is written with these, and its constant."""
-    g = system.graph
-    memo: dict[Node, Spread | None] = g.memory.setdefault("forms by angular velocities", {})
-    if value not in memo:
-        mapping: dict[Node, Node] = {}
-        symbols = [g.symbol(f"{r.name}_turn{k}", "test") for r in system.rotations for k in range(3)]
-        nodes = [w for r in system.rotations for w in r.omega]
-        for node, symbol in zip(nodes, symbols, strict=True):
-            put(g, mapping, node, symbol)
-        try:
-            memo[value] = linear_form(g, substitute(g, [value], mapping)[0], (*system.v, *symbols))
-        except NotLinear:
-            memo[value] = None
-    return memo[value]
-
-
-def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]) -> Node | None:
-    """d form (X, e) = X(f_k) theta_k(e) - e(f_k) theta_k(X) + f_k d theta_k (X, e) for form = f_k theta_k + f_0 dt.
-
-    The theta_k are the dq_i and the rotations' omega.  None where the form's own words are not known.
-    """
-    g = system.graph
-    found = _spread(system, form.value) if form.value is not None else None
-    if found is None:
-        return None
-    coefficients, constant = found
-    on_x, on_e, turned = list(x), list(e), [g.zero] * system.n
-    for rotation in system.rotations:
-        wx, we = (rotation.turning(g, [z[k] for k in rotation.places])[1:] for z in (x, e))
-        on_x += wx
-        on_e += we
-        turned += rotation.curl(g, wx, we)
-    moved = tangent(g, coefficients, {**along(system, x), system.t: x_time})
-    back = tangent(g, [*coefficients, constant], along(system, e))
-    total = g.dot(moved, on_e)
-    total = g.sub(total, g.dot(back, (*on_x, x_time)))
-    return g.add(total, g.dot(coefficients, turned))
-
-
-def rows_in_base(system: System, forms: Sequence[Form]) -> list[list[Node]]:
-    """Coefficients of velocity forms by the base coframe: those by q' where the system has no rotation."""
-    g = system.graph
-    if not system.rotations:
-        return [list(form.coefficients) for form in forms]
-    base = [g.symbol(name, "base") for name in system.q_names]
-    plain = [g.dot(form.coefficients, system.v) for form in forms]
-    own = [plain[k] if form.value is None else form.value for k, form in enumerate(forms)]
-    values = substitute(g, own, moving(system, from_base(system, base, system.rotations)))
-    columns = [tangent(g, values, {symbol: g.one}) for symbol in base]
-    return [list(row) for row in zip(*columns, strict=True)]
-
-
-def regular_energy(system: System) -> Node:
-    """T, with half a weight times (e e')^2 for each rotation: the length of a quaternion is given the inertia of a mean axis.
-
-    The term is zero with its derivatives on every motion, so it changes nothing but the mass matrix, which T itself leaves
-    singular along e.
-    """
-    g, total = system.graph, system.T
-    momenta = gradient(g, system.T, system.v) if system.rotations else []
-    for rotation in system.rotations:
-        trace = g.sum([gradient(g, momenta[k], [system.v[k]])[0] for k in rotation.places])
-        weight = g.div(trace, g.mul(g.number(24), _square(g, rotation.e)))
-        total = g.add(total, g.mul(weight, g.power(rotation.growth, 2)))
-    return total
-
-
-def mass_matrix(system: System) -> list[Node]:
-    """d2T/dq'dq', row by row, of :func:`regular_energy`."""
-    g = system.graph
-    momenta = gradient(g, regular_energy(system), system.v)
-    return [entry for p in momenta for entry in gradient(g, p, system.v)]

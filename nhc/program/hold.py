@@ -17,10 +17,10 @@ from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import rank
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.constancy import shows_jumps
 from nhc.mechanics.frame import form_value
-from nhc.mechanics.rotation import moving
+from nhc.mechanics.properties.constancy import shows_jumps
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.turning import moving
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Hold
 from nhc.program.plan import SolvePlan

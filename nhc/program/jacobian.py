@@ -9,16 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.shorten import shorten
 from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target
+from nhc.program.planner import PlannerBase
 from nhc.records import record
-
-if TYPE_CHECKING:
-    from nhc.program.build import Planner
 
 LONGEST = 1500
 """Operations of the rates' rows, roughly, beyond which they are not written out."""
@@ -39,7 +36,7 @@ class Slopes:
     solves: tuple[SolvePlan, ...] = ()
 
 
-def plan_jacobian(planner: Planner) -> FunctionPlan:
+def plan_jacobian(planner: PlannerBase) -> FunctionPlan:
     """The plan of ``jacobian``: row i, column j stands at i*NY + j."""
     g, motion, y = planner.graph, planner.equations.motion, planner.y_nodes
     size = len(y)
@@ -68,7 +65,7 @@ def differentiate(graph: Graph, nodes: Sequence[Node], wrt: Sequence[Node]) -> l
     return min(found, key=lambda rows: count(graph, [*nodes, *(entry for row in rows for entry in row)]))
 
 
-def differentiate_velocities(planner: Planner) -> tuple[list[Sequence[Node]], tuple[SweepPlan, ...]]:
+def differentiate_velocities(planner: PlannerBase) -> tuple[list[Sequence[Node]], tuple[SweepPlan, ...]]:
     """The rows of the velocities written out, but for the coordinates' columns where a sweep is shorter, and this sweep."""
     g, y, split = planner.graph, planner.y_nodes, len(planner.kept_q)
     nodes = [planner.equations.motion.velocities[i] for i in planner.kept_q]
@@ -87,7 +84,7 @@ def differentiate_velocities(planner: Planner) -> tuple[list[Sequence[Node]], tu
     return (list(left), (sweep,)) if short and targets else (list(rows), ())
 
 
-def differentiate_rates(planner: Planner) -> Slopes:
+def differentiate_rates(planner: PlannerBase) -> Slopes:
     """The rows of the rates: differentiated themselves where a tree keeps them short, else by mass w' - force = 0.
 
     The latter takes the factors that are at hand, and no derivative of them.
@@ -117,14 +114,14 @@ def differentiate_rates(planner: Planner) -> Slopes:
     return Slopes(tuple(tuple(flat[j * size + k] for j in range(len(y))) for k in planner.kept_w))
 
 
-def make_residual(planner: Planner, matrix: Sequence[Sequence[Node]], right: Sequence[Node]) -> list[Node]:
+def make_residual(planner: PlannerBase, matrix: Sequence[Sequence[Node]], right: Sequence[Node]) -> list[Node]:
     """right - matrix x, row by row, where x are the rates' symbols and those of the multipliers."""
     g = planner.graph
     unknowns = (*planner.equations.motion.rates, *planner.equations.multipliers)
     return [g.sub(value, g.dot(row, unknowns)) for row, value in zip(matrix, right, strict=True)]
 
 
-def _solve_densely(planner: Planner) -> Slopes:
+def _solve_densely(planner: PlannerBase) -> Slopes:
     """The columns as unknowns of a second dense solve; where they are long, the rows of the inverse as weights of a sweep."""
     g, y = planner.graph, planner.y_nodes
     matrix, right = planner._dense()
@@ -140,7 +137,7 @@ def _solve_densely(planner: Planner) -> Slopes:
 
 
 def _sweep_densely(
-    planner: Planner, matrix: Sequence[Sequence[Node]], right: Sequence[Node], residual: Sequence[Node]
+    planner: PlannerBase, matrix: Sequence[Sequence[Node]], right: Sequence[Node], residual: Sequence[Node]
 ) -> Slopes:
     """A pass for each rate: the pull-back of the residual by its row of the symmetric matrix' inverse."""
     g, y, size = planner.graph, planner.y_nodes, len(matrix)
@@ -159,7 +156,7 @@ def _sweep_densely(
     return Slopes((), (SweepPlan(about, tuple(seeds), offsets, _targets(g, slopes, range(len(y)))),), (solve,))
 
 
-def sweep_rows(planner: Planner, nodes: Sequence[Node], direct: bool) -> SweepPlan:
+def sweep_rows(planner: PlannerBase, nodes: Sequence[Node], direct: bool) -> SweepPlan:
     """A pass for each rate, the pull-back to y of its row: of the rates themselves if ``direct``, else of the residual.
 
     The residual's weights are a row of the inverse mass matrix.
@@ -175,7 +172,7 @@ def sweep_rows(planner: Planner, nodes: Sequence[Node], direct: bool) -> SweepPl
     return SweepPlan("one rate in each pass: its row of the matrix", tuple(unit.values()), offsets, targets)
 
 
-def sweep_columns(planner: Planner, nodes: Sequence[Node], direct: bool) -> tuple[SweepPlan, ...]:
+def sweep_columns(planner: PlannerBase, nodes: Sequence[Node], direct: bool) -> tuple[SweepPlan, ...]:
     """A pass for each coordinate, and in a sweep of their own one for each velocity: the rates' slopes along it."""
     y, split = planner.y_nodes, len(planner.kept_q)
     coordinates, velocities = range(split), range(split, len(y))
@@ -183,7 +180,7 @@ def sweep_columns(planner: Planner, nodes: Sequence[Node], direct: bool) -> tupl
     return tuple(sweep for sweep in found if sweep.targets)
 
 
-def _sweep_group(planner: Planner, nodes: Sequence[Node], group: Sequence[int], direct: bool) -> SweepPlan:
+def _sweep_group(planner: PlannerBase, nodes: Sequence[Node], group: Sequence[int], direct: bool) -> SweepPlan:
     g, y = planner.graph, planner.y_nodes
     active = [j for j in group if any(g.deps[node] & g.deps[y[j]] for node in nodes)]
     seeds = {y[j]: g.symbol(f"along_{j}", "direction") for j in active}

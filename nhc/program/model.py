@@ -50,7 +50,7 @@ def build_program(
         equation=formulation.number,
         reason=formulation.reason,
         coordinates=tuple(Quantity(c.name, identifier(c.name), c.unit, c.about) for c in spec.coordinates),
-        state=state_quantities(system, planner),
+        state=planner.state_quantities(),
         parameters=tuple(
             Quantity(p.name, identifier(p.name), p.unit, p.about, _default(p, k, chosen))
             for k, p in enumerate(spec.parameters)
@@ -66,13 +66,6 @@ def build_program(
         leaps=find_leaps(planner, known_values(system, [start.p for start in starts])) if driver and starts else None,
         needed=_needed(planner, starts) if driver else None,
     )
-
-
-def state_quantities(system: System, planner: Planner) -> tuple[Quantity, ...]:
-    """The full state: the coordinates, then the kept velocities."""
-    coordinates = [Quantity(c.name, identifier(c.name), c.unit, c.about) for c in system.spec.coordinates]
-    kept = [Quantity(name, identifier(name), system.units.get(name, "")) for name in planner.kept_names()]
-    return (*coordinates, *kept)
 
 
 def _default(parameter: Parameter, index: int, scene: SceneData | None) -> Fraction | float | None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
@@ -19,13 +18,11 @@ from nhc.mechanics.drawing import Sketch, sketch_of
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
-from nhc.mechanics.rotation import moving
+from nhc.mechanics.turning import moving
 from nhc.program.build import Planner
 from nhc.program.ir import Function
+from nhc.program.scene_planner import ScenePlanner
 from nhc.records import record
-
-if TYPE_CHECKING:
-    from nhc.program.scene_planner import ScenePlanner  # which needs the model's names, as this module's users do
 
 
 @record

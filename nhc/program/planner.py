@@ -11,12 +11,13 @@ from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
-from nhc.mechanics.rotation import moving
+from nhc.mechanics.regular.trials import usual_digits
 from nhc.mechanics.system import System
-from nhc.mechanics.trials import usual_digits
-from nhc.program.ir import Argument, Function, Origin
+from nhc.mechanics.turning import moving
+from nhc.program.ir import Argument, Function, Origin, Quantity
 from nhc.program.lower import lower_function
 from nhc.program.mass_route import mass_route
+from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
@@ -228,6 +229,12 @@ class PlannerBase:
             assert symbol is not None
             found.append(f"{symbol.name}'" if symbol.kind == "velocity" else symbol.name)
         return found
+
+    def state_quantities(self) -> tuple[Quantity, ...]:
+        """The full state: the coordinates, then the kept velocities."""
+        coordinates = [Quantity(c.name, identifier(c.name), c.unit, c.about) for c in self.system.spec.coordinates]
+        kept = [Quantity(name, identifier(name), self.system.units.get(name, "")) for name in self.kept_names()]
+        return (*coordinates, *kept)
 
 
 def _about(system: System, i: int) -> str:

@@ -1,11 +1,11 @@
-"""The program of a scene: the smallest model that delivers what the scene needs (:mod:`nhc.mechanics.reduce`)."""
+"""The program of a scene: the smallest model that delivers what the scene needs (:mod:`nhc.mechanics.reduction.reduce`)."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.mechanics.reduce import keep_everything
+from nhc.mechanics.reduction.reduce import keep_everything
 from nhc.mechanics.scenes import kept_velocities
 from nhc.program.build import rewrite
 from nhc.program.clock import find_stops
@@ -13,7 +13,7 @@ from nhc.program.hold import make_hold, must_hold
 from nhc.program.ir import Function, Program, Quantity, SceneData
 from nhc.program.leaps import find_leaps
 from nhc.program.lower import lower_function
-from nhc.program.model import build_program, state_quantities
+from nhc.program.model import build_program
 from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan
 from nhc.program.scene_model import SceneModel
@@ -47,7 +47,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         float(model.scene.tolerance),
         find_stops(system, model.start.p, model.start.time) if driver else (),
     )
-    quantities = state_quantities(system, planner)
+    quantities = planner.state_quantities()
     return replace(
         full,
         state=tuple(quantities[i] for i in made.kept),

@@ -13,11 +13,10 @@ from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.motion import Motion
-from nhc.mechanics.reduce import Reduction
+from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.build import Planner
 from nhc.program.ir import Quantity
-from nhc.program.model import state_quantities
 from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan
 
@@ -103,7 +102,7 @@ class ScenePlanner(Planner):
         system, made, g = self.system, self.reduction, self.graph
         values = (*start.q, *kept_velocities(system, self.kept_forms(), start))
         place = {**start.values(system), **dict(zip((*system.q, *self.equations.motion.w), values, strict=True))}
-        whole = state_quantities(system, self)
+        whole = self.state_quantities()
         about = "constant of the motion, from the start of the scene"
         found = [replace(whole[i], about=about, default=values[i]) for i in made.constants]
         for integral in made.integrals:

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_zero
-from nhc.mechanics.rotation import regular_energy
 from nhc.mechanics.system import System
+from nhc.mechanics.turning import regular_energy
 from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function
 from nhc.program.lower import lower_function

@@ -15,10 +15,10 @@ from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.polynomial import normalise
-from nhc.mechanics.regularity import intervals
-from nhc.mechanics.singular import find_rank_loss
+from nhc.mechanics.regular.regularity import intervals
+from nhc.mechanics.regular.singular import find_rank_loss
+from nhc.mechanics.regular.trials import usual_digits
 from nhc.mechanics.system import System
-from nhc.mechanics.trials import usual_digits
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
 from nhc.program.planner import MASS_LOST

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from nhc.emit.c.body import FUNCTIONS, HELPERS, BodyPrinter, bound_test, wrap_code
+from nhc.emit.c.body import BodyPrinter
+from nhc.emit.c.lines import FUNCTIONS, HELPERS, bound_test, wrap_code
 from nhc.emit.c.literals import PI, print_double
 from nhc.emit.c.names import make_scope
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text

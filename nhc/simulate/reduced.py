@@ -11,7 +11,7 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.clock import find_stops
 from nhc.program.leaps import find_leaps
-from nhc.program.model import build_program, state_quantities
+from nhc.program.model import build_program
 from nhc.program.needed import Column, list_energy, needed_function
 from nhc.program.reduced import lower_functions
 from nhc.program.scene_model import reduce_one
@@ -55,7 +55,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         *(() if watch is None else (watch,)),
         *(() if leaps is None else (leaps.function,)),
     )
-    whole = state_quantities(system, planner)
+    whole = planner.state_quantities()
     constants = planner.list_constants(start)
     frame = build_program(system, made.formulation, equations, only=("residuals",), scenes=False)
     program = replace(

@@ -23,9 +23,9 @@ from nhc.mechanics.flow import Flow, flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.linearize import Leaf, cyclic_of, is_autonomous, leaf_of, quantity, reduced, symbolic_matrix
-from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.properties.symmetry import Generator, turning_symmetries
+from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.scenes import Start, start_of
-from nhc.mechanics.symmetry import Generator, turning_symmetries
 from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record

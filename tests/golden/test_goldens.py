@@ -9,8 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from nhc.dump import DUMPS
 from nhc.language import read
-from nhc.pipeline import Options, dump, emit
+from nhc.pipeline import Options, emit
 from tests.support import COMPILER, GALLERY, CModel, compile_c, error, python_model, spec_path
 
 HERE = Path(__file__).resolve().parent
@@ -22,7 +23,7 @@ RENAMED = {"latex": {".tex": "derivation.tex"}, "c": {".h": "model.h", ".c": "mo
 def artefacts(name: str) -> dict[str, str]:
     """Golden file name -> text, as the command line would print it."""
     source = read(str(spec_path(name)))
-    texts = {file: dump(source, stage, Options()) for file, stage in STAGES.items()}
+    texts = {file: DUMPS[stage](source, Options()) for file, stage in STAGES.items()}
     for language, endings in RENAMED.items():
         for file, text in emit(source, language, Options()).items():
             texts[endings[Path(file).suffix]] = text

@@ -19,11 +19,11 @@ from nhc.mechanics.choose import applicable, formulate
 from nhc.mechanics.formulate import _route, equations_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.kinetic import kinetic_structure
-from nhc.mechanics.move import move
+from nhc.mechanics.moving.move import move
+from nhc.mechanics.moving.vectors import Reader
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Turn, add_spin, change_axes, cross
-from nhc.mechanics.vectors import Reader
 from nhc.pipeline import Options, emit
 from nhc.program.model import build_program
 from tests.support import ROOT, python_model, spec_path

@@ -13,8 +13,8 @@ from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.jets import Jets, make_box, plan_jets
 from nhc.algebra.modular import rank
-from nhc.mechanics.flag import Field, growth_vector
-from nhc.mechanics.integrability import lie_bracket
+from nhc.mechanics.properties.flag import Field, growth_vector
+from nhc.mechanics.properties.integrability import lie_bracket
 
 LENGTHS, ORDER = (2, 1), 3
 

@@ -12,8 +12,8 @@ from nhc.algebra.primes import primes_of
 from nhc.algebra.residues import FULL_TURN, part_of_turn
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.certificate import certify
-from nhc.mechanics.integrability import classify
+from nhc.mechanics.certificates.certificate import certify
+from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.resolve import resolve
 
 

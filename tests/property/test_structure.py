@@ -6,7 +6,7 @@ import pytest
 
 from nhc.algebra.modular import are_equal, is_zero
 from nhc.exterior import basis_form, d
-from nhc.mechanics.euler_lagrange import full_coframe
+from nhc.mechanics.formulations.euler_lagrange import full_coframe
 from nhc.mechanics.frame import Frame, make_frame
 from tests.thesis.scenery import generic_frame, system_of
 

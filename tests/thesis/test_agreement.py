@@ -11,7 +11,8 @@ import pytest
 from nhc.algebra.modular import are_equal
 from nhc.diagnostics import Source
 from nhc.language import decode, read
-from nhc.mechanics import chaplygin, euler_lagrange, voronec, wrong
+from nhc.mechanics.certificates import wrong
+from nhc.mechanics.formulations import chaplygin, euler_lagrange, voronec
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from tests.thesis.scenery import (

@@ -13,8 +13,8 @@ import pytest
 import nhc.mechanics
 from nhc.thesis import EQUATIONS, ERRATA, IMPLEMENTED, equation_page, equation_table, errata_page
 
-for module in pkgutil.iter_modules(nhc.mechanics.__path__):
-    importlib.import_module(f"nhc.mechanics.{module.name}")
+for module in pkgutil.walk_packages(nhc.mechanics.__path__, "nhc.mechanics."):
+    importlib.import_module(module.name)
 
 # how many equations the text numbers in each section
 SECTIONS = {

@@ -7,8 +7,8 @@ import sys
 
 import pytest
 
-from nhc.cli import run
-from nhc.cli.run import Progress
+from nhc.cli import progress
+from nhc.cli.progress import Progress
 
 
 class Screen(io.StringIO):
@@ -19,7 +19,7 @@ class Screen(io.StringIO):
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     now = [100.0]
-    monkeypatch.setattr(run.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
     return now
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from nhc.emit.c.body import ANY, BodyPrinter, wrap_code
+from nhc.emit.c.body import BodyPrinter
 from nhc.emit.c.finish import choose_finish
 from nhc.emit.c.lanes import Each, LanesPrinter
+from nhc.emit.c.lines import ANY, wrap_code
 from nhc.emit.c.names import make_scope
 from nhc.emit.c.parts import cut, find_crossing, list_names
 from nhc.emit.statements import collect_refs, drop_unused, fill_stores, split_hoisted

@@ -3,29 +3,15 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
+from nhc.emit.c.lines import CodePrinter
 from nhc.emit.c.literals import print_comment, print_double
 from nhc.emit.c.names import print_singular
 from nhc.emit.statements import ZERO
 from nhc.program.ir import Expr, Solve
 from nhc.program.written_out import WrittenOut, write_out
-from nhc.records import record
 
-if TYPE_CHECKING:
-    from nhc.emit.c.body import BodyPrinter
-
-Blocks = dict[tuple[tuple[str, ...], ...], "Block"]
-"""By the names of their unknowns."""
 FEW = 8  # entries of zero that are stored one by one
-
-
-@record
-class Block:
-    """Where in ``kept`` the matrix of a dense solve stands with its right sides; ``masses`` as in the solve."""
-
-    place: int
-    masses: int
 
 
 def list_entries(solve: Solve) -> list[Expr]:
@@ -33,7 +19,7 @@ def list_entries(solve: Solve) -> list[Expr]:
     return [e for i, row in enumerate(solve.matrix) for e in (*row, *(column[i] for column in solve.columns))]
 
 
-def print_solve(printer: BodyPrinter, solve: Solve) -> None:
+def print_solve(printer: CodePrinter, solve: Solve) -> None:
     """Fill the matrix with its right sides, eliminate, name the solutions."""
     printer.helpers.add("solve")
     size, sides = len(solve.matrix), len(solve.columns)
@@ -58,7 +44,7 @@ def print_solve(printer: BodyPrinter, solve: Solve) -> None:
                 printer.keep(name)
 
 
-def print_exchanges(printer: BodyPrinter, solve: Solve, where: str, masses: int) -> None:
+def print_exchanges(printer: CodePrinter, solve: Solve, where: str, masses: int) -> None:
     """The elimination by a function, of what stands in an array."""
     size, tolerance = len(solve.matrix), print_double(Fraction(solve.tolerance))
     width = size + len(solve.columns)
@@ -70,7 +56,7 @@ def print_exchanges(printer: BodyPrinter, solve: Solve, where: str, masses: int)
     printer.lines += [f"{printer.indent}    return {left};", f"{printer.indent}}}"]
 
 
-def print_quickly(printer: BodyPrinter, written: WrittenOut) -> None:
+def print_quickly(printer: CodePrinter, written: WrittenOut) -> None:
     """The elimination written out, and with exchanges where that is not good."""
     solve, size = written.solve, len(written.solve.matrix)
     unknowns = {name: i for i, name in enumerate(solve.names[0]) if name in printer.used}
@@ -92,7 +78,7 @@ def print_quickly(printer: BodyPrinter, written: WrittenOut) -> None:
         printer.keep(name)
 
 
-def print_block(printer: BodyPrinter, solve: Solve, array: str) -> None:
+def print_block(printer: CodePrinter, solve: Solve, array: str) -> None:
     """The matrix of a dense solve beside its right sides."""
     what = f"the matrix beside its right sides, row by row; {solve.what} where it has no pivot"
     printer.add_comment(print_comment(what))
@@ -104,7 +90,7 @@ def print_block(printer: BodyPrinter, solve: Solve, array: str) -> None:
             printer.add(f"{array}[{k}] = {printer.printer.print(entry)};")
 
 
-def print_zeros(printer: BodyPrinter, array: str, entries: list[Expr]) -> bool:
+def print_zeros(printer: CodePrinter, array: str, entries: list[Expr]) -> bool:
     """All entries zero at once, where many are; whether it was done."""
     if entries.count(ZERO) <= FEW:
         return False

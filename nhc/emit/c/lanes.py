@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from nhc.emit.c.body import HELPERS, bound_test, wrap_code
+from nhc.emit.c.lines import HELPERS, bound_test, wrap_code
 from nhc.emit.c.literals import PI, print_comment, print_double
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.emit.c.body import BodyPrinter, wrap_code
+from nhc.emit.c.body import BodyPrinter
+from nhc.emit.c.lines import wrap_code
 from nhc.emit.statements import list_expressions, walk
 from nhc.program.ir import Argument, Binary, Call, Expr, Function, Statement
 

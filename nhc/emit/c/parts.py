@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from nhc.emit.c.body import BodyPrinter, wrap_code
-from nhc.emit.c.dense import Block, Blocks, list_entries
+from nhc.emit.c.body import BodyPrinter
+from nhc.emit.c.dense import list_entries
+from nhc.emit.c.lines import Block, Blocks, wrap_code
 from nhc.emit.statements import ZERO, collect_refs
 from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Section, Solve, Statement, Store, Sweep
 from nhc.records import record

@@ -6,12 +6,13 @@ from dataclasses import replace
 
 from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
-from nhc.emit.c.body import ANY, BodyPrinter, wrap_code
+from nhc.emit.c.body import BodyPrinter
 from nhc.emit.c.dense import FEW
 from nhc.emit.c.driver import Method, list_driver_functions, make_driver
 from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.large import AT, LARGE, TURNED, list_angles, print_near, print_twice
+from nhc.emit.c.lines import ANY, wrap_code
 from nhc.emit.c.literals import print_comment, print_float, print_string
 from nhc.emit.c.names import make_scope, print_singular
 from nhc.emit.c.parts import OWN, Layout, is_long, lay_out, print_calls, print_part, print_slow

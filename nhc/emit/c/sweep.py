@@ -5,7 +5,8 @@ The vectors are GCC's, as wide as the machine that is compiled for; for another 
 
 from __future__ import annotations
 
-from nhc.emit.c.body import BodyPrinter, wrap_code
+from nhc.emit.c.body import BodyPrinter
+from nhc.emit.c.lines import wrap_code
 from nhc.emit.c.literals import print_comment
 from nhc.emit.c.parts import (
     choose_lengths,
