@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from nhc.diagnostics import Bag, Diagnostic, Source, SpecError
 from nhc.language import Spec, decode
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation, formulate
+from nhc.mechanics.choosing.choose import Formulation, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import check_scene_name, start_of

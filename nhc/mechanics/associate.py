@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, pullback_gradient, substitute, tangent
-from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
+from nhc.algebra.rewriting.gather import gather
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.moved import Moved, Weights

@@ -8,11 +8,11 @@ from dataclasses import replace
 from nhc.algebra.calculus import count
 from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_zero
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations, Matrix, Projector, Row
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulations.multipliers import multiplier_symbols
 from nhc.mechanics.frame import coordinate_frame, form_value, total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure

@@ -13,7 +13,7 @@ from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import is_clearly_regular, solve_rows
+from nhc.algebra.solving.linear import is_clearly_regular, solve_rows
 from nhc.mechanics import turning
 from nhc.mechanics.regular.regularity import pivot_weakness
 from nhc.mechanics.rotation import Rotation

@@ -10,8 +10,8 @@ from fractions import Fraction
 from nhc.algebra.calculus import Derivation
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NotLinear, depends, is_clearly_linear, linear_form
 from nhc.algebra.nodes import NumberTooLong
+from nhc.algebra.solving.linear import NotLinear, depends, is_clearly_linear, linear_form
 from nhc.diagnostics import Bag, Span
 from nhc.language import Spec
 from nhc.language.numbers import DOUBLES

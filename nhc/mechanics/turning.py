@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import NotLinear, linear_form
+from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.mechanics.rotation import Rotation, put, square
 from nhc.mechanics.system import Form, System
 

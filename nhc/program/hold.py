@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import rank
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.constancy import shows_jumps

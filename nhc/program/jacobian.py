@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target
 from nhc.program.planner import PlannerBase
 from nhc.records import record

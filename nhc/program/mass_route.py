@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.system import Form
 from nhc.mechanics.trees.choice import CHAINED, FEW, tree_of, work

@@ -7,12 +7,12 @@ from fractions import Fraction
 
 from nhc.algebra.calculus import count
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import Unlucky
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import Unlucky
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
-from nhc.mechanics.conditioning import find_start
+from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.choosing.conditioning import find_start
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import kept_forms
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure

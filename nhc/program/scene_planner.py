@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, replace
 
 from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_zero
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.motion import Motion

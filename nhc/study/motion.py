@@ -17,8 +17,8 @@ from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 from nhc.language.scope import names_in
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation, build
-from nhc.mechanics.conditioning import adapted_choices
+from nhc.mechanics.choosing.choose import Formulation, build
+from nhc.mechanics.choosing.conditioning import adapted_choices
 from nhc.mechanics.flow import Flow, flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame

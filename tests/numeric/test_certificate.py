@@ -9,7 +9,7 @@ from functools import cache
 
 import pytest
 
-from nhc.algebra.degree import Degrees
+from nhc.algebra.exact.degree import Degrees
 from nhc.algebra.graph import Graph
 from nhc.diagnostics import Source
 from nhc.language import decode, read
@@ -17,7 +17,7 @@ from nhc.mechanics.certificates import certificate as module
 from nhc.mechanics.certificates.certificate import Certificate, certify
 from nhc.mechanics.certificates.claims import wrong_claims
 from nhc.mechanics.certificates.file import is_sound, power_of_ten, verify, write
-from nhc.mechanics.choose import applicable
+from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from tests.support import GALLERY, spec_path

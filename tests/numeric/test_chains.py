@@ -9,8 +9,8 @@ from collections.abc import Iterator
 import pytest
 
 from nhc.algebra.calculus import count
+from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_equal
 from nhc.diagnostics import Source
 from nhc.mechanics.trees.choice import tree_of
 from nhc.mechanics.trees.tree import Elimination

@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from nhc.algebra.jumps import jumps
+from nhc.algebra.bounds.jumps import jumps
 from nhc.diagnostics import Bag, Diagnostic
 from nhc.language import Source, decode
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.properties.conserved import find_conserved
 from nhc.mechanics.properties.facts import describe
 from nhc.mechanics.resolve import resolve

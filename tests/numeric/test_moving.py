@@ -8,14 +8,14 @@ import pytest
 import yaml
 
 from nhc.algebra.calculus import count, tangent
-from nhc.algebra.gather import gather, split
+from nhc.algebra.exact.modular import are_equal, are_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_equal, are_zero
-from nhc.algebra.rules import WithoutRules
+from nhc.algebra.rewriting.gather import gather, split
+from nhc.algebra.rewriting.rules import WithoutRules
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.associate import Row
-from nhc.mechanics.choose import applicable, formulate
+from nhc.mechanics.choosing.choose import applicable, formulate
 from nhc.mechanics.formulate import _route, equations_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.kinetic import kinetic_structure

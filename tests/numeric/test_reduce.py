@@ -14,11 +14,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from benchmarks.scenes import Pair, list_pairs
-from nhc.algebra.modular import Unlucky
+from nhc.algebra.exact.modular import Unlucky
 from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import decode, read
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduction.reduce import _agree, _Model

@@ -20,7 +20,7 @@ from nhc.cli.entry import main
 from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.certificates.certificate import certify
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.linearize import cyclic_of

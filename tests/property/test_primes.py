@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy
 
-from nhc.algebra.field import PRIMES, FieldPoint
+from nhc.algebra.exact.field import PRIMES, FieldPoint
+from nhc.algebra.exact.modular import are_zero
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.residues import FULL_TURN, part_of_turn
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_zero
-from nhc.algebra.primes import primes_of
-from nhc.algebra.residues import FULL_TURN, part_of_turn
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.certificates.certificate import certify

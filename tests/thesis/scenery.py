@@ -13,7 +13,7 @@ import numpy as np
 from nhc.algebra.calculus import substitute
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import linear_form
+from nhc.algebra.solving.linear import linear_form
 from nhc.exterior import Form as ExteriorForm
 from nhc.exterior import interior
 from nhc.language import decode, read

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.algebra.modular import are_equal
+from nhc.algebra.exact.modular import are_equal
 from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.certificates import wrong

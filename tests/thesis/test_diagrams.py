@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_equal
 from nhc.exterior import Form, basis_form, coordinate_coframe, d, interior, one_form, pullback, wedge
 from nhc.mechanics.certificates import wrong
 from nhc.mechanics.formulations import euler_lagrange, lagrange, voronec

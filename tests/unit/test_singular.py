@@ -9,7 +9,7 @@ import pytest
 
 from nhc.algebra.evaluate import evaluate
 from nhc.language import decode, read
-from nhc.mechanics.regular.singular import smallest_singular_value
+from nhc.mechanics.properties.singular import smallest_singular_value
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.resolve import resolve
 from tests.support import GALLERY, spec_path

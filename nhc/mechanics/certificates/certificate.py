@@ -15,12 +15,12 @@ import math
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import reachable
-from nhc.algebra.degree import Degrees
 from nhc.algebra.dense import Singular
-from nhc.algebra.draw import MOST_DRAWS, draw_points
-from nhc.algebra.modular import FieldPoint, Unlucky
-from nhc.algebra.primes import primes_of
-from nhc.algebra.signs import Signs, may_hold, points_for
+from nhc.algebra.exact.degree import Degrees
+from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
+from nhc.algebra.exact.modular import FieldPoint, Unlucky
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.signs import Signs, may_hold, points_for
 from nhc.mechanics.certificates.claims import (
     Claim,
     Velocities,
@@ -32,7 +32,7 @@ from nhc.mechanics.certificates.claims import (
     wrong_claims,
 )
 from nhc.mechanics.certificates.distances import Distance, measure, states_of
-from nhc.mechanics.choose import applicable
+from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.kinetic import kinetic_structure
@@ -131,7 +131,7 @@ def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
     """Compare every formulation that applies.
 
     Raises:
-        nhc.algebra.modular.Unlucky: no regular point was found in the field.
+        nhc.algebra.exact.modular.Unlucky: no regular point was found in the field.
     """
     formulations = applicable(system)
     kinetic = kinetic_structure(system)

@@ -13,12 +13,12 @@ from typing import TypeVar
 from nhc.algebra.calculus import substitute
 from nhc.algebra.dense import solve_double, solve_modulo
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import FieldPoint
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import linear_form
-from nhc.algebra.modular import FieldPoint
+from nhc.algebra.solving.linear import linear_form
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.certificates import wrong
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import bordered_system, motion_of, rate_symbols
 from nhc.mechanics.formulations import multipliers, voronec
 from nhc.mechanics.frame import Frame, form_value, total_derivative
@@ -151,7 +151,7 @@ def solve_exactly(claim: Claim, point: FieldPoint) -> tuple[list[int], list[int]
 
     Raises:
         nhc.algebra.dense.Singular: the claim determines no motion there.
-        nhc.algebra.modular.Unlucky: the point lies on a pole.
+        nhc.algebra.exact.modular.Unlucky: the point lies on a pole.
     """
     p, known = point.prime, point.evaluate(claim.nodes())
     x = solve_modulo(*_split(claim, known), p)

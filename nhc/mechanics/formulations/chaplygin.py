@@ -14,9 +14,9 @@ from collections.abc import Callable, Sequence
 
 from nhc.algebra.calculus import derivative, gradient, tangent
 from nhc.algebra.dense import Singular, solve_double
+from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import steps_with
-from nhc.algebra.modular import are_zero, is_zero
+from nhc.algebra.solving.linear import steps_with
 from nhc.mechanics.formulations.voronec import Reduced, applied_force, motion_rate
 from nhc.mechanics.frame import Frame, dependent_coefficients
 from nhc.mechanics.regular.trials import sampled_rows, trial_points

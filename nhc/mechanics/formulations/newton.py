@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.modular import are_zero, is_zero
+from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.exterior import Form, basis_form, one_form, wedge
 from nhc.mechanics.formulations.lagrange import momenta, phase_coframe
 from nhc.mechanics.system import System

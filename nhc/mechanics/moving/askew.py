@@ -14,8 +14,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.algebra.calculus import Derivation, Replacement, count
-from nhc.algebra.digits import normalise_kept
 from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
+from nhc.algebra.rewriting.digits import normalise_kept
 from nhc.mechanics.frame import Frame, make_frame
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.system import Form, System

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving.axes import Scene
 from nhc.mechanics.moving.vectors import Chained

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.dense import Singular
-from nhc.algebra.field import Unlucky
+from nhc.algebra.exact.field import Unlucky
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NamedBlock, solve_rows
+from nhc.algebra.solving.linear import NamedBlock, solve_rows
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving.askew import count_from_joint, find_lean

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from nhc.algebra.calculus import Derivation, Replacement, substitute, tangent
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import NamedBlock
+from nhc.algebra.solving.linear import NamedBlock
 from nhc.mechanics.moving.axes import Scene
 from nhc.mechanics.moving.vectors import Chained, Part
 from nhc.mechanics.turns import Path, Vector, add_vectors, climb, cross

@@ -1,17 +1,17 @@
 """Values of expressions at two random points of prime fields: equal expressions have equal signatures.
 
-Two different ones share a signature with a probability of about (degree / 2**61)**2, as in :mod:`nhc.algebra.modular`.  Signs and
-roots are arbitrary functions of what they are taken of: in the field x and abs(x) agree at every second point.
+Two different ones share a signature with a probability of about (degree / 2**61)**2, as in :mod:`nhc.algebra.exact.modular`.
+Signs and roots are arbitrary functions of what they are taken of: in the field x and abs(x) agree at every second point.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.field import FieldPoint, Unlucky
+from nhc.algebra.exact.field import FieldPoint, Unlucky
+from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.primes import primes_of
-from nhc.algebra.values import ArbitraryPoint
+from nhc.algebra.rewriting.values import ArbitraryPoint
 
 Signature = tuple[int, ...]
 _TRIES = 20

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import Replacement, count, gradient, reachable, substitute
-from nhc.algebra.digits import normalise_kept
 from nhc.algebra.graph import ADD, Graph, Node
+from nhc.algebra.rewriting.digits import normalise_kept
 from nhc.mechanics.moving.axes import Scene
 from nhc.mechanics.turns import Path, Vector, change_axes, turn_in, turn_out
 

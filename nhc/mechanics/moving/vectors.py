@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nhc.algebra.calculus import gradient, list_terms, reachable, substitute
-from nhc.algebra.digits import normalise_kept
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import MUL, NEG, Graph, Node
-from nhc.algebra.modular import are_zero
+from nhc.algebra.rewriting.digits import normalise_kept
 from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
 from nhc.records import identity_record, record
 

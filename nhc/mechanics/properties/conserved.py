@@ -15,10 +15,10 @@ from fractions import Fraction
 from itertools import combinations
 
 from nhc.algebra.calculus import count, gradient, substitute, tangent
+from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero, rank
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.relations import find_relations, without
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import Unlucky, are_zero, is_zero, rank
-from nhc.algebra.primes import primes_of
-from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.properties.constancy import are_constant, has_jumps, jumps, rates_of
 from nhc.mechanics.properties.named import energy_name, momentum_name

@@ -6,12 +6,12 @@ import math
 import random
 from collections.abc import Sequence
 
+from nhc.algebra.bounds.jumps import TooLong, find_breaks
+from nhc.algebra.bounds.jumps import jumps as find_jumps
 from nhc.algebra.calculus import reachable
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.signs import Signs, may_hold, points_for
 from nhc.algebra.graph import Node
-from nhc.algebra.jumps import TooLong, find_breaks
-from nhc.algebra.jumps import jumps as find_jumps
-from nhc.algebra.primes import primes_of
-from nhc.algebra.signs import Signs, may_hold, points_for
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.properties.sampling import Sampler
 from nhc.mechanics.system import System

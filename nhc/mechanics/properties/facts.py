@@ -6,23 +6,23 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
-from nhc.algebra.angles import normalise_angles
-from nhc.algebra.common_zero import find_common_zero
+from nhc.algebra.bounds.common_zero import find_common_zero
+from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import degrees
-from nhc.algebra.modular import Unlucky, are_zero, is_zero
-from nhc.algebra.subdivision import cannot_vanish_together
+from nhc.algebra.rewriting.angles import normalise_angles
+from nhc.algebra.solving.linear import degrees
 from nhc.diagnostics import Bag, several
-from nhc.mechanics.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
+from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.properties.conserved import Integral, find_conserved
 from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals
 from nhc.mechanics.properties.named import named_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
+from nhc.mechanics.properties.singular import find_rank_loss, never_changes
 from nhc.mechanics.regular.regularity import choose_dependent, intervals
-from nhc.mechanics.regular.singular import find_rank_loss, never_changes
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
 

@@ -4,7 +4,7 @@ No bracket is written down.  The one of X with V is the derivative of V, carried
 Marsden and T. Ratiu, Manifolds, Tensor Analysis, and Applications, 2nd ed. (1988), thm. 4.2.19), so [X_1, [X_2, ... [X_r, V]]] at a
 point is read off the Taylor coefficients of the fields where the flows lead from it.  One field is replaced by a random combination
 G of all: nearly all brackets that are needed are then ad_G^k, and one curve gives them for every k.  Each run of
-another field costs a variable (:mod:`nhc.algebra.jets`).
+another field costs a variable (:mod:`nhc.algebra.exact.jets`).
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from operator import mul
 
 from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Echelon, extend_echelon
-from nhc.algebra.draw import MOST_DRAWS, draw_points
-from nhc.algebra.field import FieldPoint, Unlucky
+from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
+from nhc.algebra.exact.field import FieldPoint, Unlucky
+from nhc.algebra.exact.jets import JetPlan, Jets, Series, make_box, plan_jets
+from nhc.algebra.exact.modular import enough_points
+from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.jets import JetPlan, Jets, Series, make_box, plan_jets
-from nhc.algebra.modular import enough_points
-from nhc.algebra.primes import primes_of
 from nhc.records import record
 
 Field = tuple[Node, ...]

@@ -3,7 +3,7 @@
 The vectors e_mu span ker A, the drift is X_0 = d/dt + e_0.  Their Lie brackets, taken again and again, span a space
 whose terminal rank at a generic point is n (+ 1 with the drift) minus the number of hidden holonomic constraints.
 Ranks are computed modulo a prime at a random point, so they are exact up to the probability of
-:mod:`nhc.algebra.modular`.
+:mod:`nhc.algebra.exact.modular`.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from fractions import Fraction
 
 from nhc.algebra.calculus import count, gradient, substitute, tangent
 from nhc.algebra.dense import Singular
+from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import depends
-from nhc.algebra.modular import Unlucky, are_zero, is_zero
+from nhc.algebra.solving.linear import depends
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.properties.flag import Field, growth_vector
 from nhc.mechanics.properties.leaf import leaf_of

@@ -11,12 +11,12 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import derivative, reachable, substitute
 from nhc.algebra.dense import rank_modulo
-from nhc.algebra.draw import MOST_DRAWS, draw_points
-from nhc.algebra.field import FieldPoint, Unlucky
+from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
+from nhc.algebra.exact.field import FieldPoint, Unlucky
+from nhc.algebra.exact.modular import is_zero, rank
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.residues import square_root
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import is_zero, rank
-from nhc.algebra.primes import primes_of
-from nhc.algebra.residues import square_root
 from nhc.mechanics.system import System
 from nhc.records import record
 

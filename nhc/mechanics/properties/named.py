@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from nhc.algebra.calculus import substitute
+from nhc.algebra.exact.modular import is_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import is_zero
 from nhc.algebra.show import to_text
 from nhc.mechanics.system import System
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.dense import Singular, rank_modulo
-from nhc.algebra.draw import MOST_DRAWS, draw_points
+from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
+from nhc.algebra.exact.modular import FieldPoint, Unlucky
+from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import FieldPoint, Unlucky
-from nhc.algebra.primes import primes_of
 from nhc.mechanics.certificates.claims import admissible_velocities, reference_claim, solve_exactly
 from nhc.mechanics.formulate import rate_symbols
 from nhc.mechanics.formulations.multipliers import multiplier_symbols

@@ -12,11 +12,11 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from nhc.algebra.calculus import reachable, tangent
+from nhc.algebra.exact.modular import FieldPoint, Unlucky, are_zero
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.relations import find_relations
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import STEPPED
-from nhc.algebra.modular import FieldPoint, Unlucky, are_zero
-from nhc.algebra.primes import primes_of
-from nhc.algebra.relations import find_relations
+from nhc.algebra.solving.linear import STEPPED
 from nhc.mechanics.flow import Flow, jacobian_residues, solve_at
 from nhc.mechanics.frame import Frame
 

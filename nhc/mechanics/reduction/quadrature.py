@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.calculus import substitute
-from nhc.algebra.digits import normalise_kept
+from nhc.algebra.exact.modular import Unlucky, are_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.interval import Interval, cannot_vanish
-from nhc.algebra.linear import NotLinear, linear_form
-from nhc.algebra.modular import Unlucky, are_zero
+from nhc.algebra.rewriting.digits import normalise_kept
 from nhc.algebra.show import to_text
+from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.properties.constancy import has_jumps
 from nhc.mechanics.properties.integrability import classify

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.calculus import count, substitute
+from nhc.algebra.exact.modular import FieldPoint, Unlucky
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.signs import MOST, Signs, may_hold, points_for
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.interval import Interval, cannot_vanish
-from nhc.algebra.modular import FieldPoint, Unlucky
-from nhc.algebra.primes import primes_of
-from nhc.algebra.signs import MOST, Signs, may_hold, points_for
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.dependence import Dependence, find_dependence
 from nhc.mechanics.flow import Flow, flow_of, solve_at
 from nhc.mechanics.reduction.needs import Wanted, list_needs
@@ -75,7 +75,7 @@ def reduce_equations(
     the constraints.
 
     Raises:
-        nhc.algebra.modular.Unlucky: the motion is singular everywhere.
+        nhc.algebra.exact.modular.Unlucky: the motion is singular everywhere.
     """
     columns = list_needs(equations, scene)
     flow, nodes = flow_of(equations), [c.node for c in columns]

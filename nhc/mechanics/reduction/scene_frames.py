@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.dense import Singular
+from nhc.algebra.exact.modular import Unlucky, rank
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import NotLinear, linear_form
-from nhc.algebra.modular import Unlucky, rank
+from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation, NotApplicable, build
+from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build
 from nhc.mechanics.dependence import find_vanishing
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.frame import coordinate_form, kept_forms, make_frame, total_derivative, velocity_symbol

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import Mpmath, evaluate
+from nhc.algebra.exact.modular import are_zero, is_zero, rank
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import is_clearly_regular
-from nhc.algebra.modular import are_zero, is_zero, rank
+from nhc.algebra.solving.linear import is_clearly_regular
 from nhc.diagnostics import Bag, several
 from nhc.language import Spec
 from nhc.mechanics.regular.given_rank import find_dependent_as_given

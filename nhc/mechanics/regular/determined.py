@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.exact.modular import are_zero, rank
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_zero, rank
 from nhc.diagnostics import Bag, quote
 from nhc.mechanics.system import System
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from nhc.algebra.common_zero import find_common_zero
+from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node

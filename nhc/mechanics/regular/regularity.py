@@ -6,12 +6,12 @@ import math
 from collections.abc import Callable, Sequence
 from itertools import combinations
 
-from nhc.algebra.blocks import determinant_of
+from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.minors import relative_minors
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.regular.trials import sampled_rows, scattered_points, start_points, trial_points
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import parameter_ranges

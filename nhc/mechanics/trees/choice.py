@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import count, reachable
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_zero
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from nhc.algebra.calculus import count, derivative, substitute
 from nhc.algebra.dense import Singular
-from nhc.algebra.linear import solve
+from nhc.algebra.solving.linear import solve
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.formulations.lagrange import momenta
 from nhc.mechanics.formulations.multipliers import multiplier_symbols

@@ -10,7 +10,7 @@ import numpy as np
 
 from nhc.algebra.graph import Node
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.frame import coordinate_frame, form_value
 from nhc.mechanics.properties.conserved import Conserved, find_conserved, generalized_energy, power
 from nhc.mechanics.properties.integrability import classify

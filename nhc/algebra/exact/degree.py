@@ -14,8 +14,8 @@ from fractions import Fraction
 from math import lcm
 
 from nhc.algebra.calculus import reachable
+from nhc.algebra.exact.field import INVERSE
 from nhc.algebra.expand import Monomial, Polynomial, TooLarge
-from nhc.algebra.field import INVERSE
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, SYM, Graph, Node
 from nhc.algebra.polynomial import polynomial
 

@@ -14,10 +14,10 @@ from fractions import Fraction
 from functools import cache
 
 from nhc.algebra.calculus import reachable
-from nhc.algebra.draw import ROOTS
-from nhc.algebra.field import INVERSE, FieldPoint, Unlucky
+from nhc.algebra.exact.draw import ROOTS
+from nhc.algebra.exact.field import INVERSE, FieldPoint, Unlucky
+from nhc.algebra.exact.residues import FULL_TURN, PRIMES, square_root
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.residues import FULL_TURN, PRIMES, square_root
 
 _ROOTED = (*ROOTS, *INVERSE)
 _LARGEST = 2**61

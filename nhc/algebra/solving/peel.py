@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.exact.modular import is_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import is_zero
 from nhc.records import record
 
 Single = tuple[int, int, Node]

@@ -13,10 +13,10 @@ import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
+from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import Floats, evaluate
 from nhc.algebra.graph import POW, Graph, Node
-from nhc.algebra.interval import cannot_vanish
 
 _LINES = 6
 _CENTRAL = (4, 5)  # those through the origin, where small closed surfaces lie

@@ -14,12 +14,12 @@ import operator
 from collections.abc import Sequence
 from itertools import combinations
 
-from nhc.algebra.angles import normalise_angles as normalise
-from nhc.algebra.blocks import determinant_of
+from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.dense import Singular
+from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
-from nhc.algebra.interval import cannot_vanish
-from nhc.algebra.modular import rank
+from nhc.algebra.rewriting.angles import normalise_angles as normalise
+from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import choose_dependent, coframe_weakness, intervals, relative_determinant
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows

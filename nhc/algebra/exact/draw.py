@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from nhc.algebra.calculus import reachable
-from nhc.algebra.field import FieldPoint, Unlucky
+from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 
 MOST_DRAWS = 20_000

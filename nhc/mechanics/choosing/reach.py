@@ -12,7 +12,7 @@ import random
 from collections.abc import Sequence
 from operator import mul
 
-from nhc.algebra.common_zero import find_common_zero
+from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.graph import Node
 from nhc.algebra.minors import float_determinant
 from nhc.mechanics.regular.given_rank import given_states

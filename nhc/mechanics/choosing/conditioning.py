@@ -13,7 +13,7 @@ from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import Singular, solve_double, symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
+from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import sampled_rows, trial_points, velocity_units

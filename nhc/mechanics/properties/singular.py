@@ -6,17 +6,17 @@ import math
 from collections.abc import Sequence
 from itertools import combinations
 
-from nhc.algebra.angles import normalise_angles
-from nhc.algebra.blocks import determinant_of
+from nhc.algebra.bounds.interval import cannot_vanish
+from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.dense import symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.interval import cannot_vanish
-from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
-from nhc.algebra.subdivision import cannot_vanish_together
-from nhc.mechanics.regular.adapt import set_pivots_aside
+from nhc.algebra.rewriting.angles import normalise_angles
+from nhc.algebra.solving.blocks import determinant_of
+from nhc.mechanics.choosing.adapt import set_pivots_aside
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.system import System
 from nhc.mechanics.turning import along, from_base, rows_in_base

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from nhc.algebra.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.calculus import reachable
 from nhc.algebra.dense import Singular
-from nhc.algebra.digits import keep_digits
+from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import are_zero, is_zero
 from nhc.algebra.polynomial import normalise
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.angles import normalise_angles, shorter_of_angles
+from nhc.algebra.rewriting.digits import keep_digits
+from nhc.algebra.rewriting.shorten import shorten
 
 _FEW_TERMS = 12
 _FEW_FACTORS = 8

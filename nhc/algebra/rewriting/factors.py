@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import count, reachable, rebuild_over
-from nhc.algebra.field import FieldPoint
+from nhc.algebra.exact.field import FieldPoint
+from nhc.algebra.exact.residues import invert
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.residues import invert
-from nhc.algebra.values import draw_points, find_poles
+from nhc.algebra.rewriting.values import draw_points, find_poles
 
 _SIMPLE = frozenset({SYM, "sin", "cos", POW})
 _MOST = 20_000  # pairs of a value and a factor; beyond them it takes longer than it saves

@@ -31,13 +31,17 @@ RULES = (
     Rule(
         "canonical forms",
         "what is short becomes a polynomial modulo sin^2 + cos^2 = 1 with common factors taken out, where that costs less",
-        "algebra/shorten.py",
+        "algebra/rewriting/shorten.py",
     ),
-    Rule("gathered sums", "a sum of products over the same mass and speed has them in front once", "algebra/gather.py"),
+    Rule(
+        "gathered sums",
+        "a sum of products over the same mass and speed has them in front once",
+        "algebra/rewriting/gather.py",
+    ),
     Rule(
         "Cramer's rule",
         "blocks of up to 3 constraints are solved by determinants in canonical form, not by elimination",
-        "algebra/blocks.py",
+        "algebra/solving/blocks.py",
     ),
     Rule(
         "moving axes",
@@ -57,22 +61,22 @@ RULES = (
     Rule(
         "shared products",
         "pairs of factors that stand in several products are multiplied once; parameters stand together in front",
-        "algebra/products.py",
+        "algebra/rewriting/products.py",
     ),
     Rule(
         "pieces",
         "where a spec has numbers, or is large, the trees between shared nodes become canonical forms over these, if shorter",
-        "algebra/pieces.py",
+        "algebra/rewriting/pieces.py",
     ),
     Rule(
         "related angles",
         "sines and cosines of sums, differences and multiples of angles at hand come from theirs",
-        "algebra/related.py",
+        "algebra/rewriting/related.py",
     ),
     Rule(
         "equal values",
         "nodes of one value, or of opposite ones, become one, however they were made; so do products of values at hand",
-        "algebra/values.py",
+        "algebra/rewriting/values.py",
     ),
     Rule(
         "shared powers",

@@ -1,7 +1,7 @@
 """Linear forms and small linear systems over the graph.
 
 A system is solved in block-triangular order: a maximum matching of its nonzero pattern, then the strongly connected components of
-the matched pattern (:mod:`nhc.algebra.blocks`).
+the matched pattern (:mod:`nhc.algebra.solving.blocks`).
 """
 
 from __future__ import annotations
@@ -10,16 +10,16 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
-from nhc.algebra.blocks import Weakness, block_order, form_size, row_scale, solve_block
 from nhc.algebra.calculus import gradient, reachable, rebuild, substitute, tangent
 from nhc.algebra.dense import Singular
-from nhc.algebra.field import INVERSE
+from nhc.algebra.exact.field import INVERSE
+from nhc.algebra.exact.modular import are_zero, is_zero
+from nhc.algebra.exact.signs import STEPS
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import are_zero, is_zero
-from nhc.algebra.peel import coefficients, peel
 from nhc.algebra.probe import probe_of
-from nhc.algebra.shorten import shorten
-from nhc.algebra.signs import STEPS
+from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.solving.blocks import Weakness, block_order, form_size, row_scale, solve_block
+from nhc.algebra.solving.peel import coefficients, peel
 from nhc.records import record
 
 _NO_POLYNOMIAL = 99

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from nhc.algebra.dense import Singular
-from nhc.algebra.modular import rank
+from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import Bag, Span, several
+from nhc.mechanics.choosing.adapt import complete, turning_choices
+from nhc.mechanics.choosing.reach import becomes_singular
 from nhc.mechanics.formulations import chaplygin
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
-from nhc.mechanics.regular.adapt import complete, turning_choices
-from nhc.mechanics.regular.reach import becomes_singular
 from nhc.mechanics.regular.regularity import Choice as DependentChoice
 from nhc.mechanics.regular.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
 from nhc.mechanics.system import System

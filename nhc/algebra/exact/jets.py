@@ -3,7 +3,7 @@
 ``series[i][k]`` is the coefficient of s^k times the monomial number i of a :class:`Box`: of the variables d_0, d_1, ... each up
 to a power of its own.  Sums and products are Cauchy's; a function f(u) has f' = f_u u' in every direction, which gives its
 coefficients one by one (A. Griewank and A. Walther, Evaluating Derivatives, 2nd ed. (2008), sec. 13.2); powers have
-u f' = n f u', so that they need no others.  Only the values at the point are :class:`~nhc.algebra.field.FieldPoint`'s.
+u f' = n f u', so that they need no others.  Only the values at the point are :class:`~nhc.algebra.exact.field.FieldPoint`'s.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from itertools import product
 from operator import mul
 
 from nhc.algebra.calculus import partials, reachable
-from nhc.algebra.field import FieldPoint, Unlucky
+from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.records import record
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from nhc.algebra.bounds.interval import EVERYTHING, Interval, excludes_zero, list_bounds
 from nhc.algebra.calculus import reachable, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.interval import EVERYTHING, Interval, excludes_zero, list_bounds
 
 _MOST_WORK = 400_000  # nodes that are bounded, over all boxes
 _SMALLEST = 2.0**-12  # of a side of the first box
@@ -23,7 +23,7 @@ _Box = dict[Node, Interval]
 def cannot_vanish_together(graph: Graph, roots: Sequence[Node], known: Mapping[Node, Interval]) -> bool:
     """Whether at every point of the symbols' intervals one of the roots is away from zero; False where that was not shown.
 
-    ``known`` as for :func:`nhc.algebra.interval.cannot_vanish`.
+    ``known`` as for :func:`nhc.algebra.bounds.interval.cannot_vanish`.
     """
     if not roots:
         return False

@@ -1,8 +1,8 @@
-"""The exact identity test, and generic ranks: evaluation at random points of a prime field (:mod:`nhc.algebra.field`).
+"""The exact identity test, and generic ranks: evaluation at random points of a prime field (:mod:`nhc.algebra.exact.field`).
 
 Equal expressions that the field's rules cover have equal values; unequal ones of degree d agree at a random point with probability
 at most d/p (Schwartz 1980, Zippel 1979), where no sign and no root of a square occurs; where some do, one half or more takes
-the place of d/p and more points are drawn (:mod:`nhc.algebra.signs`).
+the place of d/p and more points are drawn (:mod:`nhc.algebra.exact.signs`).
 """
 
 from __future__ import annotations
@@ -12,14 +12,14 @@ from collections.abc import Iterable, Sequence
 from itertools import chain, islice
 
 from nhc.algebra.dense import rank_modulo
-from nhc.algebra.draw import MOST_DRAWS, QuickPoint, draw_points
 from nhc.algebra.evaluate import Mpmath, evaluate
-from nhc.algebra.field import FieldPoint, Unlucky
+from nhc.algebra.exact.draw import MOST_DRAWS, QuickPoint, draw_points
+from nhc.algebra.exact.field import FieldPoint, Unlucky
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.residues import PRIMES
+from nhc.algebra.exact.signs import MOST, Signs, degree_in_signs, may_hold, points_for
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.primes import primes_of
 from nhc.algebra.probe import probe_of, signed_probes
-from nhc.algebra.residues import PRIMES
-from nhc.algebra.signs import MOST, Signs, degree_in_signs, may_hold, points_for
 
 __all__ = ["PRIMES", "FieldPoint", "Unlucky", "are_equal", "are_zero", "is_zero", "rank", "sample"]
 
