@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from nhc.report.marks import draw_box, draw_cross, draw_line, draw_marker, draw_text
+from nhc.report.marks import HEADING, draw_box, draw_cross, draw_document, draw_line, draw_marker, draw_text
 from nhc.report.panel import ROUNDING, Panel, Style, draw_panel, style_of
 from nhc.study.chart.advice import NAMES, duration
 from nhc.study.chart.case import RESOLVED, Result, Study
@@ -41,18 +41,7 @@ def draw_study(study: Study) -> str:
     parts += _draw_foot(study, height + 30)
     total = height + 84
     title = f"{study.system}, scene {study.scene}: work against precision"
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{total:.0f}" '
-        f'viewBox="0 0 {WIDTH} {total:.0f}" font-family="sans-serif" font-size="12">\n'
-        + "\n".join(
-            [
-                draw_box(0, 0, WIDTH, total, "#ffffff"),
-                draw_text(WIDTH / 2, 26, title, "middle", ' font-size="17" font-weight="bold"'),
-                *parts,
-            ]
-        )
-        + "\n</svg>\n"
-    )
+    return draw_document(WIDTH, total, [draw_text(WIDTH / 2, 26, title, "middle", HEADING), *parts])
 
 
 def _small_panels(top: float, floor: float) -> tuple[Panel, ...]:

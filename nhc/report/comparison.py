@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from nhc.report.comparison_text import run_of
-from nhc.report.marks import draw_box, draw_cross, draw_line, draw_marker, draw_text
+from nhc.report.marks import HEADING, draw_cross, draw_document, draw_line, draw_marker, draw_text
 from nhc.report.panel import Panel, Style, draw_panel, style_of
 from nhc.report.svg import Axis, Chart, Series, dash_of, draw_inside, time_axis
 from nhc.study.chart.advice import duration
@@ -39,18 +39,7 @@ def draw_comparison(made: Comparison) -> str:
     parts += [*curves, *_draw_foot(made, bottom + 20)]
     total = bottom + 62
     title = f"scene {made.scene}: models against {made.finest}"
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{total:.0f}" '
-        f'viewBox="0 0 {WIDTH} {total:.0f}" font-family="sans-serif" font-size="12">\n'
-        + "\n".join(
-            [
-                draw_box(0, 0, WIDTH, total, "#ffffff"),
-                draw_text(WIDTH / 2, 26, title, "middle", ' font-size="17" font-weight="bold"'),
-                *parts,
-            ]
-        )
-        + "\n</svg>\n"
-    )
+    return draw_document(WIDTH, total, [draw_text(WIDTH / 2, 26, title, "middle", HEADING), *parts])
 
 
 def swap_names(made: Comparison) -> tuple[Result, ...]:

@@ -10,7 +10,7 @@ from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.ladder import list_rungs, print_how, reduced_spec
-from nhc.report.marks import draw_axes, draw_box, draw_line, draw_marker, draw_text
+from nhc.report.marks import draw_axes, draw_document, draw_line, draw_marker, draw_text
 from nhc.report.ticks import linear_scale, log_scale
 from nhc.study.chart.advice import duration
 from nhc.study.simplify.ladder import Ladder, Rung
@@ -34,11 +34,7 @@ def draw_ladder(ladder: Ladder) -> str:
     lines, bottom = _draw_list(ladder, TOP + PLOT_HEIGHT + 66)
     total = bottom + 26
     parts += lines
-    head = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{total:.0f}" '
-        f'viewBox="0 0 {WIDTH} {total:.0f}" font-family="sans-serif" font-size="12">'
-    )
-    return "\n".join([head, draw_box(0, 0, WIDTH, total, "#ffffff"), *parts, "</svg>\n"])
+    return draw_document(WIDTH, total, parts)
 
 
 def _mark_code(text: str) -> str:

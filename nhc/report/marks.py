@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from html import escape
 
 from nhc.report.ticks import Scale
 
+HEADING = ' font-size="17" font-weight="bold"'
 SHAPES = ("circle", "square", "up", "diamond", "down", "hexagon")
 _POINTS = {
     "square": ((-1, -1), (1, -1), (1, 1), (-1, 1)),
@@ -47,6 +49,16 @@ def draw_box(x: float, y: float, width: float, height: float, fill: str, stroke:
     """A rectangle."""
     place = f'x="{x:.2f}" y="{y:.2f}" width="{width:.2f}" height="{height:.2f}"'
     return f'<rect {place} fill="{fill}" stroke="{stroke}"{more}/>'
+
+
+def draw_document(width: float, height: float, parts: Iterable[str]) -> str:
+    """A whole SVG document on white."""
+    size = f"{width:.0f}", f"{height:.0f}"
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{size[0]}" height="{size[1]}" viewBox="0 0 {size[0]} {size[1]}" '
+        'font-family="sans-serif" font-size="12">'
+    )
+    return "\n".join([head, '<rect width="100%" height="100%" fill="#ffffff"/>', *parts, "</svg>\n"])
 
 
 def draw_axes(left: float, top: float, x: Scale, y: Scale) -> list[str]:

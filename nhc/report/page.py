@@ -9,6 +9,7 @@ from html import escape
 from nhc.emit.environment import create_environment
 from nhc.mechanics.properties.conserved import power_terms
 from nhc.report.drawing import describe_drawing, shorten
+from nhc.report.marks import draw_document
 from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, time_axis
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Trajectory, energy_change
@@ -70,12 +71,7 @@ def make_picture(found: Trajectory) -> str:
         return draw(charts[0])
     height = PANEL * len(charts)
     panels = [f'<g transform="translate(0 {PANEL * k})">\n{draw_inside(chart)}\n</g>' for k, chart in enumerate(charts)]
-    head = (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" '
-        f'viewBox="0 0 {WIDTH} {height}" font-family="sans-serif" font-size="12">\n'
-        '<rect width="100%" height="100%" fill="#ffffff"/>\n'
-    )
-    return head + "\n".join(panels) + "\n</svg>\n"
+    return draw_document(WIDTH, height, panels)
 
 
 def make_page(found: Trajectory) -> str:

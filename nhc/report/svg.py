@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 from nhc.records import record
-from nhc.report.marks import draw_axes, draw_line, draw_text
+from nhc.report.marks import draw_axes, draw_document, draw_line, draw_text
 from nhc.report.ticks import Scale, linear_scale, log_scale
 
 # Okabe and Ito: told apart by most eyes
@@ -69,11 +69,7 @@ class Frame:
 
 def draw(chart: Chart) -> str:
     """A whole SVG document."""
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{chart.width}" height="{chart.height}" '
-        f'viewBox="0 0 {chart.width} {chart.height}" font-family="sans-serif" font-size="12">\n'
-        f'<rect width="100%" height="100%" fill="#ffffff"/>\n{draw_inside(chart)}\n</svg>\n'
-    )
+    return draw_document(chart.width, chart.height, [draw_inside(chart)])
 
 
 def draw_inside(chart: Chart) -> str:
