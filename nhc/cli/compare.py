@@ -1,4 +1,4 @@
-"""``nhc compare``: do all formulations agree, and how far off are the tempting wrong ones?"""
+"""``nhc compare``: do all formulations agree, and how far off are the tempting wrong ones?  Or: do two specs?"""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.cli.options import json_option, spec_argument
-from nhc.cli.specs import open_spec
+from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, Failure, describe_os_error, put, put_json, say
 from nhc.cli.write import deliver
 
@@ -19,17 +19,40 @@ if TYPE_CHECKING:
 
 @click.command("compare")
 @spec_argument
+@click.argument("other", required=False, default="", shell_complete=complete_spec)
+@click.option(
+    "--map", "maps", metavar="NAME=EXPR", multiple=True, help="What a coordinate or parameter of SPEC is in OTHER."
+)
 @click.option("--certificate", metavar="FILE", help="Write the certificate to FILE (`-`: stdout, alone).")
 @click.option("--check-certificate", "old", metavar="FILE", help="Check a certificate that was written before.")
 @click.option("--force", is_flag=True, help="Replace the file after `--certificate` when it exists.")
 @json_option
-def command(spec: str, certificate: str | None, old: str | None, force: bool, as_json: bool) -> int:
-    """Show that all formulations of a spec agree.
+def command(
+    spec: str,
+    other: str,
+    maps: tuple[str, ...],
+    certificate: str | None,
+    old: str | None,
+    force: bool,
+    as_json: bool,
+) -> int:
+    """Show that all formulations of a spec agree, or that two specs do.
 
     Solves every formulation that applies to SPEC at random points of a prime field and compares accelerations and reactions
     exactly with Lagrange's equations with multipliers; then measures how far tempting wrong derivations are off.  The exit
     code is 1 when the formulations disagree or a certificate does not hold.
+
+    With OTHER, whether both specs allow the same velocities and give the same accelerations.  Coordinates and parameters
+    are the same by name, or by `--map`.  The exit code is 1 when the specs differ.
     """
+    if other:
+        if old is not None or certificate is not None:
+            raise click.UsageError("certificates are for one spec: leave `OTHER` out")
+        if spec == other == "-":
+            raise click.UsageError("one of two specs can come from stdin, not both")
+        return _compare_two(spec, other, maps, as_json)
+    if maps:
+        raise click.UsageError("`--map` says what something is in a second spec: name that, too")
     if old is not None and (certificate is not None or as_json):
         raise click.UsageError("`--check-certificate` excludes `--certificate` and `--json`")
     if as_json and certificate == "-":
@@ -49,6 +72,19 @@ def command(spec: str, certificate: str | None, old: str | None, force: bool, as
     if certificate is not None:
         deliver(write(made, source.text), certificate, force=force)
     return Exit.DONE if is_sound(made) else Exit.FAILED
+
+
+def _compare_two(spec: str, other: str, maps: tuple[str, ...], as_json: bool) -> int:
+    sources = open_spec(spec), open_spec(other)
+    from nhc.cli.compare_specs import print_comparison, to_data
+    from nhc.mechanics.pairs.verdict import compare_specs
+
+    made = compare_specs(*sources, maps, (spec, other) if spec != other else ("the first", "the second"))
+    if as_json:
+        put_json("nhc.compare-specs/1", to_data(made))
+    else:
+        print_comparison(made)
+    return Exit.DONE if made.agrees else Exit.FAILED
 
 
 def _read(path: str) -> str:

@@ -26,7 +26,7 @@ VERBS = {
     "linearize": "Linearise about an equilibrium or a steady motion.",
     "stability": "Study how stable a scene's motion and its integration are.",
     "reduce": "Explain the smallest exact model of a scene.",
-    "compare": "Show that all formulations of a spec agree.",
+    "compare": "Show that all formulations of a spec agree, or that two specs do.",
     "gallery": "List the specs that come with nhc, print or copy one.",
     "explain": "Explain a diagnostic code or an equation number.",
     "cite": "List the literature behind a spec and its equations.",

@@ -77,6 +77,7 @@ TITLES: dict[str, str] = {
     "E0503": "no such scene",
     "E0504": "cannot be emitted as asked",
     "E0505": "models cannot be compared",
+    "E0506": "specs cannot be compared",
 }
 
 

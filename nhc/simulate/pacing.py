@@ -33,7 +33,9 @@ class _Trial:
 
 @dataclass
 class Pace:
-    """``auto``: the method may be changed; else a stiff scene is only told.  ``looks``: steps until the next look, 0: none."""
+    """``auto``: the method may be changed; else a stiff scene is only told.  ``looks``: steps until the next look, 0: none;
+    ``taken``: those that all legs took so far.
+    """
 
     method: str
     task: Task
@@ -42,11 +44,17 @@ class Pace:
     looks: int = FIRST
     trial: _Trial | None = None
     explicit: tuple[str, Job] | None = None
+    taken: int = 0
 
     @property
     def most(self) -> int:
         """Steps that the next leg may take."""
-        return min(self.looks, self.task.most) if self._may_look else self.task.most
+        left = max(self.task.most - self.taken, 0)
+        return min(self.looks, left) if self._may_look else left
+
+    def count(self, outcome: Outcome) -> None:
+        """A leg has ended."""
+        self.taken += outcome.steps + outcome.rejected
 
     @property
     def _may_look(self) -> bool:
@@ -61,7 +69,7 @@ class Pace:
         ):
             self.looks = 0
             return self._go_back(job, outcome.t, "finds no solution")
-        if outcome.kind != TOO_MANY or not self._may_look:
+        if outcome.kind != TOO_MANY or not self._may_look or self.taken >= self.task.most:
             return None
         length = abs(outcome.t - begin) / max(outcome.steps, 1)
         if self.trial is not None:

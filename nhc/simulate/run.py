@@ -19,7 +19,7 @@ from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.switching import Follower
-from nhc.simulate.task import DONE, EVENT, STOPPED, ModelError, Outcome, Task
+from nhc.simulate.task import DONE, EVENT, MOST_STEPS, STOPPED, ModelError, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 
 SAFETY = 0.01  # of the wanted accuracy, for errors add up and grow
@@ -31,13 +31,16 @@ Model = CompiledModel | InterpretedModel | NaturalModel
 
 @record
 class Settings:
-    """``tolerance`` 0: the scene's; ``step`` 0: adaptive, or found by halving for a method with fixed steps."""
+    """``tolerance`` 0: the scene's; ``step`` 0: adaptive, or found by halving for a method with fixed steps; ``most``: attempts at
+    steps after which the run fails with what it has.
+    """
 
     method: str = AUTO
     tolerance: float = 0.0
     step: float = 0.0
     points: int = POINTS
     compiled: bool = True
+    most: int = MOST_STEPS
 
 
 @record
@@ -103,7 +106,8 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     method = first_method(tolerance) if settings.method == AUTO else settings.method
     workshop.model(job, method)  # so that compiling is not counted
     times = list_times(*job.time, settings.points)
-    task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step, stops=job.stops)
+    wanted = max(SAFETY * tolerance, LEAST_TOLERANCE)
+    task = Task(job.p, job.y, times, wanted, settings.step, settings.most, job.stops)
     adaptive = is_adaptive(method) or method in PEERS
     follower = Follower(job, method, workshop.integrate, settings.method == AUTO)
     before, notes = time.perf_counter(), (*job.notes, *workshop.notes)

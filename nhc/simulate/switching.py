@@ -70,6 +70,7 @@ class Follower:
         while True:
             outcome = self.integrate(job, pace.method, replace(task, most=pace.most))
             legs.append(Leg(job, pace.method, task, outcome))
+            pace.count(outcome)
             following = self._decide(legs[-1]) or self._pace(pace, legs[-1])
             rest = task.times[len(outcome.states) :]
             if following is None or not rest:

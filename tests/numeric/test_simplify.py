@@ -22,8 +22,10 @@ from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import Start, start_of
 from nhc.report.ladder import reduced_spec
 from nhc.report.ladder_picture import draw_ladder, make_ladder_page
+from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
+from nhc.simulate.task import TOO_MANY, News, Outcome, Task
 from nhc.study.simplify.candidate import Candidate
 from nhc.study.simplify.draft import Draft, draft_of
 from nhc.study.simplify.ladder import Ladder, Size
@@ -347,6 +349,50 @@ def test_a_stiff_scene_is_measured_by_a_method_for_it() -> None:
     text = SPEC.replace("c: {value: 1e-6", "c: {value: 1e4").replace("k: {value: 3,", "k: {value: 1e-9,")
     meter = meter_of(source(text), "small", "", 1e-3)
     assert meter.method == "radau5" and meter.second.method == "radau5" and meter.second.tolerance < 1e-7
+
+
+RUBBING = """\
+nhc: 1
+system: rubbing
+coordinates: [x]
+parameters: {k: 2, mu: 0.3, e: 1e-6}
+T: x'^2/2
+V: k/2*x^2 + e*x^4
+forces: {x: -mu*9.81*sign(x')}
+scenes:
+  slides: {initial: {x: 3, x': 1}, time: [0, 1]}
+"""
+
+
+def test_models_that_stick_and_long_scenes_are_not_interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without its spring the block comes to rest, where the steps of a run shrink: a million of them, in Python minutes."""
+    whole, taken = InterpretedModel.integrate, []
+
+    def integrate(model: InterpretedModel, task: Task, method: str, news: News) -> Outcome:
+        found = whole(model, task, method, news)
+        taken.append(found.steps + found.rejected)
+        return found
+
+    monkeypatch.setattr(InterpretedModel, "integrate", integrate)
+    ladder = simplify(source(RUBBING), "slides", TOLERANCE)
+    assert ladder.dropped == ("term `e*x^4` of `V`",)
+    assert any("slides along a jump" in kept.reason for kept in ladder.kept)
+    assert 0 < max(taken) < 1000
+    taken.clear()
+    long = COUPLED.replace("time: [0, 6]", "time: [0, 3000]")
+    assert meter_of(source(long), "one", "", 1e-2).quick == 0
+    assert 0 < max(taken) < 1000
+
+
+@pytest.mark.parametrize("method", ["auto", "dop853", "rk4"])
+def test_a_run_may_be_bounded(method: str) -> None:
+    """Also where it is looked at after some hundred steps, whether it is stiff."""
+    job = open_scene(source(SPEC.replace("time: [0, 5]", "time: [0, 5000]")), "large")
+    found = run(job, Settings(method, 1e-9, 0.01 if method == "rk4" else 0.0, most=3000))
+    assert found.outcome.kind == TOO_MANY and found.ended == "failed"
+    assert (
+        run(job, Settings(method, 1e-9, 0.01 if method == "rk4" else 0.0, most=2999)).outcome.t < found.outcome.t < 500
+    )
 
 
 def test_the_bound_on_runs_is_said() -> None:

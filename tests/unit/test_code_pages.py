@@ -27,6 +27,7 @@ SESSIONS = {
     "E0503": "true",
     "E0504": "true",
     "E0505": "printf 'nhc: 1\\nextends: sleigh.yaml\\nscenes: {glide: {time: [0, 9]}}\\n' > shorter.yaml",
+    "E0506": "true",
 }
 
 

@@ -33,10 +33,24 @@ class Degree:
     bottom: Mapping[Key, int] = field(default_factory=dict)
 
 
-class Degrees:
-    """Degrees of everything under some roots; a symbol that stands for a node (``standing``) has that node's."""
+Solved = tuple[Sequence[Node], Sequence[Sequence[Node]]]
+"""Symbols, and the rows (coefficients and constant) of the linear equations that give them their values."""
 
-    def __init__(self, graph: Graph, roots: Sequence[Node], standing: Mapping[Node, Node] | None = None) -> None:
+
+class Degrees:
+    """Degrees of everything under some roots; a symbol that stands for a node (``standing``) has that node's.
+
+    Symbols that are ``solved`` for have those of Cramer's rule; what the equations leave open is random.  Later equations may
+    hold the symbols of earlier ones.
+    """
+
+    def __init__(
+        self,
+        graph: Graph,
+        roots: Sequence[Node],
+        standing: Mapping[Node, Node] | None = None,
+        solved: Sequence[Solved] = (),
+    ) -> None:
         self.graph = graph
         self.known: dict[Node, Degree] = {}
         self._size: dict[Key, int] = {}
@@ -44,15 +58,27 @@ class Degrees:
         self.roots = 0  # square roots and signs
         self.opaque = 0  # what the arguments of other functions add
         meant = dict(standing or {})
-        self._denominators = self._least_denominators(reachable(graph, [*roots, *meant.values()]))
+        held = [[x for row in rows for x in row] for _, rows in solved]
+        everything = [*roots, *meant.values(), *(x for flat in held for x in flat)]
+        self._denominators = self._least_denominators(reachable(graph, everything))
         self._visit(reachable(graph, list(meant.values())))
         self.known.update({symbol: self.known[node] for symbol, node in meant.items()})
+        for (symbols, rows), flat in zip(solved, held, strict=True):
+            self._visit(reachable(graph, flat))
+            self._solve(symbols, rows)
         self._visit(reachable(graph, roots))
 
     def _visit(self, nodes: Sequence[Node]) -> None:
         for node in nodes:
             if node not in self.known:
                 self.known[node] = self._degree(node)
+
+    def _solve(self, symbols: Sequence[Node], rows: Sequence[Sequence[Node]]) -> None:
+        if not rows:
+            return
+        key: Key = ("solution", *symbols)
+        self._size[key] = size = sum(self.over_common(row) + 1 for row in rows)
+        self.known.update(dict.fromkeys(symbols, Degree(size + 1, {key: 1})))
 
     def of(self, node: Node) -> Degree:
         return self.known[node]

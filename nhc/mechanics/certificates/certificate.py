@@ -21,6 +21,7 @@ from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
 from nhc.algebra.exact.modular import FieldPoint, Unlucky
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.signs import Signs, may_hold, points_for
+from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.certificates.claims import (
     Claim,
     Velocities,
@@ -44,7 +45,7 @@ POINTS = 3
 _FEW_POINTS, _MOST_POINTS = 64, 3072
 """Where signs occur; more than a few of them as long as so many nodes are not exceeded."""
 _MOST_WORK = 600_000
-_SURE = -9.0
+SURE = -9.0
 """log10 of a probability that leaves no doubt."""
 _ROUNDING = 1e-15
 _CLEAR = 10.0
@@ -117,14 +118,19 @@ class Certificate:
     @property
     def is_sure(self) -> bool:
         """Whether no difference can have passed; signs that are multiplied may hide one at nearly every point."""
-        return self.log10_bound <= _SURE
+        return self.log10_bound <= SURE
 
     @property
     def log10_bound(self) -> float:
-        """log10 of the probability that two different derivations pass: the product of d/p over the points."""
-        least = math.log1p(-(2.0**-self.signs)) / math.log(10) if self.signs else -math.inf
-        logs = [math.log10(max(1, self.degree)) - math.log10(point.prime) for point in self.points]
-        return sum(min(0.0, max(least, x)) for x in logs)
+        """log10 of the probability that two different derivations pass."""
+        return log10_of_passing(self.degree, self.signs, [point.prime for point in self.points])
+
+
+def log10_of_passing(degree: int, signs: int, primes: Sequence[int]) -> float:
+    """log10 of the probability that a difference passes points modulo these primes: the product of d/p over them."""
+    least = math.log1p(-(2.0**-signs)) / math.log(10) if signs else -math.inf
+    logs = [math.log10(max(1, degree)) - math.log10(prime) for prime in primes]
+    return sum(min(0.0, max(least, x)) for x in logs)
 
 
 def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
@@ -141,7 +147,8 @@ def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
     base = _base_frame(system, [f.frame for f in formulations if f.name == "voronec"])
     velocities = admissible_velocities(system, base, formulations)
     signs = _count_signs(system, [reference, *claims], velocities)
-    needed = max(points, min(_affordable(system, [reference, *claims], velocities), points_for(signs, points)))
+    nodes = [*(n for claim in (reference, *claims) for n in claim.nodes()), *velocities.nodes]
+    needed = count_points(system.graph, nodes, signs, points)
     seen = list[_Look]()
     apart: list[list[bool | None]] = [[] for _ in wrongs]
     for k in range(needed):
@@ -205,10 +212,10 @@ def _count_signs(system: System, claims: Sequence[Claim], velocities: Velocities
     return min(degree, every.bit_count())
 
 
-def _affordable(system: System, claims: Sequence[Claim], velocities: Velocities) -> int:
-    """How many points are looked at, at most."""
-    nodes = reachable(system.graph, [*(n for claim in claims for n in claim.nodes()), *velocities.nodes])
-    return max(_FEW_POINTS, min(_MOST_POINTS, _MOST_WORK // len(nodes)))
+def count_points(graph: Graph, nodes: Sequence[Node], signs: int, points: int) -> int:
+    """How many points are looked at: ``points``, or as many as signs need and can be afforded."""
+    affordable = max(_FEW_POINTS, min(_MOST_POINTS, _MOST_WORK // len(reachable(graph, nodes))))
+    return max(points, min(affordable, points_for(signs, points)))
 
 
 def _base_frame(system: System, known: Sequence[Frame | None]) -> Frame | None:

@@ -15,7 +15,7 @@ from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.opening import RunError, open_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, Trajectory, run
-from nhc.simulate.task import Task
+from nhc.simulate.task import TOO_MANY, Task
 from nhc.study.chart.measure import Rows, sizes_of, time_repeats
 from nhc.study.chart.model import ChartModel, compile_chart
 from nhc.study.simplify.ladder import Price, Size
@@ -27,6 +27,10 @@ RESOLVED = 0.1
 SECOND = {"dop853": "dopri5", "dopri5": "dop853"}
 """The method that measures again; radau5, whose rows are interpolated by cubics, measures again at a tighter tolerance."""
 PATIENCE = 0.4  # seconds of an interpreted run, below which the C compiler would take longer
+LONGER, FIRST = 4, 400
+"""Times the full model's steps, and that many more: a smaller model whose interpreted run needs more, for it sticks or slides along
+a jump, goes on to the C compiler.
+"""
 LARGE = 1500  # operations, beyond which the Jacobian takes too long for the sake of choosing a method
 _FAR = 2.0  # times the tolerance: no noise of a run makes up for that
 _BUDGET, _MOST = 0.02, 1_000_000
@@ -48,7 +52,8 @@ class Refused(Exception):
 class Meter:
     """The reference, to hold models against; ``own`` are its own errors, ``sizes`` the quantities' largest magnitudes.
 
-    ``quick``: trials run the emitted Python, since the motion is short; the emitted C makes the same numbers to rounding.
+    ``quick``: steps up to which trials run the emitted Python, since the motion is short; the emitted C, which takes over there,
+    makes the same numbers to rounding.  0: it does all of them.
     """
 
     scene: str
@@ -56,7 +61,7 @@ class Meter:
     tolerance: float
     method: str
     second: Settings
-    quick: bool
+    quick: int
     job: Job
     compiled: bool
     needs: tuple[str, ...]
@@ -84,9 +89,11 @@ class Meter:
         return self._run(self.open(text), again)
 
     def _run(self, job: Job, again: bool) -> tuple[tuple[float, ...], Size]:
-        settings = self.second if again else replace(self.settings, compiled=not self.quick)
+        settings = self.second if again else self.settings
         try:
-            found = run(job, settings)
+            found = None if again or not self.quick else run(job, replace(settings, compiled=False, most=self.quick))
+            if found is None or found.outcome.kind == TOO_MANY:
+                found = run(job, settings)
         except ArithmeticError as error:
             raise Refused(f"the run without it fails: {error}") from error
         if found.headings != self.needs:
@@ -170,11 +177,18 @@ def meter_of(source: Source, scene: str, formulation: str, tolerance: float) -> 
             f"the full model's own runs differ by {max(own):.1e} in `{worst}`: too much to measure {tolerance:g}",
             ("take a shorter scene, a larger `--tol`, or leave a quantity that vanishes out of the scene's `need`",),
         )
-    quick = plain.compiled and run(job, replace(settings, compiled=False)).seconds < PATIENCE
+    steps = plain.outcome.steps + plain.outcome.rejected
+    quick = LONGER * steps + FIRST if plain.compiled and _is_quick(job, settings, steps) else 0
     return Meter(
         *(job.scene.name, formulation, tolerance, method, second, quick, job, plain.compiled),
         *(best.headings, best.rows, sizes, own, size_of(plain), plain.notes),
     )
+
+
+def _is_quick(job: Job, settings: Settings, steps: int) -> bool:
+    """Whether the interpreted run is short, by the time that its first steps take."""
+    first = max(1, min(steps, FIRST))
+    return run(job, replace(settings, compiled=False, most=first)).seconds * steps < PATIENCE * first
 
 
 def _open(source: Source, scene: str, formulation: str, tolerance: float) -> tuple[Job, str]:
