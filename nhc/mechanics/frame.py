@@ -16,7 +16,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import is_clearly_regular, solve_rows
 from nhc.mechanics import rotation
 from nhc.mechanics.regularity import pivot_weakness
-from nhc.mechanics.rotation import Rotation, along, from_base, moving
+from nhc.mechanics.rotation import Direction, Rotation, along, from_base, moving
 from nhc.mechanics.system import Form, System
 from nhc.thesis import equation
 
@@ -115,8 +115,10 @@ class Frame:
         """gamma^i_tj = (da_ir/dq_s - da_is/dq_r) b_st b_rj; t = n stands for the time index n + 1 (then it is epsilon^i_j)."""
         g, n = self.graph, self.system.n
         if self.turned:
-            x, x_time = (self.vectors[t], g.zero) if t < n else (self.drift, g.one)
-            closed = rotation.exterior_derivative(self.system, self.forms[i], x, x_time, self.vectors[j])
+            x = Direction(self.system, self.vectors[t]) if t < n else Direction(self.system, self.drift, g.one)
+            closed = rotation.exterior_derivative(
+                self.system, self.forms[i], x, Direction(self.system, self.vectors[j])
+            )
             if closed is not None:
                 return closed
         first = (*self.vectors[t], g.zero) if t < self.system.n else (*self.drift, g.one)
