@@ -38,25 +38,28 @@ def relative_minors(matrix: Sequence[Sequence[float]], subsets: Sequence[Sequenc
 def _reduce(matrix: Sequence[Sequence[float]]) -> tuple[list[int], list[list[float]], float]:
     """(columns of the pivots, B^-1 A, |det B|), the pivots being the largest entries that are left."""
     work = [list(row) for row in matrix]
+    sizes = [max(map(abs, row)) for row in work]
     pivots: list[int] = []
     determinant, count = 1.0, len(work)
     for step in range(count):
-        sizes = [max(map(abs, row)) for row in work[step:]]  # what was a pivot's column is zero there
-        size = max(sizes)
+        size = max(sizes[step:])  # what was a pivot's column is zero there
         if not size > 0.0:
             break
-        i = step + sizes.index(size)
+        i = sizes.index(size, step)
         j = next(j for j, x in enumerate(work[i]) if abs(x) == size)
         work[step], work[i] = work[i], work[step]
+        sizes[step], sizes[i] = sizes[i], sizes[step]
         pivot = work[step][j]
         determinant *= size
         pivots.append(j)
         own = work[step] = [x / pivot for x in work[step]]
+        entries = list_entries(own)
         for k in range(count):
             factor = work[k][j]
             if k != step and factor:
-                work[k] = [x - factor * y for x, y in zip(work[k], own, strict=True)]
+                subtract(work[k], entries, factor)
                 work[k][j] = 0.0
+                sizes[k] = max(map(abs, work[k]))
     return pivots, work, determinant
 
 
@@ -68,21 +71,32 @@ def float_determinant(block: Sequence[Sequence[float]]) -> float:
     if size == 2:
         return block[0][0] * block[1][1] - block[0][1] * block[1][0]
     rows = [list(row) for row in block]
-    while rows:  # each step leaves a row and a column less
-        column = [abs(row[0]) for row in rows]
+    for j in range(size):  # each step leaves a row less
+        column = [abs(row[j]) for row in rows]
         largest = max(column)
         if largest == 0.0:
             return 0.0
         k = column.index(largest)
         if k % 2:
             det = -det
-        first, *rest = rows.pop(k)
-        det *= first
-        for i, row in enumerate(rows):
-            factor = row[0] / first
-            tail = row[1:]
-            rows[i] = [x - factor * y for x, y in zip(tail, rest, strict=True)] if factor else tail
+        own = rows.pop(k)
+        det *= own[j]
+        entries = list_entries(own, j + 1)
+        for row in rows:
+            if row[j]:
+                subtract(row, entries, row[j] / own[j])
     return det
+
+
+def list_entries(row: Sequence[float], start: int = 0) -> list[tuple[int, float]]:
+    """The entries that are not zero, from the column ``start`` on: rows of many bodies' constraints have few."""
+    return [(j, row[j]) for j in range(start, len(row)) if row[j]]
+
+
+def subtract(row: list[float], entries: Sequence[tuple[int, float]], factor: float) -> None:
+    """Subtract a multiple of another row."""
+    for j, y in entries:
+        row[j] -= factor * y
 
 
 def balance_columns(matrix: Sequence[Sequence[float]], width: int) -> list[float]:

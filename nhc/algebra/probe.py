@@ -16,6 +16,7 @@ from zlib import crc32
 
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node, Symbol
 
+_Bounded = tuple[list[float], list[float]]  # values and their bounds
 _UNIT = 2.0**-52
 _CLEAR = 1e4
 _CLEAR_PIVOT = 100.0  # times its bound
@@ -50,15 +51,16 @@ class Probe:
 
         The bounds go along: entries that are as good as a pivot may rest on nothing but the errors of others.
         """
-        work = []
+        work: list[_Bounded] = []
         for row in rows:
-            values = [self.value(x) for x in row]
-            errors = [self.errors[x] for x in row]
+            values = [self.value(x) if x else 0.0 for x in row]
+            errors = [self.errors[x] if x else 0.0 for x in row]
             scale = max(map(abs, values))
             if not (0.0 < scale < math.inf and sum(errors) < math.inf):
                 return False
             work.append(([x / scale for x in values], [x / scale for x in errors]))
-        return all(_take_pivot(work, step) for step in range(min(len(work), len(work[0][0]))))
+        sizes = [1.0] * len(work)
+        return all(_take_pivot(work, sizes, step) for step in range(min(len(work), len(work[0][0]))))
 
     def _extend(self) -> None:
         self._fill(range(len(self.values), len(self._graph_lists[0])))
@@ -123,16 +125,20 @@ class Probe:
         return -size if drawn & 1 else size
 
 
-def _take_pivot(work: list[tuple[list[float], list[float]]], step: int) -> bool:
-    """Eliminate below the largest entry from row ``step`` on, whose column becomes zero; False where it is not clear."""
-    sizes = [max(map(abs, work[i][0])) for i in range(step, len(work))]
-    best = max(sizes)
-    i = step + sizes.index(best)
+def _take_pivot(work: list[_Bounded], sizes: list[float], step: int) -> bool:
+    """Eliminate below the largest entry from row ``step`` on, whose column becomes zero; False where it is not clear.
+
+    ``sizes`` are the rows' largest entries.
+    """
+    best = max(sizes[step:])
+    i = sizes.index(best, step)
     j = next((j for j, x in enumerate(work[i][0]) if abs(x) == best), 0)
     pivot, bounds = work[i]
     if not best > _CLEAR_PIVOT * bounds[j]:
         return False
     work[step], work[i] = work[i], work[step]
+    sizes[step], sizes[i] = sizes[i], sizes[step]
+    entries = [(c, y, bounds[c]) for c, y in enumerate(pivot) if y or bounds[c]]
     for k in range(step + 1, len(work)):
         values, errors = work[k]
         if not values[j] and not errors[j]:
@@ -140,13 +146,12 @@ def _take_pivot(work: list[tuple[list[float], list[float]]], step: int) -> bool:
         factor = values[j] / pivot[j]
         doubt = (errors[j] + abs(factor) * bounds[j]) / (best - bounds[j]) + abs(factor) * _UNIT
         size = abs(factor)
-        errors = [
-            e + size * bound + doubt * (abs(y) + bound) + (abs(x) + size * abs(y)) * _UNIT
-            for x, e, y, bound in zip(values, errors, pivot, bounds, strict=True)
-        ]
-        values = [x - factor * y for x, y in zip(values, pivot, strict=True)]
+        for c, y, bound in entries:
+            x = values[c]
+            errors[c] += size * bound + doubt * (abs(y) + bound) + (abs(x) + size * abs(y)) * _UNIT
+            values[c] = x - factor * y
         values[j] = errors[j] = 0.0
-        work[k] = values, errors
+        sizes[k] = max(map(abs, values))
     return True
 
 

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from nhc.algebra.calculus import gradient, pullback_gradient, substitute, tangent
+from nhc.algebra.calculus import Replacement, gradient, pullback_gradient, substitute, tangent
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.gather import gather
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
@@ -22,7 +22,7 @@ from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.moved import Moved, Weights
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.tree import Elimination
-from nhc.mechanics.turning import along, moving, virtual_work
+from nhc.mechanics.turning import Direction, moving, virtual_work
 from nhc.mechanics.turns import Vector, cross
 from nhc.records import record
 
@@ -102,17 +102,17 @@ class Projector:
         values = iter(substitute(g, [*kinetic.slope, *(h for row in places for _, h in row)], to_motion))
         self.pi = [next(values) for _ in range(count)]
         self.hessian = [[(j, next(values)) for j, _ in row] for row in places]  # what is not zero, with its columns
-        self._to_motion = {**on_motion, **to_motion}
+        self._values = {**on_motion, **to_motion}
+        self._to_motion = Replacement(g, self._values)
+        self._on_places = Replacement(g, moved.places if moved else {})
+        self._along = Direction(system, motion.velocities, g.one)
         self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
-        seeds = {**along(system, motion.velocities), system.t: g.one}
-        self._seeds = seeds
-        drift = moved.drift if moved else tangent(g, self.u, seeds)
-        explicit = substitute(g, self._explicit_rates(), self._to_motion)
+        drift = moved.drift if moved else tangent(g, self.u, self._along.seeds)
+        explicit = self._to_motion.of(self._explicit_rates())
         self.pi_drift = [
             g.add(explicit[k], g.sum([g.mul(h, drift[j]) for j, h in self.hessian[k]])) for k in range(count)
         ]
         self._potential = moved.potential if moved else system.U
-        self._places = moved.places if moved else {}
         self._gyro = self._add_turning(moved) if moved else []
 
     def components(self, e: Sequence[Node]) -> list[Node]:
@@ -121,11 +121,11 @@ class Projector:
         known = self._known.get(tuple(e))
         if known is not None:
             return list(known.forms)
-        return substitute(g, tangent(g, self.kinetic.atoms, moving(self.system, e)), self._to_motion)
+        return self._to_motion.of(tangent(g, self.kinetic.atoms, moving(self.system, e)))
 
     def _explicit_rates(self) -> list[Node]:
         """d pi_k / dt at fixed u: only where T's coefficients move."""
-        return tangent(self.system.graph, self.kinetic.slope, self._seeds)
+        return tangent(self.system.graph, self.kinetic.slope, self._along.seeds)
 
     def rows(self) -> list[Row]:
         """Those of the motion's own vectors; what is symmetric is made once."""
@@ -142,18 +142,20 @@ class Projector:
         weights = known.forms if known else self.components(e)
         momenta = self._momenta(weights)
         mass, force_terms = [], []
+        held = [(k, momentum) for k, momentum in enumerate(momenta) if momentum != g.zero]
         for column in self.columns[first:]:
-            mass.append(self._gather(zip(momenta, column, strict=True)))
+            mass.append(self._gather([(momentum, column[k]) for k, momentum in held]))
+        direction = Direction(system, e)
         for k, weight in enumerate(weights):
             force_terms.append((weight, self.pi_drift[k]))
             if not self.carried[k] and not self.kinetic.is_exact(k):
-                turn = exterior_derivative(system, self.kinetic.form(k), self.motion.velocities, g.one, e)
+                turn = exterior_derivative(system, self.kinetic.form(k), self._along, direction)
                 force_terms.append((self.pi[k], turn))
         force_terms += self._turning_terms(known.spins if known else ())
         inertial = self._gather(force_terms)
         applied = virtual_work(system, *self._applied(), e)
-        slopes = substitute(g, tangent(g, [self.kinetic.tau], along(system, e)), self._to_motion)[0]
-        potential = substitute(g, tangent(g, [self._potential], along(system, e)), self._places)[0]
+        slopes = self._to_motion.of(tangent(g, [self.kinetic.tau], direction.seeds))[0]
+        potential = self._on_places.of(tangent(g, [self._potential], direction.seeds))[0]
         return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
 
     def work_on_constraints(self, moved: Moved) -> tuple[Node, ...] | None:
@@ -172,7 +174,7 @@ class Projector:
         ]
         momenta = [g.add(a, b) for a, b in zip(self.pi_drift, self._momenta(rates), strict=True)]
         explicit = gradient(g, self.kinetic.tau, system.q), gradient(g, self._potential, system.q)
-        slopes = substitute(g, explicit[0], self._to_motion), substitute(g, explicit[1], self._places)
+        slopes = self._to_motion.of(explicit[0]), self._on_places.of(explicit[1])
         applied = [g.sum(parts) for parts in zip(self._applied()[0], *slopes, strict=True)]
         weighted = [*zip(spread.forms, momenta, strict=True)]
         weighted += [(v, g.neg(force)) for v, force in zip(spread.velocities, applied, strict=True)]
@@ -185,7 +187,7 @@ class Projector:
         """
         g, kinetic, left = self.system.graph, self.kinetic, list[Vector]()
         at_rest = {u: g.zero for u, inertial in zip(kinetic.u, moved.inertial, strict=True) if inertial}
-        slopes = substitute(g, kinetic.slope, {**self._to_motion, **at_rest})
+        slopes = substitute(g, kinetic.slope, {**self._values, **at_rest})
         for turning in moved.turning:
             x, y, z = (g.sum([slopes[k] for k in axis]) for axis in turning.members)
             gyro = cross(g, turning.omega, (x, y, z))
@@ -215,5 +217,5 @@ class Projector:
         """Q and the torques of rotations, on the motion."""
         system = self.system
         flat = [x for torque in system.torques for x in torque]
-        values = substitute(system.graph, [*system.Q, *flat], self._to_motion)
+        values = self._to_motion.of([*system.Q, *flat])
         return values[: system.n], values[system.n :]

@@ -18,7 +18,7 @@ from nhc.mechanics import turning
 from nhc.mechanics.regular.regularity import pivot_weakness
 from nhc.mechanics.rotation import Rotation
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turning import along, from_base, moving
+from nhc.mechanics.turning import Direction, along, from_base, moving
 from nhc.thesis import equation
 
 Guards = tuple[tuple[Node, Node], ...]
@@ -116,8 +116,8 @@ class Frame:
         """gamma^i_tj = (da_ir/dq_s - da_is/dq_r) b_st b_rj; t = n stands for the time index n + 1 (then it is epsilon^i_j)."""
         g, n = self.graph, self.system.n
         if self.turned:
-            x, x_time = (self.vectors[t], g.zero) if t < n else (self.drift, g.one)
-            closed = turning.exterior_derivative(self.system, self.forms[i], x, x_time, self.vectors[j])
+            x = Direction(self.system, self.vectors[t]) if t < n else Direction(self.system, self.drift, g.one)
+            closed = turning.exterior_derivative(self.system, self.forms[i], x, Direction(self.system, self.vectors[j]))
             if closed is not None:
                 return closed
         first = (*self.vectors[t], g.zero) if t < self.system.n else (*self.drift, g.one)

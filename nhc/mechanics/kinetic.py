@@ -24,6 +24,7 @@ from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.solving.linear import degrees, linear_form
 from nhc.mechanics import turning
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.turning import Direction
 from nhc.mechanics.values import scene_values
 
 
@@ -180,21 +181,35 @@ def _is_exact(system: System, form: Form) -> bool:
     g = system.graph
     if not any(g.deps[a] for a in (*form.coefficients, form.constant)):
         return True
-    first = tuple(g.symbol(f"first_{i}", "test") for i in range(system.n + 1))
-    second = tuple(g.symbol(f"second_{i}", "test") for i in range(system.n))
-    return is_zero(g, exterior_derivative(system, form, first[:-1], first[-1], second))
+    reach = _reach(system, form)
+    moved = [i for i, node in enumerate((*system.q, system.t)) if g.deps[node] & reach]
+    first, second = [g.zero] * (system.n + 1), [g.zero] * (system.n + 1)
+    for i in moved:
+        first[i], second[i] = g.symbol(f"first_{i}", "test"), g.symbol(f"second_{i}", "test")
+    x, e = Direction(system, first[:-1], first[-1]), Direction(system, second[:-1])
+    return is_zero(g, exterior_derivative(system, form, x, e))
 
 
-def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]) -> Node:
-    """domega(X, e) for omega = W_i dq_i + W_0 dt, X = (x, x_time) and a vector e without time component."""
+def exterior_derivative(system: System, form: Form, x: Direction, e: Direction) -> Node:
+    """domega(X, e) for omega = W_i dq_i + W_0 dt, a vector X and a vector e without time component."""
     g = system.graph
-    closed = turning.exterior_derivative(system, form, x, x_time, e) if system.rotations else None
+    if not _reach(system, form) & e.reach:
+        return g.zero
+    closed = turning.exterior_derivative(system, form, x, e) if system.rotations else None
     if closed is not None:
         return closed
-    along_x = {**dict(zip(system.q, x, strict=True)), system.t: x_time}
-    along_e = dict(zip(system.q, e, strict=True))
-    moved = tangent(g, form.coefficients, along_x)
-    turned = tangent(g, [*form.coefficients, form.constant], along_e)
-    total = g.dot(moved, e)
-    back = g.dot(turned, (*x, x_time))
+    total = g.dot(x.slopes(form.coefficients), e.x)
+    turned = tangent(g, [*form.coefficients, form.constant], e.seeds)
+    back = g.dot(turned, (*x.x, x.time))
     return g.sub(total, back)
+
+
+def _reach(system: System, form: Form) -> int:
+    """The coordinates of which the form has a differential or on which it depends."""
+    g = system.graph
+    memo: dict[Node, int] = g.memory.setdefault("reach of forms", {})
+    value = g.dot(form.coefficients, system.v) if form.value is None else form.value
+    if value not in memo:
+        own = g.deps[value] | g.deps[form.constant]
+        memo[value] = own | g.mask([q for q, v in zip(system.q, system.v, strict=True) if own & g.deps[v]])
+    return memo[value]

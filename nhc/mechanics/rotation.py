@@ -45,6 +45,7 @@ class Rotation:
     growth: Node
     sums: Vector
     known: dict[tuple[Node, ...], Turning] = field(default_factory=dict)
+    _seeds: dict[tuple[Node, ...], dict[Node, Node]] = field(default_factory=dict)
 
     # --- velocities -----------------------------------------------------------------------------------------
 
@@ -95,8 +96,13 @@ class Rotation:
 
     def seeds(self, graph: Graph, rates: Sequence[Node]) -> dict[Node, Node]:
         """Derivatives of e and of the matrix along e' = ``rates``, for :func:`nhc.algebra.calculus.tangent`."""
-        g = graph
-        found = dict(zip(self.e, rates, strict=True))
+        g, key = graph, tuple(rates)
+        known = self._seeds.get(key)
+        if known is not None:
+            return known
+        found = self._seeds[key] = dict(zip(self.e, rates, strict=True))
+        if not any(rates):
+            return found
         moved = self.rates_of_matrix(g, self.turning(g, rates)[1:])
         for i in range(3):
             for j in range(3):
@@ -121,7 +127,7 @@ def put(graph: Graph, mapping: dict[Node, Node], node: Node, value: Node) -> Non
     """``node`` = ``value`` as an entry for the node without its rational factor, which products carry in front of them."""
     factor, core = graph.split_coefficient(node)
     if core != graph.one:
-        mapping[core] = value if factor == 1 else graph.mul(graph.number(Fraction(1) / factor), value)
+        mapping[core] = value if factor == 1 or not value else graph.mul(graph.number(Fraction(1) / factor), value)
 
 
 def square(g: Graph, e: Sequence[Node]) -> Node:

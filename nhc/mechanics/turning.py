@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Node
 from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.mechanics.rotation import Rotation, put, square
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.turns import Vector
 
 # --- vectors ------------------------------------------------------------------------------------------------
 
@@ -27,8 +29,46 @@ def along(system: System, x: Sequence[Node]) -> dict[Node, Node]:
     """Seeds of the derivative along a vector x over the coordinates."""
     found = dict(zip(system.q, x, strict=True))
     for rotation in system.rotations:
-        found.update(rotation.seeds(system.graph, [x[k] for k in rotation.places]))
+        rates = [x[k] for k in rotation.places]
+        if any(rates):
+            found.update(rotation.seeds(system.graph, rates))
     return found
+
+
+class Direction:
+    """A vector (x, time) over the coordinates with what derivatives along it take, each made once.
+
+    ``reach`` are the coordinates that it moves, and the time; ``components`` are those along dq_i, then along the rotations'
+    omega.
+    """
+
+    def __init__(self, system: System, x: Sequence[Node], time: Node = 0) -> None:
+        self.system, self.x, self.time = system, x, time
+        g = system.graph
+        self.reach = g.mask([q for q, node in zip((*system.q, system.t), (*x, time), strict=True) if node != g.zero])
+        self._slopes: dict[tuple[Node, ...], list[Node]] = {}
+
+    @cached_property
+    def seeds(self) -> dict[Node, Node]:
+        """Of the derivative along it."""
+        return {**along(self.system, self.x), self.system.t: self.time}
+
+    @cached_property
+    def turns(self) -> list[Vector]:
+        """The rotations' omega along it."""
+        g = self.system.graph
+        turning = (r.turning(g, [self.x[k] for k in r.places]) for r in self.system.rotations)
+        return [(a, b, c) for _, a, b, c in turning]
+
+    @cached_property
+    def components(self) -> list[Node]:
+        return [*self.x, *(w for turn in self.turns for w in turn)]
+
+    def slopes(self, nodes: tuple[Node, ...]) -> list[Node]:
+        """Their derivatives along it."""
+        if nodes not in self._slopes:
+            self._slopes[nodes] = tangent(self.system.graph, nodes, self.seeds)
+        return self._slopes[nodes]
 
 
 def moving(system: System, x: Sequence[Node]) -> dict[Node, Node]:
@@ -73,7 +113,7 @@ def _spread(system: System, value: Node) -> Spread | None:
     return memo[value]
 
 
-def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]) -> Node | None:
+def exterior_derivative(system: System, form: Form, x: Direction, e: Direction) -> Node | None:
     """d form (X, e) = X(f_k) theta_k(e) - e(f_k) theta_k(X) + f_k d theta_k (X, e) for form = f_k theta_k + f_0 dt.
 
     The theta_k are the dq_i and the rotations' omega.  None where the form's own words are not known.
@@ -83,16 +123,13 @@ def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: N
     if found is None:
         return None
     coefficients, constant = found
-    on_x, on_e, turned = list(x), list(e), [g.zero] * system.n
-    for rotation in system.rotations:
-        wx, we = (rotation.turning(g, [z[k] for k in rotation.places])[1:] for z in (x, e))
-        on_x += wx
-        on_e += we
-        turned += rotation.curl(g, wx, we)
-    moved = tangent(g, coefficients, {**along(system, x), system.t: x_time})
-    back = tangent(g, [*coefficients, constant], along(system, e))
-    total = g.dot(moved, on_e)
-    total = g.sub(total, g.dot(back, (*on_x, x_time)))
+    turned = [g.zero] * system.n
+    for rotation, wx, we in zip(system.rotations, x.turns, e.turns, strict=True):
+        turned += rotation.curl(g, wx, we) if any(wx) and any(we) else (g.zero,) * 3
+    moved = x.slopes(coefficients)
+    back = tangent(g, [*coefficients, constant], e.seeds)
+    total = g.dot(moved, e.components)
+    total = g.sub(total, g.dot(back, (*x.components, x.time)))
     return g.add(total, g.dot(coefficients, turned))
 
 

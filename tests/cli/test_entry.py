@@ -23,7 +23,18 @@ from nhc.cli.terminal import Exit, Failure, wants_colour
 from tests.support import INTERRUPTIBLE
 
 MODULES = {path.stem for path in Path(explain.__file__).parent.glob("*.py")}
-HELPERS = {"__init__", "compare_specs", "ensemble", "simplify", "entry", "options", "progress", "specs", "terminal", "write"}
+HELPERS = {
+    "__init__",
+    "compare_specs",
+    "ensemble",
+    "simplify",
+    "entry",
+    "options",
+    "progress",
+    "specs",
+    "terminal",
+    "write",
+}
 
 
 def test_each_verb_has_its_module() -> None:

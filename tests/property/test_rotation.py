@@ -11,6 +11,7 @@ from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics import rotation as module
 from nhc.mechanics.frame import make_frame
+from nhc.mechanics.kinetic import exterior_derivative
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.rotation import Rotation
 from nhc.mechanics.system import Form, System
@@ -89,15 +90,17 @@ def test_rates_of_the_matrix(both: tuple[System, Rotation]) -> None:
     assert module.along(system, [g.zero, *rates])[rotation.e[2]] == rates[2]
 
 
-def test_exterior_derivatives(both: tuple[System, Rotation]) -> None:
-    """d omega and that of a form with an entry of R in it, against the curl of the coefficients."""
+@pytest.mark.parametrize("still", [(), (0,), (1, 2, 3, 4), (0, 1, 2, 3, 4)], ids=str)
+def test_exterior_derivatives(both: tuple[System, Rotation], still: tuple[int, ...]) -> None:
+    """d omega and that of a form with an entry of R in it, against the curl of the coefficients; with components that are zero."""
     (system, rotation), g = both, both[0].graph
-    x, e = vector(g, "x", 6), vector(g, "e", 5)
+    x, e = vector(g, "x", 6), [g.zero if k in still else node for k, node in enumerate(vector(g, "e", 5))]
     mixed = g.add(g.mul(rotation.matrix[0][2], rotation.omega[1]), g.mul(system.q[0], system.v[0]))
     for value in (*rotation.omega, mixed, rotation.growth):
         rows = [tangent(g, [value], {v: g.one})[0] for v in system.v]
         form = Form("f", tuple(rows), g.zero, value=value)
-        closed = module.exterior_derivative(system, form, x[:5], x[5], e)
+        on_x, on_e = module.Direction(system, x[:5], x[5]), module.Direction(system, e)
+        closed = module.exterior_derivative(system, form, on_x, on_e)
         assert closed is not None
         moved = tangent(g, rows, dict(zip(system.q, x[:5], strict=True)))
         back = tangent(g, rows, dict(zip(system.q, e, strict=True)))
@@ -105,7 +108,7 @@ def test_exterior_derivatives(both: tuple[System, Rotation]) -> None:
             g.sum([g.mul(a, b) for a, b in zip(moved, e, strict=True)]),
             g.sum([g.mul(a, b) for a, b in zip(back, x[:5], strict=True)]),
         )
-        assert vanish(g, [g.sub(closed, curl)])
+        assert vanish(g, [g.sub(closed, curl), g.sub(exterior_derivative(system, form, on_x, on_e), curl)])
 
 
 def test_gamma_is_that_of_the_rotation_group() -> None:

@@ -20,6 +20,8 @@ def gather(graph: Graph, products: Iterable[Sequence[Node]], constants: int, spe
         return g.sum(g.product(factors) for factors in products)
     by_speed: dict[Node, dict[Node, list[Node]]] = {}
     for factors in products:
+        if g.zero in factors:
+            continue
         speed, constant, rest = g.one, g.one, g.one
         for factor in factors:
             own_speed, own_constant, left = split(g, factor, constants, speeds)

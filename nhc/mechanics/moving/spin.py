@@ -14,6 +14,7 @@ from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.moving.axes import Scene
 from nhc.mechanics.moving.bodies import Bodies
 from nhc.mechanics.moving.rates import Solution
+from nhc.mechanics.turning import Direction
 from nhc.mechanics.turns import Path, Turn, Vector, cross
 from nhc.records import record
 
@@ -72,10 +73,8 @@ def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool], near: Colle
         return []
     first = tuple(g.symbol(f"first_{i}", "test") for i in range(system.n + 1))
     second = tuple(g.symbol(f"second_{i}", "test") for i in range(system.n))
-    derivative = {
-        k: scene.marks.of(exterior_derivative(system, kinetic.form(k), first[:-1], first[-1], second))
-        for k in open_forms
-    }
+    x, e = Direction(system, first[:-1], first[-1]), Direction(system, second)
+    derivative = {k: scene.marks.of(exterior_derivative(system, kinetic.form(k), x, e)) for k in open_forms}
     spins: list[Spin] = []
     for path in sorted(spatial_paths(scene), key=lambda path: path not in near):
         spin = scene.spin(path)

@@ -9,7 +9,7 @@ from itertools import combinations
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.minors import relative_minors
+from nhc.algebra.minors import list_entries, relative_minors, subtract
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.regular.trials import sampled_rows, scattered_points, start_points, trial_points
@@ -85,20 +85,22 @@ def weak_where_constraints_are_not(system: System, forms: Sequence[Form]) -> int
 def _full_rank(rows: Sequence[Sequence[float]], least: float = _WEAK) -> bool:
     """Clearly independent rows: elimination with full pivoting leaves no small pivot."""
     work = [list(row) for row in rows]
-    norms = [math.sqrt(sum(x * x for x in row)) for row in work]
+    norms = [max(math.sqrt(sum(x * x for x in row)), 1e-300) for row in work]
+    sizes = [max(map(abs, row)) / norm for row, norm in zip(work, norms, strict=True)]
     for step in range(len(work)):
-        sizes = [max(map(abs, work[i])) / max(norms[i], 1e-300) for i in range(step, len(work))]
-        best = max(sizes)
+        best = max(sizes[step:])
         if best < least:
             return False
-        i = step + sizes.index(best)
+        i = sizes.index(best, step)
         j = max(range(len(work[i])), key=lambda j: abs(work[i][j]))
         work[step], work[i] = work[i], work[step]
         norms[step], norms[i] = norms[i], norms[step]
+        sizes[step], sizes[i] = sizes[i], sizes[step]
+        entries = list_entries(work[step])
         for k in range(step + 1, len(work)):
-            factor = work[k][j] / work[step][j]
-            if factor:
-                work[k] = [x - factor * y for x, y in zip(work[k], work[step], strict=True)]
+            if work[k][j]:
+                subtract(work[k], entries, work[k][j] / work[step][j])
+                sizes[k] = max(map(abs, work[k])) / norms[k]
     return True
 
 
@@ -211,10 +213,10 @@ def _greedy(system: System, samples: Sequence[Sequence[Sequence[float]]]) -> lis
             pivot = matrix[row][best]
             if pivot == 0.0:
                 continue
+            entries = list_entries(matrix[row])
             for i in range(row + 1, system.l):
-                factor = matrix[i][best] / pivot
-                if factor:
-                    matrix[i] = [x - factor * y for x, y in zip(matrix[i], matrix[row], strict=True)]
+                if matrix[i][best]:
+                    subtract(matrix[i], entries, matrix[i][best] / pivot)
     return sorted(chosen)
 
 

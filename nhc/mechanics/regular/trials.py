@@ -121,7 +121,13 @@ def velocity_units(system: System) -> list[float]:
     key = tuple(form.coefficients for form in forms)
     if key not in known:
         rows = _rows(system, forms, _kept_points(system, ordinary=False))
-        largest = [[max((abs(m[i][j]) for m in rows), default=0.0) for j in range(system.n)] for i in range(len(forms))]
+        largest = [
+            [
+                max((abs(m[i][j]) for m in rows), default=0.0) if node else 0.0
+                for j, node in enumerate(form.coefficients)
+            ]
+            for i, form in enumerate(forms)
+        ]
         largest = [[x if x > _NOISE * max(row) else 0.0 for x in row] for row in largest]
         units = balance_columns(largest, system.n)
         known[key] = units if max(units) > _FAR * min(units) else [1.0] * system.n

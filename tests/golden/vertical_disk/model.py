@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:112caa7cd2ad56fb).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:ebb8fa6ab970d2c6).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -304,7 +304,7 @@ def reactions(
             raise _refuse(abs(I + R * k1), 0.0, 2, "reactions")
         # state
         s_phi = math.sin(phi)
-        z1 = phi_dot * theta_dot * k1
+        z1 = k1 * (phi_dot * theta_dot)
         c_phi = math.cos(phi)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 18:5
