@@ -78,6 +78,28 @@ def test_an_energy_with_poles_and_kinks_is_conserved(V: str) -> None:
     assert is_conserved(V)
 
 
+BOWL = """
+nhc: 1
+system: ball_in_bowl
+coordinates: [phi, theta]
+rotation: {B: {frame: space, velocities: [wx, wy, wz]}}
+parameters: {m: 0.2, a: 0.05, L: 0.45, g: 9.81}
+define: {nx: sin(theta)*cos(phi), ny: sin(theta)*sin(phi), nz: -cos(theta), X: L*nx, Y: L*ny, Z: L*nz}
+T: m/2*(X'^2 + Y'^2 + Z'^2) + m*a^2/5*(wx^2 + wy^2 + wz^2)
+V: m*g*Z
+constraints: ["X' + a*(wy*nz - wz*ny) = 0", "Y' + a*(wz*nx - wx*nz) = 0"]
+outputs: {K_z: 2*m*a^2/5*wz - a/L*m*(X*Y' - Y*X')}
+scenes: {around: {initial: {theta: 0.8, wz: 4}, time: [0, 5]}}
+"""
+
+
+def test_what_varies_fast_near_a_quaternion_of_length_zero_does_not_jump() -> None:
+    """From I w' = a n x F and m v' = F + m g, v = L n': I w_z - a m L (n x n')_z is constant, which is p*_wz."""
+    _, lines, _ = described(BOWL)
+    assert "constants of the motion: p*_wz, E " in lines
+    assert "outputs that are constant: K_z" in lines
+
+
 def test_what_is_a_constant_of_the_motion_breaks_nothing() -> None:
     system = system_of(f"{HEAD}T: (x'^2 + y'^2)/2\nV: k*x^2\noutputs: {{o: sign(y'), p: sign(x')*y'}}\n")
     assert find_conserved(system, None).outputs == ("o",)

@@ -27,7 +27,8 @@ _FAR = tuple(sorted(sign * 10.0 ** (k / 4) for sign in (-1, 1) for k in range(4,
 _MOST = 12  # zeros that are looked at on a line
 _HALVINGS = 80
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
-_ASIDE = (1e-5, 1e-8)  # how far from the surface both sides are compared
+_ASIDE = (1e-7, 3e-8, 1e-8)  # how far from the surface both sides are compared
+_FLAT = 0.1  # what the distance of both sides may change by between these, relative
 _SMALL = 1e-9
 _MOST_WORK = 5_000_000  # nodes that are evaluated
 
@@ -171,12 +172,17 @@ def _touch(value: Value, left: float, right: float, height: float) -> float | No
 
 
 def _differs(value: Value, place: float) -> bool:
-    """Whether both sides have limits that differ: their distance stays, and they do not run away."""
+    """Whether both sides have limits that differ: their distance is the same on three scales, and they do not run away.
+
+    On two scales it may be by chance: near a place where nothing has a limit (a quaternion of length zero) it rises and falls again.
+    """
     sizes, distances = [], []
     for aside in _ASIDE:
         step = aside * (1.0 + abs(place))
         left, right = value(place - step), value(place + step)
         sizes.append(max(abs(left), abs(right)))
         distances.append(abs(right - left))
-    stays = distances[1] > 0.5 * distances[0] and distances[1] > 1e-6 * sizes[1]
-    return stays and sizes[1] < 10.0 * sizes[0]
+    if not all(map(math.isfinite, sizes + distances)):
+        return False
+    stays = max(distances) - min(distances) < _FLAT * max(distances) and distances[-1] > 1e-6 * sizes[-1]
+    return stays and sizes[-1] < 2.0 * sizes[0]
