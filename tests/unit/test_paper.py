@@ -67,7 +67,7 @@ def test_sleigh_reads_like_the_thesis() -> None:
         "  (J + m*a^2) w' = -m*a*v*w",
         "  w' = -m*a*v*w/(J + m*a^2)",
         "  lambda_slip = m*a w' + m*v*w   (I.4.1)",
-        "Of its 5 rows 2 hold automatically (exactly tested), those of the velocities' differentials.",
+        "Of its 5 rows 2 hold automatically (checked exactly), those of the velocities' differentials.",
     ):
         assert line in text.splitlines(), line
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 from nhc.language import Scene, unparse
 from nhc.language.unparse import show_number
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
+from nhc.program.sheets.formulas import NOTATION
 from nhc.program.sheets.model import Mark, Table
 
 
@@ -94,15 +95,41 @@ def reason_sheet(desk: Desk) -> DraftSheet:
         if formulation.broken:
             sheet.say("Of the hypotheses of I.3 these do not hold, and the generalized equations are used:")
             for line in formulation.broken:
-                sheet.say(f"- {line}.")
+                sheet.say(f"- {line.replace('b_alpha', '$b_alpha$')}.")
         else:
             sheet.say(
-                "The hypotheses of I.3 hold: T and the constraints contain neither the dependent coordinates nor the time,"
+                "The hypotheses of I.3 hold: $T$ and the constraints contain neither the dependent coordinates nor the time,"
                 " the constraints are homogeneous, no force acts on a dependent coordinate or contains one, and the potential"
                 " does not contain the time."
             )
+    _notation(desk, sheet)
     return sheet
 
+
+def _notation(desk: Desk, sheet: DraftSheet) -> None:
+    """What the indices and letters of the general formulas stand for."""
+    name = desk.formulation.name
+    counted = _COUNTED[name if desk.system.l or name != "euler-lagrange" else "free"]
+    force = "X_i" if name == "newton" else "Q_i"
+    sheet.say(f"In the general formulas {counted}. ${force}$ is the whole force, that of the potential included.")
+    if name in NOTATION:
+        sheet.say("The letters stand for")
+        sheet.add(NOTATION[name])
+
+
+_INDEPENDENT = "$alpha$ and $beta$ count the dependent velocities, $mu$ and $nu$ the independent ones"
+_COUNTED = {
+    "newton": "$i$ counts the coordinates, each with its mass $m_i$ and its velocity $v_i$",
+    "lagrange": "$i$ counts the coordinates",
+    "multipliers": "$i$ counts the coordinates, $alpha$ the constraints",
+    "euler-lagrange": (
+        "$alpha$ counts the constraints, whose quasi-velocities are zero on the motion, $mu$ and $nu$ the free quasi-velocities,"
+        " $i$, $j$ and $m$ all $n$ of them; $r$, $s$ and $t$ run to $n + 1$ for the time"
+    ),
+    "free": "$i$, $j$ and $m$ count the $n$ quasi-velocities; $r$, $s$ and $t$ run to $n + 1$ for the time",
+    "chaplygin": _INDEPENDENT,
+    "voronec": _INDEPENDENT,
+}
 
 TITLES = {
     "newton": "Newton's",
