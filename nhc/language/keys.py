@@ -55,7 +55,12 @@ SPEC_KEYS = (
     ),
     Key("constraints", "equations", False, "constraints linear in the velocities: a list of `text` or `name: text`"),
     Key("holonomic", "equations", False, "constraints `f(q, t) = 0`: a list of `text` or `name: text`"),
-    Key("quasi_velocities", "expressions", False, "names of linear forms in the velocities, for those that the constraints leave free, in order"),
+    Key(
+        "quasi_velocities",
+        "expressions",
+        False,
+        "names of linear forms in the velocities that the constraints leave free, in order",
+    ),
     Key("dependent", "names", False, "the coordinates whose velocities the constraints are solved for"),
     Key("formulation", "choice", False, "how the equations are formed; `auto` if left out", FORMULATIONS),
     Key("outputs", "expressions", False, "named quantities besides the state; `T`, `U`, `V`, `energy` may be used"),

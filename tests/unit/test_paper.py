@@ -153,7 +153,11 @@ def test_printed_equations_are_the_program_s(name: str) -> None:
         for name, s in made.symbols.items()
         if (s.mark.base, s.mark.dots) in marks
     }
-    for let, statement in made.lets.items():
+    given = {
+        s.left[0].factors[0].base: s for s in sheet_items(made, "data") if s.left[0].factors
+    }  # entries of rotations
+    named = {name: given[s.mark.base] for name, s in made.symbols.items() if s.mark.base in given and not s.mark.dots}
+    for let, statement in [*made.lets.items(), *named.items(), *made.lets.items()]:
         if let not in known:
             try:
                 known[let] = value(statement.right[0].coefficient, known)

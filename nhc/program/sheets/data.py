@@ -19,17 +19,15 @@ def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
     rows = [(Mark(c.name), c.about, c.unit) for c in system.spec.coordinates]
     sheet.add(_table(("coordinate", "meaning", "unit"), rows))
     _parameters(desk, sheet, scene)
+    _rotations(desk, sheet)
     sheet.say("The kinetic energy is")
-    sheet.add(Draft(desk.name(desk.own("T")), desk.plain(system.T), place=system.places["T"]))
+    sheet.add(Draft(desk.name(desk.own("T")), desk.plain(desk.by_entries(system.T)), place=system.places["T"]))
     if desk.graph.zero != system.U:
         sheet.say("and the force function, whose derivatives are the forces of the potential,")
-        sheet.add(Draft(desk.name(desk.own("U")), desk.plain(system.U), place=system.places.get("U", "")))
-    acting = [i for i in range(system.n) if system.Q[i] != desk.graph.zero]
-    if acting:
-        sheet.say("The forces without potential are")
-        for i in acting:
-            name = system.q_names[i]
-            sheet.add(Draft(desk.name(desk.own("Q", name)), desk.plain(system.Q[i]), place=system.places.get(name, "")))
+        sheet.add(
+            Draft(desk.name(desk.own("U")), desk.plain(desk.by_entries(system.U)), place=system.places.get("U", ""))
+        )
+    _forces(desk, sheet)
     _constraints(desk, sheet)
     return sheet
 
@@ -46,6 +44,35 @@ def _parameters(desk: Desk, sheet: DraftSheet, scene: Scene | None) -> None:
         shown = "" if value is None else show_number(value) if isinstance(value, Fraction) else unparse(value)
         rows.append((Mark(parameter.name), shown or "given by each scene", parameter.unit, parameter.about))
     sheet.add(_table(("parameter", "value", "unit", "meaning"), rows))
+
+
+def _forces(desk: Desk, sheet: DraftSheet) -> None:
+    """Forces by coordinates, torques by angular velocities."""
+    system = desk.system
+    turned = {k for rotation in system.rotations for k in rotation.places}
+    acting = [(name, system.Q[i]) for i, name in enumerate(system.q_names) if i not in turned]
+    for torque, declared in zip(system.torques, system.spec.rotations, strict=True):
+        acting += zip(declared.velocities, torque, strict=True)
+    acting = [(name, node) for name, node in acting if node != desk.graph.zero]
+    if acting:
+        by = ", by coordinates and angular velocities," if system.rotations else ""
+        sheet.say(f"The forces without potential{by} are")
+        for name, node in acting:
+            force = desk.plain(desk.by_entries(node))
+            sheet.add(Draft(desk.name(desk.own("Q", name)), force, place=system.places.get(name, "")))
+
+
+def _rotations(desk: Desk, sheet: DraftSheet) -> None:
+    """The entries of each rotation's matrix and its angular velocity, which all other statements use by name."""
+    for rotation, declared in zip(desk.system.rotations, desk.system.spec.rotations, strict=True):
+        axes = "the body" if declared.frame == "body" else "space"
+        sheet.say(
+            f"The matrix of the rotation `{declared.name}`, from the body's axes 1, 2, 3 to those of space, and its"
+            f" angular velocity on the axes of {axes} are"
+        )
+        nodes = [entry for row in rotation.matrix for entry in row] + list(rotation.omega)
+        for name, node in zip((*declared.entries, *declared.velocities), nodes, strict=True):
+            sheet.add(Draft(desk.name(Mark(name)), desk.plain(node)))
 
 
 def _table(
@@ -70,7 +97,7 @@ def _constraints(desk: Desk, sheet: DraftSheet) -> None:
     )
     rates = [desk.coordinate(i, 1) for i in range(n)]
     for form in system.constraints:
-        left = desk.linear(form.coefficients, rates, form.constant)
+        left = desk.velocity_form(form) or desk.linear(form.coefficients, rates, form.constant)
         sheet.add(Draft(left, (), equation="I.1.1", place=form.place, note=form.name))
     held = [form for form in system.constraints if form.equation is not None]
     if held:

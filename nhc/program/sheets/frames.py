@@ -60,9 +60,10 @@ def _coframe_sheet(desk: Desk, frame: Frame) -> DraftSheet:
         sheet.say("The forms of the constraints, zero on every motion, and those of the free quasi-velocities are")
     else:
         sheet.say("The forms of the quasi-velocities are")
+    known = {form.name for form in frame.forms}
     basis = [Mark(name, prefix="d") for name in system.q_names] + [Mark("t", prefix="d")]
     for j, form in enumerate(frame.forms):
-        right = desk.linear([*form.coefficients, form.constant], basis)
+        right = desk.differential_form(form, known) or desk.linear([*form.coefficients, form.constant], basis)
         left = desk.quasi_differential(j)
         if right == ((desk.graph.one, (left,)),):
             continue

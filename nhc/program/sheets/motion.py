@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.algebra.calculus import count, derivative, substitute
+from nhc.algebra.calculus import count, derivative, gradient, substitute
 from nhc.algebra.dense import Singular
+from nhc.algebra.graph import Node
 from nhc.algebra.linear import solve
 from nhc.mechanics.constancy import has_jumps
+from nhc.mechanics.euler_lagrange import quasi_energy
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.lagrange import momenta
 from nhc.mechanics.multipliers import multiplier_symbols
@@ -72,7 +74,7 @@ def motion_sheet(desk: Desk) -> DraftSheet:
     sheet.add(POINCARE if name == "euler-lagrange" and not system.l else EQUATIONS[name])
     rates = [desk.mark(rate) for rate in motion.rates]
     sheet.say("For this system" if rates else "No velocity is free: the constraints alone determine the motion.")
-    for k, (row, force) in enumerate(zip(equations.mass, equations.force, strict=True)):
+    for k, (row, force) in enumerate(zip(_mass_matrix(desk), equations.force, strict=True)):
         right: tuple[Part, ...] = desk.value(force)
         if equations.multipliers:
             coefficients = [form.coefficients[k] for form in system.constraints]
@@ -85,6 +87,16 @@ def motion_sheet(desk: Desk) -> DraftSheet:
     _kinematics(desk, sheet)
     _solution(desk, sheet)
     return sheet
+
+
+def _mass_matrix(desk: Desk) -> list[list[Node]]:
+    """That of the equations; with rotations made again from T, where their entries still stand and can be read."""
+    frame, g = desk.formulation.frame, desk.graph
+    if not desk.system.rotations or frame is None or desk.formulation.name != "euler-lagrange":
+        return [list(row) for row in desk.equations.mass]
+    held = dict.fromkeys(frame.omega[: desk.system.l], g.zero)
+    (energy,) = substitute(g, [desk.by_entries(quasi_energy(frame))], held, named=False)
+    return [gradient(g, p, frame.free) for p in gradient(g, energy, frame.free)]
 
 
 def _constraint_rates(desk: Desk, sheet: DraftSheet) -> None:
