@@ -11,7 +11,7 @@ from nhc.mechanics.system import System
 
 
 def named_text(system: System, node: Node, longest: int = 200) -> str:
-    """The shorter of the node's own text and that with definitions and outputs by their names."""
+    """A node as text in the spec's names: in coordinates, or with definitions and outputs by name, whichever is shorter."""
     g = system.graph
     names = {output: name for name, output in system.outputs if g.children(output)}
     names.update({labelled: name for labelled, name in g.labels.items() if name in _defined(system)})
@@ -32,7 +32,7 @@ def zero_text(system: System, node: Node) -> str:
 
 
 def entry_text(system: System, node: Node) -> str:
-    """The name of the entry of a rotation's matrix that the node is, with its sign; empty where it is none."""
+    """The name of the matrix entry of a rotation that the node equals, with a minus if it is the negative; else empty."""
     g = system.graph
     for rotation, declared in zip(system.rotations, system.spec.rotations, strict=True):
         entries = [entry for row in rotation.matrix for entry in row]

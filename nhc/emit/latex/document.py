@@ -36,7 +36,7 @@ _ALIGNED = 120.0  # widest left side that is aligned at its relation
 
 @record
 class Section:
-    """What the template places."""
+    """A section of the document, as the template places it: its title and its paragraphs as LaTeX."""
 
     title: str
     paragraphs: tuple[str, ...]
