@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import FORMULATIONS, json_option, specs_argument
+from nhc.cli.options import FORMULATIONS, json_option, list_examples, specs_argument
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
 
@@ -65,21 +65,42 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
     return tuple(dict.fromkeys(found))
 
 
-@click.command("chart")
+@click.command(
+    "chart",
+    epilog=list_examples(
+        "nhc chart chaplygin_sleigh -o sleigh.html", "nhc chart ladder/rigid_bicycle --against ladder/relaxing_tyres"
+    ),
+)
 @specs_argument
 @click.option("--scene", metavar="NAME", default="", help="The scene to chart; default: the first.")
 @click.option(
-    "--need", "needs", metavar="A,B", callback=_needs, help="What the error is taken of; default: the scene's need."
+    "--need",
+    "needs",
+    metavar="A,B",
+    callback=_needs,
+    help="The quantities whose error is measured; default: the scene's need.",
 )
-@click.option("--formulations", metavar="F,...", callback=_formulations, help="Default: all that apply.")
+@click.option(
+    "--formulations",
+    metavar="F,...",
+    callback=_formulations,
+    help="The formulations to compare; default: all that apply.",
+)
 @click.option(
     "--methods",
     metavar="M,...",
     callback=_methods,
-    help="Default: dop853, dopri5, rk4, radau5, gauss6, and leapfrog, dla, perlmutter, energy where they apply.",
+    help="The integrators; default: dop853, dopri5, rk4, radau5, gauss6, and leapfrog, dla, perlmutter, energy where they apply.",
 )
-@click.option("--langs", "languages", metavar="L,...", callback=_languages, help="Default: c,python.")
-@click.option("--tolerances", metavar="T,...", callback=_tolerances, help="Default: 1e-2, 1e-3, ... 1e-13.")
+@click.option(
+    "--langs", "languages", metavar="L,...", callback=_languages, help="The languages to compare; default: c,python."
+)
+@click.option(
+    "--tolerances",
+    metavar="T,...",
+    callback=_tolerances,
+    help="The tolerances to run at; default: 1e-2, 1e-3, ... 1e-13.",
+)
 @click.option(
     "--no-peers", is_flag=True, help="Leave out other integrators (SciPy, heyoka), even where they are installed."
 )
@@ -89,7 +110,12 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
     default="",
     help="Compare models: errors of the specs against this finest one, on a scene that all have.",
 )
-@click.option("-o", "output", metavar="FILE|DIR", help="A .svg, .html, .json or .md file, or a folder for all four.")
+@click.option(
+    "-o",
+    "output",
+    metavar="FILE|DIR",
+    help="A .svg, .html, .json or .md file, or a folder for all four; default: Markdown on stdout.",
+)
 @click.option("--force", is_flag=True, help="Overwrite files that exist.")
 @json_option
 def command(

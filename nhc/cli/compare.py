@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import json_option, spec_argument
+from nhc.cli.options import json_option, list_examples, spec_argument
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, Failure, describe_os_error, put, put_json, say
 from nhc.cli.write import deliver
@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from nhc.mechanics.certificates.certificate import Certificate, Rejection
 
 
-@click.command("compare")
+@click.command(
+    "compare", epilog=list_examples("nhc compare chaplygin_sleigh", "nhc compare bicycle --certificate bicycle.json")
+)
 @spec_argument
 @click.argument("other", required=False, default="", shell_complete=complete_spec)
 @click.option(

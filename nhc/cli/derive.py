@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.answers import Answer, answer
-from nhc.cli.options import anew_option, explain_option, formulation_option, output_option, spec_argument
+from nhc.cli.options import anew_option, explain_option, formulation_option, list_examples, output_option, spec_argument
 from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, say, wants_colour
 from nhc.cli.write import deliver
@@ -24,21 +24,33 @@ def _seconds(context: click.Context, parameter: click.Parameter, value: float) -
     return value
 
 
-@click.command("derive")
+@click.command(
+    "derive",
+    epilog=list_examples("nhc derive chaplygin_sleigh", "nhc derive rolling_disk -f voronec --to latex -o disk.tex"),
+)
 @spec_argument
 @formulation_option
-@click.option("--to", type=click.Choice(["text", "latex", "json"]), help="The form; default: text.")
+@click.option("--to", type=click.Choice(["text", "latex", "json"]), help="What to print; default: text.")
 @click.option("--json", "as_json", is_flag=True, help="The same as `--to json`.")
 @explain_option
-@click.option("--scene", metavar="NAME", default="", help="Take the parameters of this scene.")
-@click.option("--dump", metavar="STAGE", help="Print what a stage of the compiler hands on, in place of the equations.")
+@click.option(
+    "--scene",
+    metavar="NAME",
+    default="",
+    help="Show the parameters with the values of this scene; default: those of the spec.",
+)
+@click.option(
+    "--dump",
+    metavar="STAGE",
+    help="Print the result of one stage of the compiler instead: read, decode, resolve, choose, form, associate, lower or render.",
+)
 @click.option(
     "--simplify",
     metavar="SECONDS",
     type=float,
     callback=_seconds,
     default=0.0,
-    help="Let SymPy simplify what is printed, so long at most.",
+    help="Let SymPy simplify what is printed, for so long at most; default: not at all.",
 )
 @anew_option
 @output_option

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import click
 
-from nhc.cli.options import json_option
+from nhc.cli.options import json_option, list_examples
 from nhc.cli.specs import gallery_paths
 from nhc.cli.terminal import Exit, put, put_json
 from nhc.version import __version__
@@ -30,7 +30,7 @@ TOOLS = {"cc": "compiles emitted C", "clang": "a second opinion on emitted C", "
 Row = tuple[str, bool, str]  # name, found, detail
 
 
-@click.command("doctor")
+@click.command("doctor", epilog=list_examples("nhc doctor"))
 @json_option
 def command(as_json: bool) -> int:
     """Say what nhc finds on this machine.

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.answers import Answer, answer
-from nhc.cli.options import anew_option, formulation_option, spec_argument, split_names
+from nhc.cli.options import anew_option, formulation_option, list_examples, spec_argument, split_names
 from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, put, say
 from nhc.cli.write import compare_files, place_files, refuse_to_overwrite, write_files
@@ -31,21 +31,53 @@ _C_HEADERS = frozenset(
 _WARNINGS = "<warnings>"  # among the texts of an answer; no file is called so
 
 
-@click.command("emit")
+@click.command(
+    "emit",
+    epilog=list_examples(
+        "nhc emit chaplygin_sleigh --lang c --driver -o sleigh", "nhc emit bicycle --lang python --only rhs,energy"
+    ),
+)
 @spec_argument
-@click.option("--lang", "-l", "language", type=click.Choice(["c", "python", "latex"]), required=True)
+@click.option(
+    "--lang",
+    "-l",
+    "language",
+    type=click.Choice(["c", "python", "latex"]),
+    required=True,
+    help="The language of the files.",
+)
 @click.option("-o", "output", metavar="DIR|FILE", help="Where to write; default: the current folder, `-`: stdout.")
 @click.option(
     "--stdout", "to_stdout", is_flag=True, help="Write to stdout; each of several files under a line with its name."
 )
 @formulation_option
-@click.option("--scene", metavar="NAME", default="", help="Emit for this scene: its parameters, and what it needs.")
+@click.option(
+    "--scene",
+    metavar="NAME",
+    default="",
+    help="Emit the smallest model of this scene, with its parameters; default: the whole model.",
+)
 @click.option("--fold", is_flag=True, help="With --scene: put its parameter values in as numbers.")
-@click.option("--only", metavar="A,B", callback=split_names, help="Emit only these functions, such as rhs,energy.")
+@click.option(
+    "--only", metavar="A,B", callback=split_names, help="Emit only these functions, such as rhs,energy; default: all."
+)
 @click.option("--driver", is_flag=True, help="With C: add a main() that integrates a scene and prints CSV.")
-@click.option("--array", type=click.Choice(["numpy", "jax"]), help="With Python: functions that broadcast over arrays.")
-@click.option("--trig", type=click.Choice(["libm", "inline"]), help="With C: whose sine and cosine; default: libm's.")
-@click.option("--check", "compare", is_flag=True, help="Write nothing; exit with 1 when the files differ.")
+@click.option(
+    "--array",
+    type=click.Choice(["numpy", "jax"]),
+    help="With Python: functions that broadcast over arrays; default: for one state at a time.",
+)
+@click.option(
+    "--trig",
+    type=click.Choice(["libm", "inline"]),
+    help="With C: sine and cosine from libm, or written into the file; default: libm.",
+)
+@click.option(
+    "--check",
+    "compare",
+    is_flag=True,
+    help="Write nothing; exit with 1 when the files differ from what would be written.",
+)
 @anew_option
 @click.option("--force", is_flag=True, help="Overwrite files that were edited by hand.")
 def command(

@@ -23,7 +23,7 @@ VERBS = {
     "emit": "Write the equations as C, Python or LaTeX.",
     "run": "Integrate a scene and write its trajectory.",
     "chart": "Chart time against error and recommend equations and a method.",
-    "linearize": "Linearise about an equilibrium or a steady motion.",
+    "linearize": "Linearize about an equilibrium or a steady motion.",
     "stability": "Study how stable a scene's motion and its integration are.",
     "reduce": "Explain the smallest exact model of a scene.",
     "compare": "Show that all formulations of a spec agree, or that two specs do.",

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nhc.cli.options import SweepRange, formulation_option, json_option, spec_argument, sweep_option
+from nhc.cli.options import SweepRange, formulation_option, json_option, list_examples, spec_argument, sweep_option
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json
 from nhc.diagnostics import several
@@ -18,12 +18,33 @@ if TYPE_CHECKING:
     from nhc.study.sweep import Sweep
 
 
-@click.command("linearize")
+@click.command(
+    "linearize",
+    epilog=list_examples(
+        "nhc linearize rolling_disk --about 'theta=pi/2, w_n=3'",
+        "nhc linearize rolling_disk --about theta=pi/2 --sweep w_n=1:4:13",
+    ),
+)
 @spec_argument
-@click.option("--about", metavar="MOTION", required=True, help="A scene, or `name=value,...`: where to look from.")
-@click.option("--set", "settings", metavar="A=1,...", multiple=True, help="Change values of it: state or parameters.")
 @click.option(
-    "--hold", "holds", metavar="A,B|A=1", multiple=True, help="Look only where these keep their value, or have it."
+    "--about",
+    metavar="MOTION",
+    required=True,
+    help="Where to start looking: a scene, or values such as `theta=pi/2, w_n=3`.",
+)
+@click.option(
+    "--set",
+    "settings",
+    metavar="A=1,...",
+    multiple=True,
+    help="Change values of MOTION: of its state or of parameters.",
+)
+@click.option(
+    "--hold",
+    "holds",
+    metavar="A,B|A=1",
+    multiple=True,
+    help="Hold these at their values in MOTION, or at the values given here.",
 )
 @sweep_option()
 @formulation_option
@@ -37,10 +58,10 @@ def command(
     formulation: str | None,
     as_json: bool,
 ) -> int:
-    """Linearise about an equilibrium or a steady motion.
+    """Linearize about an equilibrium or a steady motion.
 
     Finds the steady motion of SPEC that is nearest to MOTION, prints the matrix of small perturbations and its
-    eigenvalues.  A motion is steady when all of its state but the cyclic coordinates stands still.
+    eigenvalues.  A motion is steady when nothing changes but cyclic coordinates, on which no rate depends.
     """
     source = open_spec(spec)
     from nhc.pipeline import Options, linearize

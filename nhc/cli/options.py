@@ -49,8 +49,16 @@ def sweep_option(usual: int | None = None) -> Callable[[Command], Command]:
             raise click.BadParameter("LO must be less than HI, and COUNT between 2 and 10000")
         return found
 
-    about = "Eigenvalues along NAME, and crossings."
+    usual_text = f"; COUNT is {usual} if left out" if usual else ""
+    about = (
+        f"Follow the eigenvalues along NAME (a parameter or quantity), and find where they cross the axis{usual_text}."
+    )
     return click.option("--sweep", metavar=shape, callback=read, help=about)
+
+
+def list_examples(*commands: str) -> str:
+    """The end of a help text."""
+    return "\n".join(["\b", "Examples:", *(f"  {command}" for command in commands)])
 
 
 spec_argument = click.argument("spec", shell_complete=complete_spec)
@@ -60,9 +68,11 @@ formulation_option = click.option(
     "-f",
     type=click.Choice(FORMULATIONS),
     default=None,
-    help="The formulation to derive, in place of the spec's own.",
+    help="How the equations are formed; default: as the spec says, else auto.",
 )
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON with a versioned schema.")
-explain_option = click.option("--explain", is_flag=True, help="Say what was found out on the way, and why.")
+explain_option = click.option(
+    "--explain", is_flag=True, help="Also say what kind of system it is, what is conserved, and why this formulation."
+)
 output_option = click.option("-o", "output", metavar="FILE", help="Write to FILE in place of stdout (`-`).")
-anew_option = click.option("--anew", is_flag=True, help="Derive anew, whatever an earlier run has kept.")
+anew_option = click.option("--anew", is_flag=True, help="Derive again, even where the cache has the result.")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nhc.cli.options import formulation_option, json_option, spec_argument
+from nhc.cli.options import formulation_option, json_option, list_examples, spec_argument
 from nhc.cli.simplify import approximate, check_options
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Failure, put, put_json, say
@@ -16,18 +16,23 @@ if TYPE_CHECKING:
     from nhc.program.scene_model import SceneModel, Tried
 
 
-@click.command("reduce")
+@click.command(
+    "reduce",
+    epilog=list_examples(
+        "nhc reduce rolling_disk --scene lean", "nhc reduce pendulum --scene small --tol 1e-4 -o small.yaml"
+    ),
+)
 @spec_argument
 @click.option(
     "--scene", metavar="NAME", default="", help="The scene whose needs the model has to deliver; default: the first."
 )
 @formulation_option
-@click.option("--fold", is_flag=True, help="Put the scene's parameter values in first.")
+@click.option("--fold", is_flag=True, help="Put the scene's parameter values in as numbers first.")
 @click.option(
     "--tol",
     "tolerance",
     type=float,
-    help="Leave out terms as well, while what is needed errs by less than this on the scene (relative).",
+    help="Leave out terms too, while the relative error of what is needed stays below this; default: nothing is approximated.",
 )
 @click.option("-o", "output", metavar="FILE", help="With --tol: write the smallest model as a spec.")
 @click.option("--chart", metavar="FILE", help="With --tol: draw size against error, .svg or .html.")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import formulation_option, spec_argument, split_names
+from nhc.cli.options import formulation_option, list_examples, spec_argument, split_names
 from nhc.cli.progress import Progress
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
@@ -46,34 +46,57 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
     return value or ""
 
 
-@click.command("run")
+@click.command(
+    "run",
+    epilog=list_examples(
+        "nhc run chaplygin_sleigh -o sleigh.html", "nhc run rolling_disk --scene lean --tol 1e-10 --points 501"
+    ),
+)
 @spec_argument
 @click.option("--scene", metavar="NAME", default="", help="The scene to run; default: the first.")
 @click.option("-o", "output", metavar="FILE", help="A .csv, .npz, .svg or .html file; default: CSV on stdout (`-`).")
 @click.option(
-    "--need", "needs", metavar="A,B", callback=split_names, help="What is wanted, in place of the scene's own need."
+    "--need",
+    "needs",
+    metavar="A,B",
+    callback=split_names,
+    help="The columns that are wanted; default: the scene's need.",
 )
-@click.option("--points", type=click.IntRange(2, 10_000_000), help="Number of rows; default: 201, for each start 2.")
+@click.option(
+    "--points",
+    type=click.IntRange(2, 10_000_000),
+    help="Number of rows; default: 201, with --ensemble 2 for each start.",
+)
 @click.option(
     "--method",
     "-m",
     type=click.Choice((*METHODS, "auto")),
     default="auto",
-    help="The integrator; default: auto, an explicit one while the scene is not stiff.",
+    help="The integrator; default: auto, which is explicit until the scene becomes stiff.",
 )
 @click.option("--tol", "tolerance", type=float, callback=_positive, help="Relative accuracy; default: the scene's.")
-@click.option("--step", type=float, callback=_positive, help="Fixed steps of this length in place of adaptive ones.")
 @click.option(
-    "--until", metavar="EXPR", callback=_expression, help="Stop when this expression in the spec's names crosses zero."
+    "--step",
+    type=float,
+    callback=_positive,
+    help="Fixed steps of this length; default: adaptive ones, or for a method without them a length found by halving.",
 )
-@click.option("--ensemble", metavar="FILE", default="", help="Run from each start of this CSV table of initial values.")
+@click.option(
+    "--until",
+    metavar="EXPR",
+    callback=_expression,
+    help="Stop where this expression in the spec's names crosses zero; default: at the end of the scene.",
+)
+@click.option("--ensemble", metavar="FILE", default="", help="Run from each row of this CSV table of start values.")
 @formulation_option
 @click.option(
-    "--project", is_flag=True, help="Move a start that violates the constraints to the nearest that does not."
+    "--project",
+    is_flag=True,
+    help="Replace initial velocities that violate the constraints by the nearest that do not.",
 )
-@click.option("--stay", is_flag=True, help="Keep to the formulation, and fail where it becomes singular.")
-@click.option("--drift", is_flag=True, help="Do not bring each step back to the constraints (multipliers, holonomic).")
-@click.option("--python", "interpreted", is_flag=True, help="Run the emitted Python, without a compiler.")
+@click.option("--stay", is_flag=True, help="Never change the formulation; fail where it becomes singular.")
+@click.option("--drift", is_flag=True, help="Do not bring the state back to the constraints after each step.")
+@click.option("--python", "interpreted", is_flag=True, help="Run the emitted Python instead of compiled C; slow.")
 @click.option("--force", is_flag=True, help="Overwrite FILE when it exists.")
 def command(
     spec: str,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import SweepRange, formulation_option, json_option, sweep_option
+from nhc.cli.options import SweepRange, formulation_option, json_option, list_examples, sweep_option
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json, say
 
@@ -23,12 +23,32 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
     return value
 
 
-@click.command("stability")
+@click.command(
+    "stability",
+    epilog=list_examples("nhc stability chaplygin_sleigh -o sleigh.html", "nhc stability bicycle --sweep speed=0:10"),
+)
 @click.argument("spec", required=False, shell_complete=complete_spec)
 @click.option("--scene", metavar="NAME", default="", help="The scene to look at; default: the first.")
-@click.option("--about", metavar="MOTION", default="", help="Where to look for a steady motion; default: the scene.")
-@click.option("--set", "settings", metavar="A=1,...", multiple=True, help="Change values of that motion.")
-@click.option("--hold", "holds", metavar="A,B|A=1", multiple=True, help="What the steady motion must keep, or have.")
+@click.option(
+    "--about",
+    metavar="MOTION",
+    default="",
+    help="Where to start looking for a steady motion: a scene, or values; default: the scene.",
+)
+@click.option(
+    "--set",
+    "settings",
+    metavar="A=1,...",
+    multiple=True,
+    help="Change values of MOTION: of its state or of parameters.",
+)
+@click.option(
+    "--hold",
+    "holds",
+    metavar="A,B|A=1",
+    multiple=True,
+    help="Hold these at their values in MOTION, or at the values given here.",
+)
 @sweep_option(usual=21)
 @click.option(
     "--long",
@@ -36,7 +56,7 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
     type=click.FloatRange(1, 1e6),
     callback=_check_number,
     default=10,
-    help="Length of the long run in scenes; default: 10.",
+    help="Length of the long run, in lengths of the scene; default: 10.",
 )
 @click.option("--atlas", is_flag=True, help="Run the atlas of failures in place of a spec.")
 @click.option("--slow", is_flag=True, help="With `--atlas`: the scenarios that take longer, too.")

@@ -190,5 +190,5 @@ def list_statuses(program: Program) -> tuple[Status, ...]:
 
 
 def find_not_finite(program: Program) -> int:
-    """The code for a result that is not finite: one more than the last singular block's."""
+    """The status for a result that is not finite: one more than the largest status of a singular block."""
     return max((status.code for status in list_statuses(program)), default=0) + 1

@@ -33,7 +33,7 @@ SPEC_KEYS = (
         "extends",
         "text",
         False,
-        "another spec, by its path from this folder; its keys hold where none are given here",
+        "a base spec, by its path from this folder; keys that are not given here are taken from it",
     ),
     Key("system", "system", True, f"name of files and functions, `{SYSTEM_PATTERN}`"),
     Key("about", "text", False, "what the system is, in a sentence"),
@@ -55,18 +55,23 @@ SPEC_KEYS = (
     ),
     Key("constraints", "equations", False, "constraints linear in the velocities: a list of `text` or `name: text`"),
     Key("holonomic", "equations", False, "constraints `f(q, t) = 0`: a list of `text` or `name: text`"),
-    Key("quasi_velocities", "expressions", False, "the forms that the constraints leave free, in order"),
+    Key(
+        "quasi_velocities",
+        "expressions",
+        False,
+        "names of linear forms in the velocities that the constraints leave free, in order",
+    ),
     Key("dependent", "names", False, "the coordinates whose velocities the constraints are solved for"),
     Key("formulation", "choice", False, "how the equations are formed; `auto` if left out", FORMULATIONS),
     Key("outputs", "expressions", False, "named quantities besides the state; `T`, `U`, `V`, `energy` may be used"),
-    Key("draw", "figures", False, "shapes that the page of a run draws and moves: a list of them"),
+    Key("draw", "figures", False, "a list of shapes that the page of a run draws and moves"),
     Key("scenes", "scenes", False, "concrete situations, by name"),
 )
 
 COORDINATE_KEYS = (
     Key("unit", "unit", False, "unit, such as `m` or `rad`"),
     Key("about", "text", False, "what it is"),
-    Key("range", "interval", False, "where it is meant to stay: `[low, high]`"),
+    Key("range", "interval", False, "where it is expected to stay: `[low, high]`"),
 )
 
 ROTATION_KEYS = (

@@ -28,7 +28,7 @@ class Pair:
 
 
 def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
-    """The pairs of ``a=1, b'=-v/2``; commas inside parentheses do not part them.
+    """The pairs (name, expression) of an option such as ``a=1, b'=-v/2``; commas inside parentheses do not separate pairs.
 
     Raises:
         nhc.diagnostics.SpecError: with places in the option's text.

@@ -26,11 +26,12 @@ Guards = tuple[tuple[Node, Node], ...]
 
 @dataclass(frozen=True)
 class Frame:
-    """``vectors[j][i]`` is b_ij; ``omega`` are the symbols of the n quasi-velocities, those of the constraints first.
+    """A coframe (I.2.1): n velocity forms, the l constraints first, and its inverse, which is solved for on demand.
 
-    ``solve(everything)`` gives (q', guards), q' in terms of ``symbols``, which stand for the n forms (omega, where nothing else
-    is said); unless ``everything`` is asked for, the constraints' are zero already: the motion needs no more than that, and
-    reactions ask for the rest.  Nothing is solved before it is asked for.
+    ``forms`` are the forms omega_i = a_ij q'_j + a_i,n+1, and ``omega`` their symbols.  ``vectors[j][i]`` is b_ij of the inverse
+    q'_i = b_ij omega_j + b_i,n+1 (I.2.4).  ``symbols`` stand for the values of the forms in what ``solve`` returns; they are
+    ``omega`` unless the caller gave others.  ``solve(everything)`` returns q' (n nodes) and the guards, which must not vanish.
+    Without ``everything`` the constraints' values are put to zero, which is all that the motion needs; reactions need the rest.
     """
 
     system: System

@@ -123,6 +123,25 @@ class Rotation:
         return cross(graph, y, x) if self.sign > 0 else cross(graph, x, y)
 
 
+def name_entries(
+    graph: Graph, rotation: Rotation, entries: Sequence[str], velocities: Sequence[str]
+) -> dict[Node, Node]:
+    """Symbols in place of the entries of R (row by row) and of omega, for substitution into what a person reads.
+
+    They are not independent, so that nothing may be tested or differentiated with them in it.
+    """
+    found: dict[Node, Node] = {}
+    for i in range(3):
+        for j in range(3):
+            symbol = graph.symbol(entries[3 * i + j], "entry")
+            put(graph, found, rotation.matrix[i][j], symbol)
+            if i == j:
+                put(graph, found, rotation.sums[i], graph.sub(graph.one, symbol))
+    for node, name in zip(rotation.omega, velocities, strict=True):
+        put(graph, found, node, graph.symbol(name, "quasi"))
+    return found
+
+
 def put(graph: Graph, mapping: dict[Node, Node], node: Node, value: Node) -> None:
     """``node`` = ``value`` as an entry for the node without its rational factor, which products carry in front of them."""
     factor, core = graph.split_coefficient(node)

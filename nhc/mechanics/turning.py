@@ -134,7 +134,10 @@ def exterior_derivative(system: System, form: Form, x: Direction, e: Direction) 
 
 
 def rows_in_base(system: System, forms: Sequence[Form]) -> list[list[Node]]:
-    """Coefficients of velocity forms by the base coframe: those by q' where the system has no rotation."""
+    """The coefficients of velocity forms, one row each, in the base coframe.
+
+    Its forms are q', with (|e|^2)' and the three components of omega in place of the four e' of each rotation.
+    """
     g = system.graph
     if not system.rotations:
         return [list(form.coefficients) for form in forms]

@@ -87,7 +87,7 @@ class Planner(PlannerBase):
             (value, f"reaction of {form.name}: Q_i gains lambda_{k + 1} a_{k + 1}i", form.place)
             for k, (value, form) in enumerate(zip(values, system.constraints, strict=True))
         ]
-        return self.take_rates("reactions", "reactions lambda: Q_i gains lambda_a a_ai", "I.4.1", system.l, nodes)
+        return self.take_rates("reactions", "reactions lambda of the constraints", "I.4.1", system.l, nodes)
 
     # --- what follows from the rates ------------------------------------------------------------------------
 
@@ -128,7 +128,9 @@ class Planner(PlannerBase):
 
     def energy(self) -> FunctionPlan:
         value = self.on_motion([self.system.energy])[0]
-        return FunctionPlan("energy", "T + V", "", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value)
+        return FunctionPlan(
+            "energy", "energy T + V", "", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value
+        )
 
     def state(self) -> FunctionPlan:
         """y from (q, q'): the kept velocities are the values of their forms, without projection."""
@@ -163,7 +165,7 @@ class Planner(PlannerBase):
         )
         return FunctionPlan(
             "residuals",
-            "left sides of the constraints, zero on every motion",
+            "left minus right side of each constraint, zero on every motion",
             "I.1.1",
             self._motion_arguments(),
             Argument("r", system.l),
@@ -184,7 +186,7 @@ class Planner(PlannerBase):
         )
         return FunctionPlan(
             "positions",
-            "residuals of the holonomic constraints at position level",
+            "left minus right side of each holonomic constraint, zero on every motion",
             "",
             (T_ARGUMENT, Argument("q", system.n), self.p),
             Argument("f", len(held)),

@@ -83,7 +83,7 @@ class Origin:
 
 @record
 class Section:
-    """A comment that heads the statements after it, e.g. "parameters only"."""
+    """A comment that heads the statements after it, e.g. "from the parameters alone"."""
 
     title: str
     origin: Origin = Origin()

@@ -45,7 +45,7 @@ def plan_jacobian(planner: PlannerBase) -> FunctionPlan:
     rows += slopes.entries
     plan = planner.plan(
         "jacobian",
-        "d rhs_i / d y_j, row-major",
+        "Jacobian matrix of rhs, d rhs_i / d y_j",
         planner.equations.number,
         size * size,
         [(node, "", "") for row in rows for node in row],

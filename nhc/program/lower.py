@@ -157,10 +157,10 @@ class Lowering:
 
     def _parameter_section(self, lets: list[Node]) -> None:
         if lets:
-            self.body.append(Section("parameters only"))
+            self.body.append(Section("from the parameters alone"))
             for node in lets:
                 self._let(node)
-        self.body.append(Section("state"))
+        self.body.append(Section("from the state"))
 
     def _let(self, node: Node) -> None:
         value = self._opposite(node) if node in self.turned.values() else self._whole(node)

@@ -20,7 +20,7 @@ HIGHEST = 64
 
 
 def chain(exponents: Iterable[int]) -> dict[int, tuple[int, int]]:
-    """Each exponent above 1 that is needed, in increasing order, as the sum of two smaller ones of the chain or 1."""
+    """An addition chain: each exponent above 1 that is needed, in increasing order, as a sum of two smaller ones (or 1)."""
     found: dict[int, tuple[int, int]] = {}
 
     def make(n: int) -> None:

@@ -61,7 +61,7 @@ class Style:
 
 
 def style_of(results: Sequence[Result]) -> Style:
-    """What cases are told apart by, in the order in which they come."""
+    """The methods, formulations and languages of the cases, each in order of first appearance, which choose colours and marks."""
     cases = [result.case for result in results]
     return Style(
         tuple(dict.fromkeys(c.method for c in cases)),

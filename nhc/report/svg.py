@@ -73,7 +73,7 @@ def draw(chart: Chart) -> str:
 
 
 def draw_inside(chart: Chart) -> str:
-    """The chart's elements without the ``svg`` around them."""
+    """The SVG elements of a chart, without the enclosing ``svg`` element, to be placed in a larger picture."""
     legend = legend_rows(chart)
     frame = find_frame(chart, len(legend))
     parts = [draw_text(chart.width / 2, 18, chart.title, "middle", ' font-size="14" font-weight="bold"')]

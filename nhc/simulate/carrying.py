@@ -60,7 +60,7 @@ def place_of(job: Job, recipe: Recipe, outcome: Outcome) -> Place | None:
 
 
 def carry(job: Job, following: Job, outcome: Outcome) -> list[float]:
-    """The state of the following job with the same q and q'."""
+    """The state vector of the job ``following`` at the q and q' where ``outcome`` of ``job`` ended."""
     assert job.recipe is not None and following.kept is not None
     place = place_of(job, job.recipe, outcome)
     assert place is not None

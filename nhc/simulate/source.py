@@ -242,7 +242,7 @@ def list_parts(program: Program) -> tuple[tuple[float, float], ...]:
 
 
 def count_packs(states: int) -> int:
-    """Fours that hold so many entries."""
+    """How many groups of four doubles hold a state of so many entries."""
     return -(-states // FOUR)
 
 

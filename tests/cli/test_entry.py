@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -20,6 +21,7 @@ from nhc.cli import explain, main
 from nhc.cli.entry import VERBS
 from nhc.cli.options import FORMULATIONS
 from nhc.cli.terminal import Exit, Failure, wants_colour
+from nhc.pipeline import STAGES
 from tests.support import INTERRUPTIBLE
 
 MODULES = {path.stem for path in Path(explain.__file__).parent.glob("*.py")}
@@ -206,3 +208,27 @@ def test_a_terminal_gets_colour_unless_it_does_not_want_it(tmp_path: Path, no_co
     assert child.returncode == 1
     assert b"error[E" in shown.replace(b"\x1b[1;31m", b"")
     assert (b"\x1b[" in shown) is coloured
+
+
+def command_of(verb: str) -> click.Command:
+    command = import_module(f"nhc.cli.{verb}").command
+    assert isinstance(command, click.Command)
+    return command
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_examples_of_a_help_text_are_taken_by_its_verb(verb: str) -> None:
+    command = command_of(verb)
+    examples = [line.strip() for line in (command.epilog or "").splitlines() if line.startswith("  ")]
+    assert examples
+    for example in examples:
+        name, first, *arguments = shlex.split(example)
+        assert (name, first) == ("nhc", verb)
+        command.make_context(verb, arguments)  # refuses what the verb does not take
+
+
+def test_help_of_dump_lists_the_stages() -> None:
+    (dump,) = [parameter for parameter in command_of("derive").params if parameter.name == "dump"]
+    assert isinstance(dump, click.Option)
+    *most, last = [stage.name for stage in STAGES]
+    assert f"{', '.join(most)} or {last}" in (dump.help or "")

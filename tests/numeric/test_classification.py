@@ -159,7 +159,7 @@ def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None
 def test_integrals_with_a_parameter_beside_a_function(rows: tuple[str, ...], integral: str) -> None:
     system = constrained("b, u, z, w", *rows, parameters="{R: 0.4}")
     facts = describe(system, formulate(system), Bag(system.spec.origin))
-    assert "not found" not in facts.lines_by_key["integrals"]
+    assert "not found" not in facts.marked["integrals"]
     b, u, z, w, R, t = sympy.symbols("b u z w R t")
     wanted = sympy.sympify(integral, {"b": b, "u": u, "z": z, "w": w, "R": R, "t": t})
     found = [sympy.sympify(e["integral"].replace("^", "**")) for e in facts.data["integrals"]]
@@ -232,7 +232,7 @@ TRIKKE = (
 def rank_of(*spec: str) -> tuple[object, str]:
     system = constrained(*spec)
     facts = describe(system, formulate(system), Bag(system.spec.origin))
-    return facts.data["rank"]["full"], facts.lines_by_key["rank"]
+    return facts.data["rank"]["full"], facts.marked["rank"].replace("$", "")
 
 
 def test_minors_that_never_vanish_at_once_lose_no_rank() -> None:

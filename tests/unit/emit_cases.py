@@ -134,7 +134,7 @@ def make_sleigh() -> Program:
     state = (*loads("y", "x", "y", "theta", "v", "w"), Load("t", "t", -1))
     parameters = loads("p", "m", "I", "lambda")
     hoisted = (
-        Section("parameters only"),
+        Section("from the parameters alone"),
         let("J", ref("I") + ref("m") * ref("lambda") ** 2, "I.2.15", "sleigh.yaml:4:1"),
         Guard(ref("J").node, (call("abs", ref("I")) + ref("m")).node, 1e-12, 1, "the moment of inertia is singular"),
     )

@@ -163,7 +163,7 @@ def test_dead_code_goes_and_parameter_work_is_found() -> None:
         Load("z", "y", 1),
         Section("nothing"),
         let("unused", ref("z") + ref("c")),
-        Section("parameters only"),
+        Section("from the parameters alone"),
         let("k", ref("a") * ref("b")),
         let("m", ref("k") * ref("x")),
         let("n", ref("k") * 2.0),
@@ -171,7 +171,7 @@ def test_dead_code_goes_and_parameter_work_is_found() -> None:
     )
     kept = drop_unused(body)
     assert list_used_names(body) == {"a", "b", "x", "k", "m", "n"}
-    assert [s.title for s in kept if isinstance(s, Section)] == ["parameters only"]
+    assert [s.title for s in kept if isinstance(s, Section)] == ["from the parameters alone"]
     outside, inside = split_hoisted(kept)
     assert [getattr(s, "name", "") for s in outside] == ["a", "b", "k", "n"]
     assert [getattr(s, "name", "") for s in inside] == ["x", "m", ""]

@@ -51,7 +51,7 @@ def said(made: Derivation) -> str:
 
 def says(text: str, key: str) -> str:
     system = load(text)
-    return describe(system, formulate(system), Bag(system.spec.origin)).lines_by_key[key]
+    return describe(system, formulate(system), Bag(system.spec.origin)).marked[key].replace("$", "")
 
 
 # --- the energy -----------------------------------------------------------------------------------------------
@@ -87,7 +87,7 @@ def test_terms_of_first_degree_that_vanish_on_the_constraints_are_seen() -> None
 
 def test_a_force_whose_work_another_cancels_is_no_reason() -> None:
     text = SPACE + "forces: {x: c*z*y', y: -c*z*x', z: -c*z'}\n"
-    assert says(text, "energy") == "energy: T + V is not conserved: the force on `z`"
+    assert says(text, "energy") == "energy: T + V is not conserved, because of: the force on `z`"
 
 
 def test_forces_may_contain_the_time_under_caplygins_hypotheses() -> None:
@@ -149,7 +149,7 @@ def test_numbers_of_the_forms(text: str) -> None:
 def test_one_is_not_several() -> None:
     made = said(derive(HEAD + "coordinates: [x]\nT: m/2*x'^2\n"))
     assert "the system has one degree of freedom." in made
-    assert "Of its 3 rows one holds automatically (exactly tested), that of the velocity's differential." in made
+    assert "Of its 3 rows one holds automatically (checked exactly), that of the velocity's differential." in made
     assert says(HEAD + "coordinates: [x]\nT: m/2*x'^2\n", "degrees") == "1 coordinate, 0 constraints, 1 free velocity"
     assert says(PARTICLE, "degrees") == "3 coordinates, 1 constraint, 2 free velocities"
 

@@ -40,7 +40,10 @@ Raises:
 
 
 def points_for(degree: int, count: int) -> int:
-    """How many points decide what holds signs of a degree, for which ``count`` are enough without."""
+    """The number of random points for an exact test of something in which up to ``degree`` signs are multiplied.
+
+    ``count`` points are enough without signs.
+    """
     return max(count, _POINTS << degree) if degree else count
 
 

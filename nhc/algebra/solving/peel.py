@@ -85,7 +85,10 @@ class _Peeler:
 
 
 def peel(graph: Graph, rows: Sequence[Node], unknowns: Sequence[Node]) -> Peeled:
-    """The order of rows that are linear in the unknowns."""
+    """An order in which rows that are linear in the unknowns can be solved one by one, as far as there is one.
+
+    Rows with a single open unknown come first, unknowns that stand in a single row last; what is left has to be solved together.
+    """
     work, first, last = _Peeler(graph, rows, unknowns), list[Single](), list[Single]()
     while work.left:
         found = work.take_single_rows()

@@ -71,12 +71,30 @@ def print_file_comment(program: Program, functions: tuple[Function, ...], file_n
     if functions:
         texts += ["", "Operations:"]
         texts += [f"{function.name}: {count(function)}" for function in functions]
-    texts += [
-        "",
-        "Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.",
-    ]
+    texts += ["", *explain_calls(program, functions)]
     head = f"{file_name}: {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})"
     return frame((head, *wrap_all(texts)))
+
+
+def explain_calls(program: Program, functions: tuple[Function, ...]) -> tuple[str, ...]:
+    """What a caller has to know: arrays, units, return codes, threads, and what the numbers in parentheses are."""
+    capitals, names = program.system.upper(), {function.name for function in functions}
+    quantities = (*program.state, *program.parameters, *program.constraints, *program.outputs)
+    fill = f" {program.system}_state makes y from coordinates and velocities." if "state" in names else ""
+    cites = "Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non"
+    return tuple(
+        text
+        for text in (
+            f"Calls: t is the time, y has {capitals}_NY entries and p {capitals}_NP;"
+            f" {program.system}_parameter_defaults can be p.{fill}",
+            "All arrays are the caller's; an output must not overlap an input.",
+            "Units are in brackets, and nothing is converted." if any(q.unit for q in quantities) else "",
+            f"Return codes: {capitals}_OK (0) where the result is good; after any other code the output is not to be used.",
+            "Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.",
+            f"{cites} holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.",
+        )
+        if text
+    )
 
 
 def count(function: Function) -> str:
@@ -89,13 +107,14 @@ def print_function_comment(program: Program, function: Function) -> tuple[str, .
     number = f" ({function.equation})" if function.equation else ""
     texts = [f"{function.about or function.name}{number}"]
     if function.output is not None:
-        texts.append(f"{function.output.name}: {function.output.size} entries")
+        entries = "entry" if function.output.size == 1 else "entries"
+        texts.append(f"{function.output.name}: {function.output.size} {entries}")
     else:
-        texts.append("not finite where the model is singular")
+        texts.append("infinite or NaN where the model is singular")
     if function.name == "jacobian":
         texts[-1] += f", row by row: d rhs_i / d y_j stands at {len(program.state)}*i + j"
     if function.name == "reactions":
-        texts.append("Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a")
+        texts.append("the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a")
     return frame(wrap_all(texts))
 
 

@@ -67,7 +67,7 @@ def cut(body: Sequence[Statement], longest: int, usual: int) -> tuple[tuple[Stat
 
 
 def find_crossing(parts: Iterable[Iterable[Statement]]) -> dict[str, int]:
-    """The names that are used in another part than they are computed in, numbered in the order of their computation."""
+    """The names that one part of a function computes and another uses, each with its place in the array that is handed on."""
     home: dict[str, int] = {}
     crossing: set[str] = set()
     for number, part in enumerate(parts):

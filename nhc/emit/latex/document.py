@@ -8,6 +8,7 @@ from dataclasses import replace
 from itertools import groupby
 
 from nhc.emit.environment import create_environment
+from nhc.emit.latex.inline import print_inline
 from nhc.emit.latex.math import LatexMath
 from nhc.emit.latex.names import name_document
 from nhc.emit.latex.spelling import count_shown, escape, escape_breakable, spell_unit, split_shown
@@ -35,7 +36,7 @@ _ALIGNED = 120.0  # widest left side that is aligned at its relation
 
 @record
 class Section:
-    """What the template places."""
+    """A section of the document, as the template places it: its title and its paragraphs as LaTeX."""
 
     title: str
     paragraphs: tuple[str, ...]
@@ -144,9 +145,12 @@ class _Printer:
     # --- prose and tables -------------------------------------------------------------------------------------
 
     def _prose(self, text: str) -> str:
-        """Names between back-ticks that stand for quantities are set as math, others as words."""
-        pieces = re.split(r"`([^`]*)`", clean(text))
-        return "".join(self._name(part) if k % 2 else escape_breakable(part) for k, part in enumerate(pieces))
+        """Expressions between dollar signs and names of quantities between back-ticks are set as math, other names as words."""
+        pieces = re.split(r"(`[^`]*`|\$[^$]*\$)", clean(text))
+        return "".join(self._marked(part) if k % 2 else escape_breakable(part) for k, part in enumerate(pieces))
+
+    def _marked(self, part: str) -> str:
+        return print_inline(part[1:-1], self.spelling) if part[0] == "$" else self._name(part[1:-1])
 
     def _name(self, name: str) -> str:
         if name not in self.names:

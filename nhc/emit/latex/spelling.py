@@ -105,7 +105,7 @@ def _chunks(part: str) -> list[str]:
 
 
 def count_shown(text: str) -> int:
-    """The characters that the text is set in: many for one that is named by its code."""
+    """The number of characters that the text takes when set; one that is named by its code, as <U+2126>, takes several."""
     return sum(_length(_escape_character(character)) for character in text)
 
 
@@ -114,7 +114,7 @@ def _length(shown: str) -> int:
 
 
 def split_shown(text: str, most: int) -> list[str]:
-    """The text, escaped, in parts of so many characters."""
+    """The text, escaped for LaTeX, in parts of at most ``most`` characters as they are set."""
     chunks, length = [""], 0
     for shown in map(_escape_character, text):
         own = _length(shown)

@@ -12,12 +12,16 @@ from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
 WIDTH = 84
+CITES = (
+    "Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non holonomes, "
+    "Namur 1977; 17:4 beside a statement is line:column of the spec."
+)
 SINGULAR = {
     "": "A singular point raises SingularModelError.",
     "numpy": "Arrays broadcast; SingularModelError is raised when any of the points is singular.",
     "jax": (
         "Arrays broadcast. JAX cannot raise in compiled code: the results at singular points are NaN. "
-        "Doubles need jax.config.update('jax_enable_x64', True) before."
+        "Doubles need jax.config.update('jax_enable_x64', True) beforehand."
     ),
 }
 
@@ -62,7 +66,8 @@ def print_module_docstring(program: Program, functions: tuple[Function, ...], ar
         texts += ["", "Outputs:", *(f"out[{i}] = {describe(q)}" for i, q in enumerate(program.outputs))]
     if functions:
         texts += ["", "Operations:", *(f"{f.name}: {count(f)}" for f in functions)]
-    texts += ["", SINGULAR[array]]
+    units = any(q.unit for q in (*program.state, *program.parameters, *program.outputs))
+    texts += ["", SINGULAR[array], *(["Units are in brackets, and nothing is converted."] if units else []), CITES]
     head = f'"""{program.system}, emitted by nhc {__version__} ({PLACEHOLDER}).'
     return (head, "", *wrap_all(texts), '"""')
 
@@ -92,7 +97,7 @@ def print_function_docstring(program: Program, function: Function, array: str) -
         result = "Returns " + describe_shape(function.output, array)
     texts = [f"{inputs}.", f"{result}."]
     if function.name == "reactions":
-        texts.append("Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.")
+        texts.append("The force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a.")
     head = wrap_all([f"{function.about or function.name}{number}"], "    ", "")
     head[0] = f'    """{head[0].lstrip()}'
     return (*head, "", *wrap_all(texts, "    "), '    """')

@@ -63,7 +63,7 @@ def _sheet(printer: TextSheets, sheet: Sheet) -> dict[str, Any]:
 def _item(printer: TextSheets, item: Item) -> dict[str, Any]:
     match item:
         case Prose():
-            return {"kind": "prose", "text": item.text}
+            return {"kind": "prose", "text": item.plain}
         case Formula():
             return {"kind": "formula", "text": item.text, "latex": item.latex, "equation": item.equation}
         case Table():

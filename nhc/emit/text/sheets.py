@@ -70,7 +70,7 @@ class TextSheets:
         return lines
 
     def _prose(self, prose: Prose) -> list[str]:
-        text = clean(prose.text)
+        text = clean(prose.plain)
         return textwrap.wrap(
             text, WIDTH, subsequent_indent="  " if text.startswith("- ") else "", break_long_words=False
         )

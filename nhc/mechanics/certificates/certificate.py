@@ -65,7 +65,7 @@ class Agreement:
 
 @record
 class Rejection:
-    """A wrong derivation: ``told_apart`` if its accelerations differ exactly (None: it determines none)."""
+    """A wrong derivation; ``told_apart`` if its accelerations differ in the exact test (None: it determines none)."""
 
     name: str
     erratum: str

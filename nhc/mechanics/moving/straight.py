@@ -18,7 +18,10 @@ _TERMS = 60
 
 
 def straighten(scene: Scene, path: Path, local: Vector) -> tuple[Path, Vector]:
-    """The vector on the axes before the path's last turn, where that is one back from straight axes."""
+    """The vector ``local`` on the axes before the last turn of ``path``, if that turn leads back from a straightened joint.
+
+    Otherwise the path and the vector as they are.
+    """
     if not path or path[-1] not in scene.backs:
         return path, local
     g, back, path = scene.graph, path[-1], path[:-1]

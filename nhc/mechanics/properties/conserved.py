@@ -202,9 +202,9 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
         ("momenta and the energy", momenta),
         ("quasi-velocities and their momenta", _quasi(system, p, frame)),
         ("angular momenta of rotations (L)", _angular_momenta(system, p)),
-        ("rotations of coordinate pairs", turns),
+        ("angular momenta of coordinate pairs", turns),
         ("squares of coordinates and velocities", _squares(system)),
-        ("momenta and rotations times a parameter of the constraints", scaled),
+        ("momenta and angular momenta times a parameter of the constraints", scaled),
     ]
     kept, words = list[Candidate](), list[str]()
     for word, group in groups:
@@ -213,7 +213,7 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
             words.append(word)
     kept.append(Candidate(energy_name(system), system.energy, ENERGY))
     kept.append(Candidate("(p q' - T + V)", generalized_energy(system), ENERGY))
-    return kept, "constant combinations of " + ", ".join(words)
+    return kept, "linear combinations, with constant coefficients, of " + ", ".join(words)
 
 
 def _quasi(system: System, p: Sequence[Node], frame: Frame | None) -> list[Candidate]:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
 from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
+from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.solving.linear import degrees
 from nhc.diagnostics import Bag, several
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
@@ -19,7 +19,7 @@ from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.properties.conserved import Integral, find_conserved
 from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals
-from nhc.mechanics.properties.named import named_text
+from nhc.mechanics.properties.named import entry_text, named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss, never_changes
 from nhc.mechanics.regular.regularity import choose_dependent, intervals
@@ -31,18 +31,22 @@ _ROUNDING = 1e-12
 
 @dataclass
 class Facts:
-    """Lines for people, data for programs."""
+    """Lines for people, data for programs.
 
-    lines_by_key: dict[str, str] = field(default_factory=dict)
+    In ``marked``, which a derivation typesets, expressions stand between dollar signs, which no name or expression of a spec
+    contains; ``lines``, for a terminal, are without them.
+    """
+
+    marked: dict[str, str] = field(default_factory=dict)
     data: dict[str, Any] = field(default_factory=dict)
 
     def say(self, key: str, value: object, line: str) -> None:
         self.data[key] = value
-        self.lines_by_key[key] = line
+        self.marked[key] = line
 
     @property
     def lines(self) -> tuple[str, ...]:
-        return tuple(self.lines_by_key.values())
+        return tuple(line.replace("$", "") for line in self.marked.values())
 
 
 def describe(system: System, formulation: Formulation, bag: Bag, *, explain: bool = True) -> Facts:
@@ -52,7 +56,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     parts = ((n, "coordinate", "coordinates"), (lower, "constraint", "constraints"))
     text = ", ".join(_numbered(*part) for part in (*parts, (n - lower, "free velocity", "free velocities")))
     facts.say("degrees", {"n": n, "l": lower}, text)
-    _kinetic(system, facts)
+    _kinetic(system, facts, explain)
     integrals: tuple[PositionIntegral, ...] = ()
     torn = list_torn(system)
     if lower:
@@ -60,7 +64,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
         _dependent(system, formulation, facts, bag)
     _quasi(system, formulation, bag)
     cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
-    facts.say("cyclic", cyclic, f"cyclic coordinates: {', '.join(cyclic) or 'none'}")
+    facts.say("cyclic", cyclic, f"cyclic coordinates: {_list_marked(cyclic) or 'none'}")
     if explain:
         try:
             _conserved(system, formulation, integrals, facts)
@@ -82,11 +86,24 @@ def _numbered(number: int, one: str, several: str) -> str:
     return f"{number} {one if number == 1 else several}"
 
 
-def _kinetic(system: System, facts: Facts) -> None:
+def _list_marked(expressions: Iterable[str]) -> str:
+    return ", ".join(f"${text}$" for text in expressions)
+
+
+def _kinetic(system: System, facts: Facts, explain: bool) -> None:
     degree = degrees(system.graph, system.v)[system.T]
-    text = {2: "quadratic in the velocities"}.get(degree, "no polynomial of degree 2 in the velocities")
+    text = "quadratic in the velocities" if degree == 2 else "no polynomial of degree 2 in the velocities"
+    if degree == 2 and explain:
+        text = f"homogeneous {text}" if _is_homogeneous(system) else f"{text}, with terms of lower degree"
     timed = system.graph.depends(system.T, system.graph.deps[system.t])
-    facts.say("rheonomic", timed, f"T: {text}{', contains the time' if timed else ''}")
+    facts.say("rheonomic", timed, f"$T$: {text}{', contains the time' if timed else ''}")
+
+
+def _is_homogeneous(system: System) -> bool:
+    """Whether T, of degree 2 in the velocities, has no terms of lower degree: neither it nor a momentum is left at rest."""
+    g, rest = system.graph, dict.fromkeys(system.v, system.graph.zero)
+    at_rest = substitute(g, [system.T, *gradient(g, system.T, system.v)], rest, named=False)
+    return all(are_zero(g, at_rest))
 
 
 def _constraints(
@@ -96,7 +113,9 @@ def _constraints(
     kinds = [word for word, holds in (("affine", found.affine), ("time-dependent", found.rheonomic)) if holds]
     kind = ", ".join(kinds) or "homogeneous, scleronomic"
     growth = ", ".join(str(r) for r in found.growth)
-    facts.say("growth", list(found.growth), f"constraints: {kind}; growth vector of ker A: ({growth})")
+    facts.say(
+        "growth", list(found.growth), f"constraints: {kind}; growth vector of the allowed directions: $({growth})$"
+    )
     facts.data.update({"affine": found.affine, "time_dependent": found.rheonomic, "kinds": _kinds(system, found)})
     special = classify_as_given(system, found)
     text = _count_hidden(system, found)
@@ -122,7 +141,7 @@ def _count_hidden(system: System, found: Integrability) -> str:
         return "all constraints are integrable: the system is holonomic"
     if found.hidden:
         return f"{found.hidden} of {system.l} constraints integrable (holonomic in disguise), the others truly nonholonomic"
-    return "no integrable combination: truly nonholonomic"
+    return "no combination of the constraints is integrable: truly nonholonomic"
 
 
 def _kinds(system: System, found: Integrability) -> list[dict[str, object]]:
@@ -145,7 +164,7 @@ def _integrals(system: System, found: Integrability, facts: Facts, given: str = 
     integrals = find_position_integrals(system, frame, found.hidden, found.closed)
     data = [{"integral": i.text, "constraints": list(i.names)} for i in integrals]
     lost = found.hidden - len(integrals)
-    lines = [f"{i.text} = const (from {' and '.join(i.names)})" for i in integrals]
+    lines = [f"${i.text} = const$ (from {' and '.join(f'`{name}`' for name in i.names)})" for i in integrals]
     if lost:
         lines.append(f"{lost} not found in elementary functions")
     where = " with the parameters' values in the spec" if given else ""
@@ -209,9 +228,9 @@ def _rank_loss(system: System, facts: Facts) -> None:
     elif found.regular:
         text, full = "full everywhere", True
     elif find_common_zero(system.graph, found.minors, (*system.q, system.t), trial_points(system)) is not None:
-        text, full = f"lost where {' = '.join(minors)} = 0: the motion is undefined there", False
+        text, full = f"lost where ${' = '.join(minors)} = 0$: the motion is undefined there", False
     else:
-        text = f"full wherever it was tried; it would be lost where {' = '.join(minors)} = 0"
+        text = f"full wherever it was tried; it would be lost where ${' = '.join(minors)} = 0$"
     facts.say("rank", {"full": full, "lost_where_all_vanish": minors}, f"rank of the constraints: {text}")
 
 
@@ -220,13 +239,13 @@ def _conserved(system: System, formulation: Formulation, integrals: tuple[Positi
     frame = coordinate_frame(system, choose_dependent(system).dependent) if system.l else None
     found = find_conserved(system, frame, formulation.frame, [i.node for i in integrals])
     if found.energy:
-        line = "energy: T + V is conserved"
+        line = "energy: $T + V$ is conserved"
         if found.torn:
             line += f" (for the parameters' values in the spec and its scenes; {' and '.join(found.torn)} may jump for others)"
     else:
-        line = f"energy: T + V is not conserved: {', '.join(found.power)}"
+        line = f"energy: $T + V$ is not conserved, because of: {', '.join(found.power)}"
     if found.jacobi is not None:
-        line += f"; p q' - T + V is{'' if found.jacobi else ' not'}"
+        line += f"; $p q' - T + V$ is{'' if found.jacobi else ' not'}"
     facts.say(
         "energy",
         {
@@ -241,29 +260,29 @@ def _conserved(system: System, formulation: Formulation, integrals: tuple[Positi
     texts = [_spell(i) for i in found.integrals]
     facts.say("conserved", data, f"constants of the motion: {', '.join(texts) or 'none'} (sought among {found.tried})")
     if found.outputs:
-        facts.say("constant_outputs", list(found.outputs), f"outputs that are constant: {', '.join(found.outputs)}")
+        facts.say("constant_outputs", list(found.outputs), f"outputs that are constant: {_list_marked(found.outputs)}")
 
 
 def _spell(integral: Integral) -> str:
     kind = "the moving energy " if integral.moving else ""
-    where = f" (for {', '.join(f'{name} = 0' for name in integral.where)})" if integral.where else ""
-    return f"{kind}{integral.text}{where}"
+    where = f" (for {_list_marked(f'{name} = 0' for name in integral.where)})" if integral.where else ""
+    return f"{kind}${integral.text}${where}"
 
 
 def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag) -> None:
     choice = formulation.dependent or checked_dependent(system)
-    names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
+    names = [f"{system.q_names[i]}'" for i in choice.dependent]
     who = "given" if system.dependent else "chosen"
     if choice.determinant is None:
         limit = "the determinant is too large to print"
     else:
-        limit = f"determinant {named_text(system, choice.determinant)}"
+        limit = f"determinant ${named_text(system, choice.determinant)}$"
     never = choice.regular or _cannot_vanish(system, choice.determinant)
     regular = "never singular" if never else "singular where it vanishes"
     facts.say(
         "dependent",
         [system.q_names[i] for i in choice.dependent],
-        f"dependent velocities ({who}): {names}; {limit}, {regular}",
+        f"dependent velocities ({who}): {_list_marked(names)}; {limit}, {regular}",
     )
     used = system.dependent or formulation.dependent is not None
     if used and not never and choice.determinant is not None:
@@ -271,7 +290,7 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
         advice = "leave `dependent:` out" if own else "name others under `dependent:`, leave `formulation:` out"
         bag.warning(
             "W0408",
-            f"the dependent velocities {names} are singular where `{_zero_text(system, choice.determinant)} = 0`",
+            f"the dependent velocities {', '.join(names)} are singular where `{zero_text(system, choice.determinant)} = 0`",
             system.spec.key_span("dependent" if own else "formulation"),
             notes=() if own else ("nhc chose them; no choice is known to be regular everywhere",),
             help=(f"{advice}, or use quasi-velocities that stay regular",),
@@ -280,10 +299,10 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
         other, _, found = chaplygin_dependent(system, choice)
     except ArithmeticError:
         return
-    text = "; ".join(found.broken) if found.broken else "all hold"
+    text = "; ".join(found.broken).replace("b_alpha", "$b_alpha$") if found.broken else "all hold"
     if other.dependent != choice.dependent:
-        names = ", ".join(f"{system.q_names[i]}'" for i in other.dependent)
-        text = f"with {names} dependent, {text}"
+        names = [f"{system.q_names[i]}'" for i in other.dependent]
+        text = f"with {_list_marked(names)} dependent, {text}"
     facts.say("chaplygin", list(found.broken), f"Čaplygin's hypotheses (I.3): {text}")
 
 
@@ -307,7 +326,7 @@ def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
     for guard, _ in formulation.frame.guards:
         if _cannot_vanish(system, guard) or (never_changes(system, guard) and not _is_zero_as_given(system, guard)):
             continue
-        where = _entry_text(system, guard) or _zero_text(system, guard)
+        where = entry_text(system, guard) or zero_text(system, guard)
         own = len(system.quasi) > 3 * len(system.rotations)
         other = ", take the other `frame` of the rotation" if system.rotations else ""
         bag.warning(
@@ -316,24 +335,3 @@ def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
             system.spec.key_span("quasi_velocities" if own else "rotation"),
             help=(f"choose forms that stay independent there{other}, or keep away from it",),
         )
-
-
-def _zero_text(system: System, node: Node) -> str:
-    """The shortest known expression with the same zeros, without a number in front."""
-    graph = system.graph
-    plain = graph.split_coefficient(node)[1]
-    other = graph.split_coefficient(normalise_angles(graph, plain, 40))[1]
-    return min((named_text(system, each, 400) for each in (plain, other)), key=len)
-
-
-def _entry_text(system: System, node: Node) -> str:
-    """The name of the entry of a rotation's matrix that the node is, with its sign; empty where it is none."""
-    g = system.graph
-    for rotation, declared in zip(system.rotations, system.spec.rotations, strict=True):
-        entries = [entry for row in rotation.matrix for entry in row]
-        for sign in ("", "-"):
-            apart = [g.add(node, entry) if sign else g.sub(node, entry) for entry in entries]
-            found = [name for name, zero in zip(declared.entries, are_zero(g, apart), strict=True) if zero]
-            if found:
-                return sign + found[0]
-    return ""

@@ -35,14 +35,17 @@ _BYTES = 20  # of a coefficient of a product: two residues of 61 bits, summed ov
 
 @record
 class Word:
-    """ad_X^e ... ad_G^power X_base by runs of (number of X, e), the outermost first; number 0 is G."""
+    """An iterated Lie bracket ad_X^e ... ad_G^power X_base of the fields X_1, X_2, ... and the drift G.
+
+    ``runs`` are pairs (k, e), the outermost first, each for e brackets with X_k, or with G where k is 0.
+    """
 
     runs: tuple[tuple[int, int], ...]
     power: int
     base: int
 
     def under(self, letter: int) -> Word:
-        """The bracket of a field with it."""
+        """The bracket of the field ``letter`` (0: G) with this one."""
         if self.runs and self.runs[0][0] == letter:
             return Word(((letter, self.runs[0][1] + 1), *self.runs[1:]), self.power, self.base)
         if not letter and not self.runs:

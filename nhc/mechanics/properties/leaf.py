@@ -59,7 +59,10 @@ class Step:
 
 @record
 class Leaf:
-    """The steps that lead to positions on f(q, t) = 0; none where the equations were not solved, or there are none."""
+    """How positions on the holonomic equations f(q, t) = 0 are found: each step solves one equation for one coordinate.
+
+    There are no steps where the spec has no such equations, or they could not be solved in this way.
+    """
 
     steps: tuple[Step, ...]
 

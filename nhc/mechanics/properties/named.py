@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from nhc.algebra.calculus import substitute
-from nhc.algebra.exact.modular import is_zero
+from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import Node
+from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.show import to_text
 from nhc.mechanics.system import System
 
 
 def named_text(system: System, node: Node, longest: int = 200) -> str:
-    """The shorter of the node's own text and that with definitions and outputs by their names."""
+    """A node as text in the spec's names: in coordinates, or with definitions and outputs by name, whichever is shorter."""
     g = system.graph
     names = {output: name for name, output in system.outputs if g.children(output)}
     names.update({labelled: name for labelled, name in g.labels.items() if name in _defined(system)})
@@ -20,6 +21,27 @@ def named_text(system: System, node: Node, longest: int = 200) -> str:
     plain = to_text(g, node, longest)
     named = to_text(g, substitute(g, [node], symbols)[0], longest)
     return named if len(named) < len(plain) else plain
+
+
+def zero_text(system: System, node: Node) -> str:
+    """The shortest known expression with the same zeros, without a number in front."""
+    graph = system.graph
+    plain = graph.split_coefficient(node)[1]
+    other = graph.split_coefficient(normalise_angles(graph, plain, 40))[1]
+    return min((named_text(system, each, 400) for each in (plain, other)), key=len)
+
+
+def entry_text(system: System, node: Node) -> str:
+    """The name of the matrix entry of a rotation that the node equals, with a minus if it is the negative; else empty."""
+    g = system.graph
+    for rotation, declared in zip(system.rotations, system.spec.rotations, strict=True):
+        entries = [entry for row in rotation.matrix for entry in row]
+        for sign in ("", "-"):
+            apart = [g.add(node, entry) if sign else g.sub(node, entry) for entry in entries]
+            found = [name for name, zero in zip(declared.entries, are_zero(g, apart), strict=True) if zero]
+            if found:
+                return sign + found[0]
+    return ""
 
 
 def _defined(system: System) -> frozenset[str]:

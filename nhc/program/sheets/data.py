@@ -7,6 +7,7 @@ from fractions import Fraction
 from nhc.language import Scene, unparse
 from nhc.language.unparse import show_number
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
+from nhc.program.sheets.formulas import NOTATION
 from nhc.program.sheets.model import Mark, Table
 
 
@@ -18,17 +19,15 @@ def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
     rows = [(Mark(c.name), c.about, c.unit) for c in system.spec.coordinates]
     sheet.add(_table(("coordinate", "meaning", "unit"), rows))
     _parameters(desk, sheet, scene)
+    _rotations(desk, sheet)
     sheet.say("The kinetic energy is")
-    sheet.add(Draft(desk.name(desk.own("T")), desk.plain(system.T), place=system.places["T"]))
+    sheet.add(Draft(desk.name(desk.own("T")), desk.plain(desk.by_entries(system.T)), place=system.places["T"]))
     if desk.graph.zero != system.U:
         sheet.say("and the force function, whose derivatives are the forces of the potential,")
-        sheet.add(Draft(desk.name(desk.own("U")), desk.plain(system.U), place=system.places.get("U", "")))
-    acting = [i for i in range(system.n) if system.Q[i] != desk.graph.zero]
-    if acting:
-        sheet.say("The forces without potential are")
-        for i in acting:
-            name = system.q_names[i]
-            sheet.add(Draft(desk.name(desk.own("Q", name)), desk.plain(system.Q[i]), place=system.places.get(name, "")))
+        sheet.add(
+            Draft(desk.name(desk.own("U")), desk.plain(desk.by_entries(system.U)), place=system.places.get("U", ""))
+        )
+    _forces(desk, sheet)
     _constraints(desk, sheet)
     return sheet
 
@@ -45,6 +44,35 @@ def _parameters(desk: Desk, sheet: DraftSheet, scene: Scene | None) -> None:
         shown = "" if value is None else show_number(value) if isinstance(value, Fraction) else unparse(value)
         rows.append((Mark(parameter.name), shown or "given by each scene", parameter.unit, parameter.about))
     sheet.add(_table(("parameter", "value", "unit", "meaning"), rows))
+
+
+def _forces(desk: Desk, sheet: DraftSheet) -> None:
+    """Forces by coordinates, torques by angular velocities."""
+    system = desk.system
+    turned = {k for rotation in system.rotations for k in rotation.places}
+    acting = [(name, system.Q[i]) for i, name in enumerate(system.q_names) if i not in turned]
+    for torque, declared in zip(system.torques, system.spec.rotations, strict=True):
+        acting += zip(declared.velocities, torque, strict=True)
+    acting = [(name, node) for name, node in acting if node != desk.graph.zero]
+    if acting:
+        by = ", by coordinates and angular velocities," if system.rotations else ""
+        sheet.say(f"The forces without potential{by} are")
+        for name, node in acting:
+            force = desk.plain(desk.by_entries(node))
+            sheet.add(Draft(desk.name(desk.own("Q", name)), force, place=system.places.get(name, "")))
+
+
+def _rotations(desk: Desk, sheet: DraftSheet) -> None:
+    """The entries of each rotation's matrix and its angular velocity, which all other statements use by name."""
+    for rotation, declared in zip(desk.system.rotations, desk.system.spec.rotations, strict=True):
+        axes = "the body" if declared.frame == "body" else "space"
+        sheet.say(
+            f"The matrix of the rotation `{declared.name}`, from the body's axes 1, 2, 3 to those of space, and its"
+            f" angular velocity on the axes of {axes} are"
+        )
+        nodes = [entry for row in rotation.matrix for entry in row] + list(rotation.omega)
+        for name, node in zip((*declared.entries, *declared.velocities), nodes, strict=True):
+            sheet.add(Draft(desk.name(Mark(name)), desk.plain(node)))
 
 
 def _table(
@@ -69,7 +97,7 @@ def _constraints(desk: Desk, sheet: DraftSheet) -> None:
     )
     rates = [desk.coordinate(i, 1) for i in range(n)]
     for form in system.constraints:
-        left = desk.linear(form.coefficients, rates, form.constant)
+        left = desk.velocity_form(form) or desk.linear(form.coefficients, rates, form.constant)
         sheet.add(Draft(left, (), equation="I.1.1", place=form.place, note=form.name))
     held = [form for form in system.constraints if form.equation is not None]
     if held:
@@ -94,15 +122,41 @@ def reason_sheet(desk: Desk) -> DraftSheet:
         if formulation.broken:
             sheet.say("Of the hypotheses of I.3 these do not hold, and the generalized equations are used:")
             for line in formulation.broken:
-                sheet.say(f"- {line}.")
+                sheet.say(f"- {line.replace('b_alpha', '$b_alpha$')}.")
         else:
             sheet.say(
-                "The hypotheses of I.3 hold: T and the constraints contain neither the dependent coordinates nor the time,"
+                "The hypotheses of I.3 hold: $T$ and the constraints contain neither the dependent coordinates nor the time,"
                 " the constraints are homogeneous, no force acts on a dependent coordinate or contains one, and the potential"
                 " does not contain the time."
             )
+    _notation(desk, sheet)
     return sheet
 
+
+def _notation(desk: Desk, sheet: DraftSheet) -> None:
+    """What the indices and letters of the general formulas stand for."""
+    name = desk.formulation.name
+    counted = _COUNTED[name if desk.system.l or name != "euler-lagrange" else "free"]
+    force = "X_i" if name == "newton" else "Q_i"
+    sheet.say(f"In the general formulas {counted}. ${force}$ is the whole force, that of the potential included.")
+    if name in NOTATION:
+        sheet.say("The letters stand for")
+        sheet.add(NOTATION[name])
+
+
+_INDEPENDENT = "$alpha$ and $beta$ count the dependent velocities, $mu$ and $nu$ the independent ones"
+_COUNTED = {
+    "newton": "$i$ counts the coordinates, each with its mass $m_i$ and its velocity $v_i$",
+    "lagrange": "$i$ counts the coordinates",
+    "multipliers": "$i$ counts the coordinates, $alpha$ the constraints",
+    "euler-lagrange": (
+        "$alpha$ counts the constraints, whose quasi-velocities are zero on the motion, $mu$ and $nu$ the free quasi-velocities,"
+        " $i$, $j$ and $m$ all $n$ of them; $r$, $s$ and $t$ run to $n + 1$ for the time"
+    ),
+    "free": "$i$, $j$ and $m$ count the $n$ quasi-velocities; $r$, $s$ and $t$ run to $n + 1$ for the time",
+    "chaplygin": _INDEPENDENT,
+    "voronec": _INDEPENDENT,
+}
 
 TITLES = {
     "newton": "Newton's",

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass, field, replace
 
-from nhc.algebra.calculus import count
+from nhc.algebra.calculus import count, substitute
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import NEG, Node
 from nhc.algebra.polynomial import normalise
 from nhc.exterior import Form
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.rotation import name_entries, rows_in_base
+from nhc.mechanics.system import Form as VelocityForm
 from nhc.mechanics.system import System
 from nhc.program.sheets.model import LATIN, OTHER, Formula, Mark, Prose, Table
 from nhc.records import record
@@ -70,6 +72,9 @@ class Desk:
         self._short: dict[Node, Node] = {}
         self._sizes: dict[Node, int] = {}
         self._simplify = self._simplifier(simplify)
+        self._entries: dict[Node, Node] = {}
+        for rotation, declared in zip(system.rotations, system.spec.rotations, strict=True):
+            self._entries |= name_entries(self.graph, rotation, declared.entries, declared.velocities)
         spec = system.spec
         self.defined = frozenset(entry.name for entry in spec.definitions)
         groups = (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities, spec.outputs)
@@ -77,16 +82,20 @@ class Desk:
 
     # --- nodes ------------------------------------------------------------------------------------------------
 
+    def by_entries(self, node: Node) -> Node:
+        """The node with the entries of rotations and their angular velocities by name: in coordinates they would fill lines."""
+        return substitute(self.graph, [node], self._entries, named=False)[0] if self._entries else node
+
     def short(self, node: Node) -> Node:
-        """The node in canonical form where that is small and shorter."""
-        known = self._short.get(node)
+        """The node in canonical form where that is small and shorter, rotations by their entries."""
+        known, first = self._short.get(node), node
         if known is None:
-            known = node
+            known = node = self.by_entries(node)
             if self.graph.children(node) and self.size(node) <= _WRITTEN and count(self.graph, [node]) <= _WORTH:
                 candidate = normalise(self.graph, node, CANONICAL)
                 known = candidate if self.size(candidate) < self.size(node) else node
                 known = self._simplify(known)
-            self._short[node] = known
+            self._short[first] = known
         return known
 
     def _simplifier(self, seconds: float) -> Callable[[Node], Node]:
@@ -197,13 +206,51 @@ class Desk:
         return tuple((self.short(n), f) for n, f, keep in zip(nodes, factors, kept, strict=True) if keep)
 
     def shortened(self, form: Form) -> Form:
-        """The form with its coefficients in short form; those that vanish identically are gone."""
+        """The form with its coefficients in short form; those that vanish identically are gone.
+
+        Rotations are not written by their entries here, which are not independent: the form is still computed with.
+        """
         indices = sorted(form.terms)
         kept = self.nonzero([form.terms[index] for index in indices])
-        terms = {i: self.short(form.terms[i]) for i, keep in zip(indices, kept, strict=True) if keep}
+        short = (lambda node: node) if self._entries else self.short
+        terms = {i: short(form.terms[i]) for i, keep in zip(indices, kept, strict=True) if keep}
         return Form(form.coframe, form.degree, terms)
+
+    def velocity_form(self, form: VelocityForm) -> tuple[Part, ...] | None:
+        """A velocity form in q' and the angular velocities of rotations; None where these do not make it shorter."""
+        row = self._row_by_rotations(form)
+        if row is None:
+            return None
+        marks = [Mark(name, dots=1) for name in self.system.q_names]
+        for rotation, declared in zip(self.system.rotations, self.system.spec.rotations, strict=True):
+            for k, name in zip(rotation.places[1:], declared.velocities, strict=True):
+                marks[k] = Mark(name)
+        return self.linear(row, marks, form.constant)
+
+    def differential_form(self, form: VelocityForm, known: Set[str]) -> tuple[Part, ...] | None:
+        """The same in dq, dt and the dpi of angular velocities; None also where one of these is not among the ``known``."""
+        velocities = [name for declared in self.system.spec.rotations for name in declared.velocities]
+        row = None if form.name in velocities or not known >= {*velocities} else self._row_by_rotations(form)
+        if row is None:
+            return None
+        marks = [Mark(name, prefix="d") for name in self.system.q_names]
+        for rotation, declared in zip(self.system.rotations, self.system.spec.rotations, strict=True):
+            for k, name in zip(rotation.places[1:], declared.velocities, strict=True):
+                marks[k] = Mark("pi", (name,), prefix="d")
+        return self.linear([*row, form.constant], [*marks, Mark("t", prefix="d")])
+
+    def _row_by_rotations(self, form: VelocityForm) -> list[Node] | None:
+        """Coefficients of q', with angular velocities at the last three places of each quaternion.
+
+        None where the form has no angular velocity, or changes the length of a quaternion.
+        """
+        (row,) = rows_in_base(self.system, [form])
+        turning = [row[k] for rotation in self.system.rotations for k in rotation.places[1:]]
+        lengths = [row[rotation.places[0]] for rotation in self.system.rotations]
+        return row if any(self.nonzero(turning)) and not any(self.nonzero(lengths)) else None
 
     def form(self, form: Form) -> tuple[Part, ...]:
         """A form's nonzero coefficients with the wedges of their basis forms."""
         basis = self.basis(form)
-        return tuple((n, tuple(basis[k] for k in index)) for index, n in self.shortened(form).terms.items())
+        terms = self.shortened(form).terms.items()
+        return tuple((self.short(n), tuple(basis[k] for k in index)) for index, n in terms)

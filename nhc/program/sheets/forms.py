@@ -68,6 +68,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
     if desk.formulation.frame is None:
         return None
     sheet = DraftSheet("kinetic", "The kinetic energy on the constraints" if system.l else "The kinetic energy")
+    sheet.say("With the constraints put in, $T$ becomes" if system.l else "In the quasi-velocities,")
     if name == "euler-lagrange":
         frame = desk.formulation.frame
         energy = euler_lagrange.quasi_energy(frame)
@@ -76,7 +77,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
         sheet.add(Draft(desk.name(replace(desk.own("T"), star=bool(system.l))), desk.value(nodes[0])))
         if system.l:
             sheet.say(
-                "The momenta belong to the full T, in all quasi-velocities; the constraints are used after differentiation:"
+                "The momenta belong to the full $T$, in all quasi-velocities; the constraints are used after differentiation:"
             )
         else:
             sheet.say("with the momenta")
@@ -85,7 +86,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
         return sheet
     reduced = _reduced(desk)
     sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.value(reduced.T_star)))
-    sheet.say("The momenta of the dependent velocities are those of the full T, on the constraints:")
+    sheet.say("The momenta of the dependent velocities are those of the full $T$, on the constraints:")
     for alpha, p in zip(reduced.alpha, reduced.p_alpha, strict=True):
         sheet.add(Draft(desk.name(desk.own("p", system.q_names[alpha])), desk.value(p)))
     return sheet
@@ -95,6 +96,7 @@ def form_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     """theta, Omega_c, Omega_d, Omega: general formulas first, then this system's."""
     sheet = DraftSheet("form", "The 2-form")
     name, system = desk.formulation.name, desk.system
+    sheet.say("The Poincaré-Cartan 1-form is")
     if name == "euler-lagrange":
         sheet.add(THETA_QUASI)
     else:

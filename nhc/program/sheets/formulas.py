@@ -4,6 +4,23 @@ from __future__ import annotations
 
 from nhc.program.sheets.model import Formula
 
+NOTATION = {
+    "euler-lagrange": Formula(
+        "omega_i = a_ij q_j' + a_i(n+1),  dpi_i = a_ij dq_j + a_i(n+1) dt,  q_j' = b_ji omega_i + b_j(n+1),"
+        "  d/dpi_i = b_ji d/dq_j,  P_i = b_ji Q_j,  q_(n+1) = t",
+        r"\begin{gathered} \omega_i = a_{ij}\, \dot q_j + a_{i,n+1}, \qquad d\pi_i = a_{ij}\, dq_j + a_{i,n+1}\, dt, \qquad"
+        r" \dot q_j = b_{ji}\, \omega_i + b_{j,n+1}, \\ \frac{\partial}{\partial \pi_i} = b_{ji} \frac{\partial}{\partial q_j},"
+        r" \qquad P_i = b_{ji} Q_j, \qquad q_{n+1} = t \end{gathered}",
+    ),
+    "voronec": Formula(
+        "q_a' = b_am q_m' + b_a,  p_a = dT/dq_a'",
+        r"\dot q_\alpha = b_{\alpha\mu}\, \dot q_\mu + b_\alpha, \qquad p_\alpha = \frac{\partial T}{\partial \dot q_\alpha}",
+    ),
+    "multipliers": Formula("a_ai q_i' + a_a = 0", r"a_{\alpha i}\, \dot q_i + a_\alpha = 0"),
+}
+NOTATION["chaplygin"] = NOTATION["voronec"]
+"""What the letters of the general formulas stand for."""
+
 GAMMA = Formula(
     "d(dpi_i) = gamma^i_mj dpi_m ^ dpi_j (m < j) - eps^i_j dpi_j ^ dt,"
     "  gamma^i_tj = (da_ir/dq_s - da_is/dq_r) b_st b_rj,  eps^i_j = gamma^i_(n+1)j",

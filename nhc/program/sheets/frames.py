@@ -60,9 +60,10 @@ def _coframe_sheet(desk: Desk, frame: Frame) -> DraftSheet:
         sheet.say("The forms of the constraints, zero on every motion, and those of the free quasi-velocities are")
     else:
         sheet.say("The forms of the quasi-velocities are")
+    known = {form.name for form in frame.forms}
     basis = [Mark(name, prefix="d") for name in system.q_names] + [Mark("t", prefix="d")]
     for j, form in enumerate(frame.forms):
-        right = desk.linear([*form.coefficients, form.constant], basis)
+        right = desk.differential_form(form, known) or desk.linear([*form.coefficients, form.constant], basis)
         left = desk.quasi_differential(j)
         if right == ((desk.graph.one, (left,)),):
             continue
@@ -103,14 +104,14 @@ def _structure(desk: Desk, frame: Frame, sheet: DraftSheet) -> None:
         found += [(Mark("epsilon", (names[j],), (names[i],)), frame.epsilon(i, j)) for j in range(first, n)]
     kept = [entry for entry, keep in zip(found, desk.nonzero([node for _, node in found]), strict=True) if keep]
     if not kept:
-        closed = "All their gamma and epsilon vanish: the forms are closed."
-        free = "Their gamma and epsilon between free quasi-velocities, all that the motion needs, vanish."
+        closed = "All their $gamma$ and $epsilon$ vanish: the forms are closed."
+        free = "Their $gamma$ and $epsilon$ between free quasi-velocities, all that the motion needs, vanish."
         sheet.say(free if first else closed)
         return
-    sheet.say("Their exterior derivatives define gamma and epsilon:")
+    sheet.say("Their exterior derivatives define $gamma$ and $epsilon$:")
     sheet.add(GAMMA)
     which = " between free quasi-velocities" if first else ""
-    sheet.say(f"Those{which} that do not vanish (gamma is antisymmetric in its lower indices):")
+    sheet.say(f"Those{which} that do not vanish ($gamma$ is antisymmetric in its lower indices):")
     for mark, node in kept:
         right: tuple[Part, ...] = desk.value(node)
         sheet.add(Draft(desk.name(mark), right, equation="I.2.11"))

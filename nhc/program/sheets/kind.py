@@ -22,8 +22,8 @@ def kind_sheet(desk: Desk) -> DraftSheet | None:
     # the search makes nodes (and names for them) of its own: it gets a graph of its own
     fresh = resolve(system.spec)
     facts = describe(fresh, formulate(fresh, desk.formulation.name), Bag(system.spec.origin))
-    keys = [key for key in facts.lines_by_key if key not in _OMITTED]
+    keys = [key for key in facts.marked if key not in _OMITTED]
     for key in keys:
-        line = facts.lines_by_key[key]
+        line = facts.marked[key]
         sheet.say(line[:1].upper() + line[1:] + ("" if line.endswith(".") else "."))
     return sheet

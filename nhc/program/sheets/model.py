@@ -86,9 +86,16 @@ class Formula:
 
 @record
 class Prose:
-    """A sentence; what stands between back-ticks is a name of the spec."""
+    """A sentence; what stands between back-ticks is a name of the spec, what stands between dollar signs an expression.
+
+    ``plain`` is without the dollar signs.
+    """
 
     text: str
+
+    @property
+    def plain(self) -> str:
+        return self.text.replace("$", "")
 
 
 @record

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.algebra.calculus import count, derivative, substitute
+from nhc.algebra.calculus import count, derivative, gradient, substitute
 from nhc.algebra.dense import Singular
+from nhc.algebra.graph import Node
 from nhc.algebra.solving.linear import solve
 from nhc.mechanics.formulate import bordered_system
+from nhc.mechanics.formulations.euler_lagrange import quasi_energy
 from nhc.mechanics.formulations.lagrange import momenta
 from nhc.mechanics.formulations.multipliers import multiplier_symbols
 from nhc.mechanics.properties.constancy import has_jumps
@@ -27,6 +29,7 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     """i_X Omega row by row, each claim tested exactly."""
     sheet = DraftSheet("associated", "The associated system")
     motion, system = desk.equations.motion, desk.system
+    sheet.say("The interior product of the 2-form with a vector field $X$ that satisfies the kinematics is")
     sheet.add(CONTRACTION_QUASI if desk.formulation.name == "euler-lagrange" else CONTRACTION)
     if forms.whole is None:
         sheet.say(
@@ -37,14 +40,14 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     components = motion_components(system, motion)
     rows = associated_rows(forms.whole, components)
     basis = desk.basis(forms.whole)
-    sheet.say("The motion is the field X for which this vanishes; its components along the coframe are")
+    sheet.say("The motion is the vector field $X$ for which this vanishes; its components along the coframe are")
     for mark, node in zip(basis, components, strict=True):
         sheet.add(Draft(desk.name(replace(mark, at="(X)")), desk.plain(node)))
     automatic, one = sum(row.kind == "automatic" for row in rows), len(motion.w) == 1
     if automatic == len(motion.w):
         which = "one holds" if one else f"{automatic} hold"
         whose = "that of the velocity's differential" if one else "those of the velocities' differentials"
-        sheet.say(f"Of its {len(rows)} rows {which} automatically (exactly tested), {whose}.")
+        sheet.say(f"Of its {len(rows)} rows {which} automatically (checked exactly), {whose}.")
     sheet.say("The equation of motion is the row" if one else "The equations of motion are the rows")
     for row, mark in zip(rows, basis, strict=True):
         if row.kind == MOTION:
@@ -57,7 +60,7 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     if not any(desk.nonzero([identity, desk.graph.add(last.node, weighted)])):
         sheet.say(
             f"The row of dt is {'this one times minus its' if one else 'the sum of these, each times minus its'} velocity"
-            f" (exactly tested): the theorem of energy, a consequence of the {'equation' if one else 'equations'} of motion."
+            f" (checked exactly): the theorem of energy, a consequence of the {'equation' if one else 'equations'} of motion."
         )
     return sheet
 
@@ -67,10 +70,11 @@ def motion_sheet(desk: Desk) -> DraftSheet:
     sheet = DraftSheet("motion", "The equations of motion")
     equations, system, name = desk.equations, desk.system, desk.formulation.name
     motion = equations.motion
+    sheet.say("In general form they are")
     sheet.add(POINCARE if name == "euler-lagrange" and not system.l else EQUATIONS[name])
     rates = [desk.mark(rate) for rate in motion.rates]
     sheet.say("For this system" if rates else "No velocity is free: the constraints alone determine the motion.")
-    for k, (row, force) in enumerate(zip(equations.mass, equations.force, strict=True)):
+    for k, (row, force) in enumerate(zip(_mass_matrix(desk), equations.force, strict=True)):
         right: tuple[Part, ...] = desk.value(force)
         if equations.multipliers:
             coefficients = [form.coefficients[k] for form in system.constraints]
@@ -85,12 +89,22 @@ def motion_sheet(desk: Desk) -> DraftSheet:
     return sheet
 
 
+def _mass_matrix(desk: Desk) -> list[list[Node]]:
+    """That of the equations; with rotations made again from T, where their entries still stand and can be read."""
+    frame, g = desk.formulation.frame, desk.graph
+    if not desk.system.rotations or frame is None or desk.formulation.name != "euler-lagrange":
+        return [list(row) for row in desk.equations.mass]
+    held = dict.fromkeys(frame.omega[: desk.system.l], g.zero)
+    (energy,) = substitute(g, [desk.by_entries(quasi_energy(frame))], held, named=False)
+    return [gradient(g, p, frame.free) for p in gradient(g, energy, frame.free)]
+
+
 def _constraint_rates(desk: Desk, sheet: DraftSheet) -> None:
     """The differentiated constraints; with them the system is linear in the accelerations and the multipliers."""
     system, g = desk.system, desk.graph
     sheet.say(
         "completed by the rates of the constraints. The whole is linear in the accelerations and the multipliers, and determines"
-        " them where the constraints are independent and T, its part of second degree, is not degenerate on the velocities that"
+        " them where the constraints are independent and $T$, its part of second degree, is not degenerate on the velocities that"
         " they leave free. The emitted code solves it by elimination, with row pivoting wherever that is needed."
     )
     _, right = bordered_system(desk.equations)
@@ -185,20 +199,20 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     where = " where it does not jump" if constant and has_jumps(system, [system.energy], undecided=False) else ""
     if constant and not mixed and not _contains_time(desk) and not any(desk.nonzero(system.Q)):
         sheet.say(
-            "T is homogeneous quadratic in the velocities and nothing depends on the time:"
-            f" the energy E is constant{where}."
+            "$T$ is homogeneous quadratic in the velocities and nothing depends on the time:"
+            f" the energy $E$ is constant{where}."
         )
         return sheet
     sheet.add(ENERGY_THEOREM)
     if constant:
         sheet.say(
-            f"{'On the constraints the' if mixed else 'The'} left side is the rate of E, and on the right side no term is left"
-            f" on the motion: the energy E is constant{where}."
+            f"{'On the constraints the' if mixed else 'The'} left side is the rate of $E$, and on the right side no term is left"
+            f" on the motion: the energy $E$ is constant{where}."
         )
         return sheet
     mark = desk.own("E")
     if differs:
-        sheet.say("Here T is not homogeneous quadratic in the velocities; what the theorem speaks of is")
+        sheet.say("Here $T$ is not homogeneous quadratic in the velocities; what the theorem speaks of is")
         mark = desk.own("H")
         sheet.add(Draft(desk.name(mark), desk.value(whole)))
     right: tuple[Part, ...] = desk.value(change)

@@ -19,7 +19,16 @@ from nhc.program.sheets.model import RANK_STEP, Item, Mark, Sheet, Statement, Sy
 from nhc.program.sheets.tidy import choose_names, find_owners, list_roots, tidy
 
 _LETTERS = ("z", "k", "h", "s", "u", "zeta", "chi", "xi", "Z")
-_RANKS = {"parameter": 1, "time": 2, "coordinate": 3, "velocity": 5, "quasi": 5, "rate": 6, "acceleration": 6}
+_RANKS = {
+    "parameter": 1,
+    "time": 2,
+    "coordinate": 3,
+    "entry": 3,
+    "velocity": 5,
+    "quasi": 5,
+    "rate": 6,
+    "acceleration": 6,
+}
 _CONSTANT_RANK, _LET_RANK, _OTHER_RANK = 2, 4, 7
 
 

@@ -18,7 +18,7 @@ _EPSILON = sys.float_info.epsilon
 
 
 def find_change(before: Sequence[float], after: Sequence[float]) -> int:
-    """A watched value that has changed its sign, or -1."""
+    """The index of the first watched value whose sign differs between ``before`` and ``after``; -1 if there is none."""
     pairs = zip(before, after, strict=True)
     return next((i for i, (a, b) in enumerate(pairs) if a != 0.0 and (a < 0.0) != (b < 0.0)), -1)
 

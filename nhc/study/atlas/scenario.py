@@ -37,7 +37,7 @@ class Measure:
 
 @record
 class Verdict:
-    """``passed``: the naive way fails as told, and nhc meets the ``criterion``."""
+    """The result of one scenario: it has ``passed`` if the naive way fails as expected and nhc meets the ``criterion``."""
 
     naive: Measure
     nhc: Measure

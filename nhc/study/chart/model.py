@@ -102,7 +102,7 @@ class RepeatedModel(CompiledModel):
 
 
 class ChartModel(RepeatedModel):
-    """The same with the right-hand side by itself."""
+    """Repeated runs of a compiled model, and repeated calls of its right-hand side alone, for timing."""
 
     def repeat_rhs(
         self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float], n: int

@@ -135,7 +135,7 @@ def predict(method: Tableau, values: Sequence[complex] | NDArray[np.complex128],
 
 
 def measure(bench: Bench, method: str, guess: float) -> tuple[float, str]:
-    """(the largest stable step found by bisection, how the next longer one ends); infinite where none is refused."""
+    """The largest stable step by bisection (infinite where even the longest is stable), and how the next longer one fails."""
     longest = bench.duration / _FEWEST
     shortest = bench.duration / min(_MOST, bench.most(method))
     limits = GROWTH * np.maximum(bench.sizes, 1e-300)

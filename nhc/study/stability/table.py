@@ -39,7 +39,7 @@ def sections(lab: Laboratory) -> tuple[Section, ...]:
         Section("steady motion", tuple(_motion(lab.motion)) if lab.motion else ()),
         Section("along the parameter", tuple(_sweep(lab.motion.swept)) if lab.motion and lab.motion.swept else ()),
         Section("eigenvalues along the scene", tuple(_spectrum(lab))),
-        Section("largest stable step: measured, predicted", tuple(_limits(lab))),
+        Section("largest stable step: measured, predicted (-: no theory)", tuple(_limits(lab))),
         *(Section(title, tuple(rows)) for title, rows in _drifts(lab)),
         Section("sensitivity to the start", tuple(_sensitivity(lab))),
         Section("distance from singular points (0: singular)", tuple(_distances(lab))),
@@ -62,6 +62,12 @@ def lines(lab: Laboratory) -> list[str]:
     return found
 
 
+_VERDICTS = {
+    "none": "no eigenvalue is left to judge by",
+    "marginal": "terms of higher order decide",
+}
+
+
 def _motion(found: Motion) -> list[Row]:
     made = found.linearisation
     kind = "equilibrium" if made.steady.equilibrium else "steady motion"
@@ -70,13 +76,15 @@ def _motion(found: Motion) -> list[Row]:
         for i, (name, value) in enumerate(zip(found.flow.names, made.steady.y, strict=True))
         if i not in found.model.cyclic and abs(value) > 1e-12
     ]
-    told = verdict(made) if found.regularity > SINGULAR else "not told"
-    rows = [Row(kind, told, ", ".join(state) or "all of the rest zero")]
+    rows = [Row(kind, "found", ", ".join(state) or "all of the state but the cyclic coordinates is 0")]
+    told = verdict(made)
+    if found.regularity > SINGULAR:
+        rows.append(Row("verdict", "none" if told == "none" else f"{told} to first order", _VERDICTS.get(told, "")))
     rows += [Row("eigenvalue", _complex(mode), _kind(mode)) for mode in modes(made) if mode.value.imag >= 0]
     rows.append(Row("found from", found.place))
     if found.regularity <= SINGULAR:
         advice = "the coordinates are singular here (gimbal lock): take others, or another motion"
-        rows = [rows[0], Row("mass matrix", f"{found.regularity:.2g}", advice)]
+        rows = [rows[0], Row("verdict", "none", advice), Row("mass matrix", f"{found.regularity:.2g}", "0: singular")]
     if made.family:
         rows.append(Row("structural zeros", str(made.family), "directions of the family of steady motions"))
     return rows
@@ -93,7 +101,7 @@ def _kind(mode: Mode) -> str:
     period = f", period {2 * math.pi / x.imag:.6g}" if x.imag else ""
     if not (mode.grows or mode.decays):
         return f"neither grows nor decays{period}"
-    return f"{'grows' if mode.grows else 'decays'} by e in {1 / abs(x.real):.4g}{period}"
+    return f"{'grows' if mode.grows else 'decays'} e-fold in {1 / abs(x.real):.4g}{period}"
 
 
 def _sweep(found: Sweep) -> list[Row]:
@@ -125,7 +133,7 @@ def _spectrum(lab: Laboratory) -> list[Row]:
 
 def _step(value: float | None) -> str:
     if value is None:
-        return "not told"
+        return "-"
     return "any" if math.isinf(value) else ("none found" if value == 0 else f"{value:.4g}")
 
 
@@ -157,7 +165,7 @@ def _drifts(lab: Laboratory) -> list[tuple[str, list[Row]]]:
 def _judge(drift: Drift) -> str:
     if not drift.resolved:
         return f"not resolved: the integral of the power errs by {drift.floor:.1e} itself"
-    return ("grows" if drift.grows else "bounded") + ("" if drift.relative else ", not relative")
+    return ("grows" if drift.grows else "bounded") + ("" if drift.relative else ", absolute")
 
 
 def _sensitivity(lab: Laboratory) -> list[Row]:
@@ -170,8 +178,12 @@ def _sensitivity(lab: Laboratory) -> list[Row]:
     return [
         Row("largest growth", f"{max(found.norms):.4g}", "of relative perturbations, at any time of the scene"),
         Row("growth at the end", f"{found.norms[-1]:.4g}", f"{found.plain:.4g} in the state's own units"),
-        Row("grows like", law, "fitted to the last two thirds"),
-        Row("rounding reaches 1 %", horizon, "a double's start means nothing later, if the law goes on"),
+        Row("grows like", law, "fitted to the last two thirds of the scene"),
+        Row(
+            "rounding reaches 1 %",
+            horizon,
+            "extrapolated: when rounding of the start alone has grown to 1 % of the motion",
+        ),
     ]
 
 

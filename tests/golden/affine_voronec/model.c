@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:db5f387477a7bd59)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:483c8896c7741a9e)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -42,11 +42,11 @@ const double affine_voronec_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int affine_voronec_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -61,7 +61,7 @@ static int affine_voronec_finish(int count, const double *values)
     return AFFINE_VORONEC_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int affine_voronec_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : AFFINE_VORONEC_NOT_FINITE;
@@ -133,7 +133,7 @@ static inline affine_voronec_bits affine_voronec_misses(affine_voronec_lanes val
     return ~(affine_voronec_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline affine_voronec_lanes affine_voronec_mark(affine_voronec_lanes value, affine_voronec_bits bad)
 {
     return (affine_voronec_lanes)((affine_voronec_bits)value | bad);
@@ -143,7 +143,7 @@ static inline affine_voronec_lanes affine_voronec_size(affine_voronec_lanes x)
 {
     return (affine_voronec_lanes)((affine_voronec_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int affine_voronec_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -211,7 +211,7 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + z * z;
     const double z2 = 1.0 + 0.2 * s_t;
     const double z3 = y_2 * c_z;
@@ -292,7 +292,7 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = x * z;
     const double z2 = 0.3 * z1 + (x_dot * (y_2 * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.4 * (c_t
         * s_t);
@@ -323,7 +323,7 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + z * z;
     const double z2 = 1.0 + 0.2 * s_t;
     const double z3 = y_2 * c_z;
@@ -405,7 +405,7 @@ int affine_voronec_state(double t, const double *q, const double *qdot, const do
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = z;
@@ -433,7 +433,7 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
     const double y_dot = qdot[1];
     const double z_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     const double z1 = x * z;
     const double z2 = 0.3 * z1 + (x_dot * (y * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.4 * (c_t *
         s_t);
@@ -462,7 +462,7 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + z * z;
     const double z2 = 1.0 + 0.2 * s_t;
     const double z3 = y_2 * c_z;
@@ -547,7 +547,7 @@ double affine_voronec_energy(double t, const double *y, const double *p)
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = z * z;
     const double z2 = x * x;
     const double z3 = y_2 * x_dot;
@@ -583,7 +583,7 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + z * z;
     const double z2 = 1.0 + 0.2 * s_t;
     const double z3 = y_2 * c_z;

@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:ceba886e6d9ca88e).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:4e7118ac8a912160).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -30,6 +30,9 @@ jacobian: 204 +-, 388 *, 2 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -100,7 +103,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = 1.0 + z * z
         s_t = math.sin(t_)
         z2 = 1.0 + 0.2 * s_t
@@ -197,7 +200,7 @@ def velocities(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = x * z
         c_z = math.cos(z)
         s_t = math.sin(t_)
@@ -234,7 +237,7 @@ def accelerations(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = 1.0 + z * z
         s_t = math.sin(t_)
         z2 = 1.0 + 0.2 * s_t
@@ -335,7 +338,7 @@ def state(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, z, x_dot, y_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -348,7 +351,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns r (1,).
@@ -361,7 +364,7 @@ def residuals(
     y_dot = float(qdot[1])
     z_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         z1 = x * z
         c_z = math.cos(z)
         s_t = math.sin(t_)
@@ -382,11 +385,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     t_ = float(t)  # time
     x = float(y[0])
@@ -395,7 +399,7 @@ def reactions(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = 1.0 + z * z
         s_t = math.sin(t_)
         z2 = 1.0 + 0.2 * s_t
@@ -478,7 +482,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.
@@ -490,7 +494,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = z * z
         z2 = x * x
         z3 = y_2 * x_dot
@@ -518,7 +522,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.4.9)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.4.9)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -530,7 +534,7 @@ def jacobian(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = 1.0 + z * z
         s_t = math.sin(t_)
         z2 = 1.0 + 0.2 * s_t

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:aeaab240741ff4ca)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:657a4e8be0cd667b)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -63,11 +63,11 @@ const double ball_on_table_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int ball_on_table_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -82,7 +82,7 @@ static int ball_on_table_finish(int count, const double *values)
     return BALL_ON_TABLE_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int ball_on_table_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : BALL_ON_TABLE_NOT_FINITE;
@@ -154,7 +154,7 @@ static inline ball_on_table_bits ball_on_table_misses(ball_on_table_lanes value,
     return ~(ball_on_table_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline ball_on_table_lanes ball_on_table_mark(ball_on_table_lanes value, ball_on_table_bits bad)
 {
     return (ball_on_table_lanes)((ball_on_table_bits)value | bad);
@@ -164,7 +164,7 @@ static inline ball_on_table_lanes ball_on_table_size(ball_on_table_lanes x)
 {
     return (ball_on_table_lanes)((ball_on_table_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int ball_on_table_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -242,7 +242,7 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a;
     const double k2 = a * k1;
     const double k3 = 1.0 + k;
@@ -251,7 +251,7 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
     const double k6 = k2 * k3;
     const double k7 = k1 / k6;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = z1 * k6;
     const double z4 = Omega1 * s1;
@@ -324,7 +324,7 @@ int ball_on_table_velocities(double t, const double *y, const double *p, double 
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
-    /* state */
+    /* from the state */
     const double Omega = Omega0 + Omega1 * s1;
     const double z1 = psi_dot * s_theta;
     /* (I.2.4) */
@@ -366,7 +366,7 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a;
     const double k2 = m * a * a;
     const double k3 = k * k2;
@@ -376,7 +376,7 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double k7 = Omega0 * Omega0;
     const double k8 = k1 / k5;
 
-    /* state */
+    /* from the state */
     const double z1 = k2 * (k + s_theta * s_theta);
     const double z2 = z1 - c_theta * c_theta * k3;
     const double z4 = nu * c1;
@@ -449,7 +449,7 @@ int ball_on_table_state(double t, const double *q, const double *qdot, const dou
     const double theta_dot = qdot[3];
     const double psi_dot = qdot[4];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -486,7 +486,7 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
-    /* state */
+    /* from the state */
     const double Omega = Omega0 + Omega1 * s1;
     const double z1 = psi_dot * s_theta;
     /* (I.1.1) 27:5 */
@@ -526,7 +526,7 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a;
     const double k2 = m * a * a;
     const double k3 = k * k2;
@@ -537,7 +537,7 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     const double k8 = k1 / k5;
     const double k9 = Omega1 * Omega1;
 
-    /* state */
+    /* from the state */
     const double z1 = k2 * (k + s_theta * s_theta);
     const double z2 = z1 - c_theta * c_theta * k3;
     const double z4 = Omega1 * s1;
@@ -616,10 +616,10 @@ double ball_on_table_energy(double t, const double *y, const double *p)
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double I = m * k * a * a;
 
-    /* state */
+    /* from the state */
     const double omega_z = phi_dot + psi_dot * c_theta;
     const double z1 = psi_dot * s_theta;
     const double omega_x = theta_dot * c_phi + s_phi * z1;
@@ -659,7 +659,7 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a;
     const double k2 = m * a * a;
     const double k3 = k * k2;
@@ -671,7 +671,7 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double k9 = 1.0 / k5;
     const double k10 = k1 * k9;
 
-    /* state */
+    /* from the state */
     const double z1 = k2 * (k + s_theta * s_theta);
     const double z2 = z1 - c_theta * c_theta * k3;
     const double z4 = Omega1 * s1;
@@ -793,12 +793,12 @@ int ball_on_table_outputs(double t, const double *y, const double *p, double *ou
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
     const double k2 = Omega1 * Omega1;
     const double k3 = 0.5 * Omega0;
 
-    /* state */
+    /* from the state */
     const double z1 = psi_dot * c_theta;
     const double z2 = Omega1 * s1;
     const double z3 = theta_dot * theta_dot;

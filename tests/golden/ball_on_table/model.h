@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:0b48103c0c9d9664)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:2736502023603247)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -51,7 +51,15 @@
  * jacobian: 39 +-, 110 *, 3 /, 6 calls
  * outputs: 14 +-, 28 *, 0 /, 3 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has BALL_ON_TABLE_NY entries and p BALL_ON_TABLE_NP;
+ *     ball_on_table_parameter_defaults can be p. ball_on_table_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: BALL_ON_TABLE_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_BALL_ON_TABLE_H
 #define NHC_BALL_ON_TABLE_H
@@ -108,26 +116,26 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
 int ball_on_table_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 2 entries
  */
 int ball_on_table_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int ball_on_table_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double ball_on_table_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (III.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
  * J: 64 entries, row by row: d rhs_i / d y_j stands at 8*i + j
  */
 int ball_on_table_jacobian(double t, const double *y, const double *p, double *J);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:cc1bdc915a924930).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:f98f5e60e6dcf5a4).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -53,6 +53,10 @@ jacobian: 39 +-, 110 *, 3 /, 6 calls
 outputs: 14 +-, 28 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -131,7 +135,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a
         k2 = a * k1
         # the mass matrix is singular
@@ -145,7 +149,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(k6) > 0.0:
             raise _refuse(abs(k6), 0.0, 2, "rhs")
         k7 = k1 / k6
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = z1 * k6
@@ -223,7 +227,7 @@ def velocities(
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
-        # state
+        # from the state
         s1 = math.sin(t_ * nu)
         Omega = Omega0 + Omega1 * s1
         s_phi = math.sin(phi)
@@ -272,7 +276,7 @@ def accelerations(
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a
         k2 = m * a * a
         k3 = k * k2
@@ -287,7 +291,7 @@ def accelerations(
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
         k8 = k1 / k5
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
@@ -370,7 +374,7 @@ def state(
     theta_dot = float(qdot[3])
     psi_dot = float(qdot[4])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, phi, theta, psi, phi_dot, theta_dot, psi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -383,7 +387,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns r (2,).
@@ -402,7 +406,7 @@ def residuals(
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
-        # state
+        # from the state
         s1 = math.sin(t_ * nu)
         Omega = Omega0 + Omega1 * s1
         s_phi = math.sin(phi)
@@ -425,11 +429,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns lambda_ (2,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     t_ = float(t)  # time
     x = float(y[0])  # centre [m]
@@ -446,7 +451,7 @@ def reactions(
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a
         k2 = m * a * a
         k3 = k * k2
@@ -462,7 +467,7 @@ def reactions(
         k7 = Omega0 * Omega0
         k8 = k1 / k5
         k9 = Omega1 * Omega1
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
@@ -517,7 +522,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns a scalar.
@@ -537,9 +542,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
-        # parameters only
+        # from the parameters alone
         I = m * k * a * a
-        # state
+        # from the state
         c_theta = math.cos(theta)
         omega_z = phi_dot + psi_dot * c_theta
         c_phi = math.cos(phi)
@@ -565,7 +570,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
@@ -585,7 +590,7 @@ def jacobian(
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a
         k2 = m * a * a
         k3 = k * k2
@@ -602,7 +607,7 @@ def jacobian(
         k8 = 1.0 / k3
         k9 = 1.0 / k5
         k10 = k1 * k9
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
@@ -785,11 +790,11 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
         k2 = Omega1 * Omega1
         k3 = 0.5 * Omega0
-        # state
+        # from the state
         c_theta = math.cos(theta)
         z1 = psi_dot * c_theta
         s1 = math.sin(t_ * nu)

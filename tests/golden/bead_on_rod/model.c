@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:8796aed7796a6d79)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:5036ff64778511ad)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -29,11 +29,11 @@ const double bead_on_rod_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int bead_on_rod_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -48,7 +48,7 @@ static int bead_on_rod_finish(int count, const double *values)
     return BEAD_ON_ROD_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int bead_on_rod_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : BEAD_ON_ROD_NOT_FINITE;
@@ -114,12 +114,12 @@ static int bead_on_rod_one_by_one(size_t count, size_t first, size_t number, con
 
 typedef unsigned long long bead_on_rod_bits __attribute__((vector_size(8 * BEAD_ON_ROD_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline bead_on_rod_lanes bead_on_rod_mark(bead_on_rod_lanes value, bead_on_rod_bits bad)
 {
     return (bead_on_rod_lanes)((bead_on_rod_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int bead_on_rod_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -164,10 +164,10 @@ int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt)
     const double m = p[0]; /* mass of the bead [kg] */
     const double Omega = p[1]; /* rate of the rod [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = Omega * Omega;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     dydt[0] = r_dot; /* r' */
     /* (II.3) 14:4 */
@@ -189,7 +189,7 @@ int bead_on_rod_velocities(double t, const double *y, const double *p, double *q
     (void)p;
     const double r_dot = y[1];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = r_dot; /* r' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -206,10 +206,10 @@ int bead_on_rod_accelerations(double t, const double *y, const double *p, double
     const double m = p[0]; /* mass of the bead [kg] */
     const double Omega = p[1]; /* rate of the rod [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = Omega * Omega;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     qddot[0] = r * k1; /* r'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -230,7 +230,7 @@ int bead_on_rod_state(double t, const double *q, const double *qdot, const doubl
     const double r = q[0]; /* distance from the axis [m] */
     const double r_dot = qdot[0];
 
-    /* state */
+    /* from the state */
     y[0] = r;
     y[1] = r_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -256,7 +256,7 @@ int bead_on_rod_reactions(double t, const double *y, const double *p, double *la
     (void)y;
     const double m = p[0]; /* mass of the bead [kg] */
 
-    /* state */
+    /* from the state */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
@@ -273,10 +273,10 @@ double bead_on_rod_energy(double t, const double *y, const double *p)
     const double m = p[0]; /* mass of the bead [kg] */
     const double Omega = p[1]; /* rate of the rod [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = Omega * Omega;
 
-    /* state */
+    /* from the state */
     return 0.5 * (m * (r_dot * r_dot + k1 * (r * r)));
 }
 
@@ -289,7 +289,7 @@ int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J)
     const double m = p[0]; /* mass of the bead [kg] */
     const double Omega = p[1]; /* rate of the rod [rad/s] */
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     J[1] = 1.0;
     J[2] = Omega * Omega;
@@ -312,11 +312,11 @@ int bead_on_rod_outputs(double t, const double *y, const double *p, double *out)
     const double m = p[0]; /* mass of the bead [kg] */
     const double Omega = p[1]; /* rate of the rod [rad/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = Omega * Omega;
     const double k2 = m * Omega;
 
-    /* state */
+    /* from the state */
     /* 16:11 */
     out[0] = 0.5 * (m * (r_dot * r_dot - k1 * (r * r))); /* jacobi */
     /* 17:11 */

@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:8dcd5f63ba4730f4)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:f0af3187c9fa99ff)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -28,7 +28,15 @@
  * jacobian: 0 +-, 1 *, 0 /, 0 calls
  * outputs: 1 +-, 10 *, 0 /, 0 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has BEAD_ON_ROD_NY entries and p BEAD_ON_ROD_NP; bead_on_rod_parameter_defaults can
+ *     be p. bead_on_rod_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: BEAD_ON_ROD_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_BEAD_ON_ROD_H
 #define NHC_BEAD_ON_ROD_H
@@ -68,13 +76,13 @@ int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
  * all velocities q' from the state (I.2.4)
- * qdot: 1 entries
+ * qdot: 1 entry
  */
 int bead_on_rod_velocities(double t, const double *y, const double *p, double *qdot);
 
 /*
  * all accelerations q'' on the motion (II.3)
- * qddot: 1 entries
+ * qddot: 1 entry
  */
 int bead_on_rod_accelerations(double t, const double *y, const double *p, double *qddot);
 
@@ -85,26 +93,26 @@ int bead_on_rod_accelerations(double t, const double *y, const double *p, double
 int bead_on_rod_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 0 entries
  */
 int bead_on_rod_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int bead_on_rod_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double bead_on_rod_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (II.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
  * J: 4 entries, row by row: d rhs_i / d y_j stands at 2*i + j
  */
 int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J);

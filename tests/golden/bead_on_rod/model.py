@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:81b20020d2242a3d).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:4c87f0f53ae59aa2).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -30,6 +30,10 @@ jacobian: 0 +-, 1 *, 0 /, 0 calls
 outputs: 1 +-, 10 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -101,9 +105,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = Omega * Omega
-        # state
+        # from the state
         dydt: list[float] = [
             # r' (II.3)
             r_dot,
@@ -127,7 +131,7 @@ def velocities(
     """
     r_dot = float(y[1])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # r' (I.2.4)
             r_dot,
@@ -154,9 +158,9 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = Omega * Omega
-        # state
+        # from the state
         qddot: list[float] = [
             # r'' (II.3)
             r * k1,
@@ -180,7 +184,7 @@ def state(
     r = float(q[0])  # distance from the axis [m]
     r_dot = float(qdot[0])
     try:
-        # state
+        # from the state
         y: list[float] = [r, r_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -193,7 +197,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (1,), qdot (1,), p (2,).
     Returns r (0,).
@@ -210,18 +214,19 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns lambda_ (0,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     m = float(p[0])  # mass of the bead [kg]
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
-        # state
+        # from the state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -229,7 +234,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns a scalar.
@@ -239,9 +244,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = Omega * Omega
-        # state
+        # from the state
         value1 = 0.5 * (m * (r_dot * r_dot + k1 * (r * r)))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -253,7 +258,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns rows (2, 2): d rhs_i / d y_j stands at [i][j].
@@ -264,7 +269,7 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
-        # state
+        # from the state
         J: list[float] = [
             0.0,
             # (II.3)
@@ -290,10 +295,10 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = Omega * Omega
         k2 = m * Omega
-        # state
+        # from the state
         out: list[float] = [
             # jacobi 16:11
             0.5 * (m * (r_dot * r_dot - k1 * (r * r))),

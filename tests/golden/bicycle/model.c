@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:ea666d9c67405ffe)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:d974405ffa10969d)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -103,11 +103,11 @@ const double bicycle_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int bicycle_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -122,7 +122,7 @@ static int bicycle_finish(int count, const double *values)
     return BICYCLE_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int bicycle_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : BICYCLE_NOT_FINITE;
@@ -212,7 +212,7 @@ static inline bicycle_bits bicycle_misses(bicycle_lanes value, bicycle_lanes bou
     return ~(bicycle_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline bicycle_lanes bicycle_mark(bicycle_lanes value, bicycle_bits bad)
 {
     return (bicycle_lanes)((bicycle_bits)value | bad);
@@ -222,7 +222,7 @@ static inline bicycle_lanes bicycle_size(bicycle_lanes x)
 {
     return (bicycle_lanes)((bicycle_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int bicycle_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -334,7 +334,7 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double F_xx = p[24]; /* front wheel, across the axle [kg*m^2] */
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
     const double k1 = r_R + z_B;
@@ -404,7 +404,7 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double k65 = k15 * k59 + k16 * k58;
     const double k66 = k9 * k59 - k4 * k58;
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / fabs(c_roll);
     const double z3 = c_roll * s1;
     const double z4 = r_R * z3;
@@ -749,7 +749,7 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double r_F = p[22]; /* radius of the front wheel [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
     const double k1 = w + c;
@@ -766,7 +766,7 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double k12 = 13.0 * k8 + (14.0 * k6 + k11);
     const double k13 = 10.0 * k8 + (k9 + k11);
 
-    /* state */
+    /* from the state */
     const double z2 = c_roll * s1;
     const double z3 = 1.0 / fabs(c_roll);
     const double z4 = r_R * z3;
@@ -872,7 +872,7 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double steer_ddot = dydt[10]; /* steer'' */
     const double thF_ddot = dydt[11]; /* thF'' */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
     const double k1 = w + c;
@@ -880,7 +880,7 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double k3 = c_lam * k1 - r_R * s_lam;
     const double k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam);
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / fabs(c_roll);
     const double z3 = c_roll * s1;
     const double z4 = r_R * z3;
@@ -1029,7 +1029,7 @@ int bicycle_state(double t, const double *q, const double *qdot, const double *p
     const double steer_dot = qdot[6];
     const double thF_dot = qdot[8];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = z;
@@ -1082,12 +1082,12 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double r_F = p[22]; /* radius of the front wheel [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
     const double k1 = w + c;
 
-    /* state */
+    /* from the state */
     const double z1 = s_yaw * e2z;
     const double e1x = c_yaw * c_pitch - z1 * s_pitch;
     const double w2 = pitch_dot + yaw_dot * e2z;
@@ -1215,7 +1215,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double s_steer = sin(steer);
     kept[7] = s_steer;
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
     const double r_R = p[4]; /* radius of the rear wheel [m] */
@@ -1330,7 +1330,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double k61 = k55 - k58;
     kept[34] = k61;
 
-    /* state */
+    /* from the state */
     const double z2 = c_roll * s1;
     kept[35] = z2;
     const double z3 = 1.0 / fabs(c_roll);
@@ -1836,7 +1836,7 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double F_xx = p[24]; /* front wheel, across the axle [kg*m^2] */
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
     const double k1 = r_R + z_B;
@@ -1846,7 +1846,7 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double k5 = c_lam * k2 - r_R * s_lam;
     const double k6 = s_lam * k2 - (r_F * c_lam + c * s_lam - r_R * c_lam);
 
-    /* state */
+    /* from the state */
     const double z1 = s_pitch * c_roll;
     const double e3z = c_pitch * c_roll;
     const double Sz = z - z1 * k2 + r_R * e3z;
@@ -2003,7 +2003,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     const double c_yaw = cos(yaw);
     kept[7] = c_yaw;
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
     const double r_R = p[4]; /* radius of the rear wheel [m] */
@@ -2138,7 +2138,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     const double k76 = k70 - k73;
     kept[39] = k76;
 
-    /* state */
+    /* from the state */
     const double z2 = c_roll * c1;
     kept[40] = z2;
     const double z3 = c_roll * s1;
@@ -4419,7 +4419,7 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double r_F = p[22]; /* radius of the front wheel [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
     const double k1 = w + c;
@@ -4436,7 +4436,7 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double k12 = 13.0 * k8 + (14.0 * k6 + k11);
     const double k13 = 10.0 * k8 + (k9 + k11);
 
-    /* state */
+    /* from the state */
     const double z1 = s_pitch * c_lam + c_pitch * s_lam;
     const double z2 = c_roll * z1;
     const double z3 = c_roll * c_roll;

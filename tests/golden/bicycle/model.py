@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:1d251c226018c9e9).
+"""bicycle, emitted by nhc 0.1.0 (nhc:fbba5f562f94f789).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -74,6 +74,10 @@ jacobian: 3688 +-, 5104 *, 7 /, 17 calls
 outputs: 57 +-, 101 *, 3 /, 15 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -255,7 +259,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     F_xx = float(p[24])  # front wheel, across the axle [kg*m^2]
     F_yy = float(p[25])  # front wheel, about the axle [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         s_lam = math.sin(lam)
         c_lam = math.cos(lam)
         k1 = r_R + z_B
@@ -326,7 +330,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k64 = g * k40
         k65 = k15 * k59 + k16 * k58
         k66 = k9 * k59 - k4 * k58
-        # state
+        # from the state
         c_roll = math.cos(roll)
         z1 = 1.0 / abs(c_roll)
         z2 = pitch + lam
@@ -700,7 +704,7 @@ def velocities(
     r_R = float(p[4])  # radius of the rear wheel [m]
     r_F = float(p[22])  # radius of the front wheel [m]
     try:
-        # parameters only
+        # from the parameters alone
         s_lam = math.sin(lam)
         c_lam = math.cos(lam)
         k1 = w + c
@@ -716,7 +720,7 @@ def velocities(
         k11 = 6.0 * k7
         k12 = 13.0 * k8 + (14.0 * k6 + k11)
         k13 = 10.0 * k8 + (k9 + k11)
-        # state
+        # from the state
         c_roll = math.cos(roll)
         z1 = pitch + lam
         s1 = math.sin(z1)
@@ -829,14 +833,14 @@ def accelerations(
     steer_ddot = float(dydt[10])  # steer''
     thF_ddot = float(dydt[11])  # thF''
     try:
-        # parameters only
+        # from the parameters alone
         s_lam = math.sin(lam)
         c_lam = math.cos(lam)
         k1 = w + c
         k2 = r_F * s_lam - c * c_lam
         k3 = c_lam * k1 - r_R * s_lam
         k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam)
-        # state
+        # from the state
         s_yaw = math.sin(yaw)
         c_roll = math.cos(roll)
         z1 = 1.0 / abs(c_roll)
@@ -1020,7 +1024,7 @@ def state(
     steer_dot = float(qdot[6])
     thF_dot = float(qdot[8])
     try:
-        # state
+        # from the state
         y: list[float] = [
             x,
             y_2,
@@ -1046,7 +1050,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (9,), qdot (9,), p (26,).
     Returns r (6,).
@@ -1070,11 +1074,11 @@ def residuals(
     r_R = float(p[4])  # radius of the rear wheel [m]
     r_F = float(p[22])  # radius of the front wheel [m]
     try:
-        # parameters only
+        # from the parameters alone
         s_lam = math.sin(lam)
         c_lam = math.cos(lam)
         k1 = w + c
-        # state
+        # from the state
         c_yaw = math.cos(yaw)
         c_pitch = math.cos(pitch)
         s_yaw = math.sin(yaw)
@@ -1191,11 +1195,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns lambda_ (6,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     dydt = rhs(t, y, p)
     yaw = float(y[3])  # first turn of the rear frame, about z [rad]
@@ -1235,7 +1240,7 @@ def reactions(
     steer_ddot = float(dydt[10])  # steer''
     thF_ddot = float(dydt[11])  # thF''
     try:
-        # parameters only
+        # from the parameters alone
         s_lam = math.sin(lam)
         c_lam = math.cos(lam)
         k1 = r_R + z_B
@@ -1301,7 +1306,7 @@ def reactions(
         k59 = k16 * k49
         k60 = k56 + k59
         k61 = k55 - k58
-        # state
+        # from the state
         s_yaw = math.sin(yaw)
         e2z = math.sin(roll)
         z1 = pitch + lam
@@ -1597,7 +1602,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns a scalar.
@@ -1637,7 +1642,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     F_xx = float(p[24])  # front wheel, across the axle [kg*m^2]
     F_yy = float(p[25])  # front wheel, about the axle [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         s_lam = math.sin(lam)
         c_lam = math.cos(lam)
         k1 = r_R + z_B
@@ -1646,7 +1651,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         k4 = r_F * s_lam - c * c_lam
         k5 = c_lam * k2 - r_R * s_lam
         k6 = s_lam * k2 - (r_F * c_lam + c * s_lam - r_R * c_lam)
-        # state
+        # from the state
         s_pitch = math.sin(pitch)
         c_roll = math.cos(roll)
         z1 = s_pitch * c_roll
@@ -1796,7 +1801,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns rows (12, 12): d rhs_i / d y_j stands at [i][j].
@@ -1835,7 +1840,7 @@ def jacobian(
     F_xx = float(p[24])  # front wheel, across the axle [kg*m^2]
     F_yy = float(p[25])  # front wheel, about the axle [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         s_lam = math.sin(lam)
         c_lam = math.cos(lam)
         k1 = r_R + z_B
@@ -1914,7 +1919,7 @@ def jacobian(
         k74 = k16 * k64
         k75 = k71 + k74
         k76 = k70 - k73
-        # state
+        # from the state
         c_roll = math.cos(roll)
         z1 = pitch + lam
         s1 = math.sin(z1)
@@ -3077,7 +3082,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     r_R = float(p[4])  # radius of the rear wheel [m]
     r_F = float(p[22])  # radius of the front wheel [m]
     try:
-        # parameters only
+        # from the parameters alone
         s_lam = math.sin(lam)
         c_lam = math.cos(lam)
         k1 = w + c
@@ -3093,7 +3098,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         k11 = 6.0 * k7
         k12 = 13.0 * k8 + (14.0 * k6 + k11)
         k13 = 10.0 * k8 + (k9 + k11)
-        # state
+        # from the state
         c_roll = math.cos(roll)
         s_pitch = math.sin(pitch)
         c_pitch = math.cos(pitch)

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:f019f5f6e5af5e78)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:ee5853dec5728e9c)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -33,11 +33,11 @@ const double cartesian_pendulum_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int cartesian_pendulum_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -52,7 +52,7 @@ static int cartesian_pendulum_finish(int count, const double *values)
     return CARTESIAN_PENDULUM_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int cartesian_pendulum_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CARTESIAN_PENDULUM_NOT_FINITE;
@@ -124,7 +124,7 @@ static inline cartesian_pendulum_bits cartesian_pendulum_misses(cartesian_pendul
     return ~(cartesian_pendulum_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline cartesian_pendulum_lanes cartesian_pendulum_mark(cartesian_pendulum_lanes value, cartesian_pendulum_bits bad)
 {
     return (cartesian_pendulum_lanes)((cartesian_pendulum_bits)value | bad);
@@ -134,7 +134,7 @@ static inline cartesian_pendulum_lanes cartesian_pendulum_size(cartesian_pendulu
 {
     return (cartesian_pendulum_lanes)((cartesian_pendulum_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int cartesian_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -180,7 +180,7 @@ int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *d
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = 1.0 / z1;
@@ -215,7 +215,7 @@ int cartesian_pendulum_velocities(double t, const double *y, const double *p, do
     const double y_2 = y[1]; /* up [m] */
     const double v = y[2];
 
-    /* state */
+    /* from the state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = v / z1;
@@ -242,7 +242,7 @@ int cartesian_pendulum_accelerations(double t, const double *y, const double *p,
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
@@ -275,7 +275,7 @@ int cartesian_pendulum_state(double t, const double *q, const double *qdot, cons
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = y_2 * x_dot - x * y_dot;
@@ -295,7 +295,7 @@ int cartesian_pendulum_residuals(double t, const double *q, const double *qdot, 
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 15:5 */
     r[0] = x * x_dot + y * y_dot; /* rod = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -314,7 +314,7 @@ int cartesian_pendulum_reactions(double t, const double *y, const double *p, dou
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
@@ -347,10 +347,10 @@ double cartesian_pendulum_energy(double t, const double *y, const double *p)
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * g;
 
-    /* state */
+    /* from the state */
     const double z1 = v / (x * x + y_2 * y_2);
     const double z2 = y_2 * z1;
     const double z3 = x * z1;
@@ -368,7 +368,7 @@ int cartesian_pendulum_jacobian(double t, const double *y, const double *p, doub
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = 1.0 / z1;
@@ -407,7 +407,7 @@ int cartesian_pendulum_outputs(double t, const double *y, const double *p, doubl
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     /* 17:11 */

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:fb6539e57dac2842)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:f9c39d0d593af237)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -55,11 +55,11 @@ const double chaotic_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int chaotic_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -74,7 +74,7 @@ static int chaotic_finish(int count, const double *values)
     return CHAOTIC_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int chaotic_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CHAOTIC_NOT_FINITE;
@@ -140,12 +140,12 @@ static int chaotic_one_by_one(size_t count, size_t first, size_t number, const d
 
 typedef unsigned long long chaotic_bits __attribute__((vector_size(8 * CHAOTIC_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline chaotic_lanes chaotic_mark(chaotic_lanes value, chaotic_bits bad)
 {
     return (chaotic_lanes)((chaotic_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int chaotic_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -200,7 +200,7 @@ int chaotic_rhs(double t, const double *y, const double *p, double *dydt)
     const double z2_dot = y[11];
     const double z3_dot = y[12];
 
-    /* state */
+    /* from the state */
     const double z4 = y3 * y3;
     const double z5 = y2 * y2;
     const double z6 = y1_ * y1_;
@@ -253,7 +253,7 @@ int chaotic_velocities(double t, const double *y, const double *p, double *qdot)
     const double z2_dot = y[11];
     const double z3_dot = y[12];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = -(y3 * z3_dot + (y1_ * z1_dot + y2 * z2_dot)); /* x' */
     qdot[1] = y1_dot; /* y1' */
@@ -287,7 +287,7 @@ int chaotic_accelerations(double t, const double *y, const double *p, double *qd
     const double z2_dot = y[11];
     const double z3_dot = y[12];
 
-    /* state */
+    /* from the state */
     const double z4 = y3 * y3;
     const double z5 = y2 * y2;
     const double z6 = y1_ * y1_;
@@ -341,7 +341,7 @@ int chaotic_state(double t, const double *q, const double *qdot, const double *p
     const double z2_dot = qdot[5];
     const double z3_dot = qdot[6];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y1_;
     y[2] = y2;
@@ -375,7 +375,7 @@ int chaotic_residuals(double t, const double *q, const double *qdot, const doubl
     const double z2_dot = qdot[5];
     const double z3_dot = qdot[6];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 13:5 */
     r[0] = x_dot + y1_ * z1_dot + y2 * z2_dot + y3 * z3_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -403,7 +403,7 @@ int chaotic_reactions(double t, const double *y, const double *p, double *lambda
     const double z2_dot = y[11];
     const double z3_dot = y[12];
 
-    /* state */
+    /* from the state */
     const double z4 = y3 * y3;
     const double z5 = y2 * y2;
     const double z6 = y1_ * y1_;
@@ -442,7 +442,7 @@ double chaotic_energy(double t, const double *y, const double *p)
     const double z2_dot = y[11];
     const double z3_dot = y[12];
 
-    /* state */
+    /* from the state */
     const double z4 = y1_ * y1_;
     const double z5 = y2 * y2;
     const double z6 = y3 * y3;
@@ -476,7 +476,7 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     const double z2_dot = y[11];
     const double z3_dot = y[12];
 
-    /* state */
+    /* from the state */
     const double z4 = y3 * y3;
     const double z5 = y2 * y2;
     const double z6 = y1_ * y1_;

@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:58e367f56c037880).
+"""chaotic, emitted by nhc 0.1.0 (nhc:63513a24081bfe22).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -39,6 +39,9 @@ jacobian: 108 +-, 184 *, 4 /, 0 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -130,7 +133,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     z2_dot = float(y[11])
     z3_dot = float(y[12])
     try:
-        # state
+        # from the state
         z4 = y3 * y3
         z5 = y2 * y2
         z6 = y1 * y1
@@ -199,7 +202,7 @@ def velocities(
     z2_dot = float(y[11])
     z3_dot = float(y[12])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # x' (I.2.4)
             -(y3 * z3_dot + (y1 * z1_dot + y2 * z2_dot)),
@@ -245,7 +248,7 @@ def accelerations(
     z2_dot = float(y[11])
     z3_dot = float(y[12])
     try:
-        # state
+        # from the state
         z4 = y3 * y3
         z5 = y2 * y2
         z6 = y1 * y1
@@ -312,7 +315,7 @@ def state(
     z2_dot = float(qdot[5])
     z3_dot = float(qdot[6])
     try:
-        # state
+        # from the state
         y: list[float] = [
             x,
             y1,
@@ -339,7 +342,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (7,), qdot (7,), p (0,).
     Returns r (1,).
@@ -352,7 +355,7 @@ def residuals(
     z2_dot = float(qdot[5])
     z3_dot = float(qdot[6])
     try:
-        # state
+        # from the state
         r: list[float] = [
             # contact = 0 (I.1.1) 13:5
             x_dot + y1 * z1_dot + y2 * z2_dot + y3 * z3_dot,
@@ -367,11 +370,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     x = float(y[0])
     y1 = float(y[1])
@@ -387,7 +391,7 @@ def reactions(
     z2_dot = float(y[11])
     z3_dot = float(y[12])
     try:
-        # state
+        # from the state
         z4 = y3 * y3
         z5 = y2 * y2
         z6 = y1 * y1
@@ -409,7 +413,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns a scalar.
@@ -428,7 +432,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     z2_dot = float(y[11])
     z3_dot = float(y[12])
     try:
-        # state
+        # from the state
         z4 = y1 * y1
         z5 = y2 * y2
         z6 = y3 * y3
@@ -451,7 +455,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns rows (13, 13): d rhs_i / d y_j stands at [i][j].
@@ -470,7 +474,7 @@ def jacobian(
     z2_dot = float(y[11])
     z3_dot = float(y[12])
     try:
-        # state
+        # from the state
         z4 = y3 * y3
         z5 = y2 * y2
         z6 = y1 * y1

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:ec571341a1a691ed)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:8d99ea49182dbbc4)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -53,11 +53,11 @@ const double chaplygin_ball_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int chaplygin_ball_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -72,7 +72,7 @@ static int chaplygin_ball_finish(int count, const double *values)
     return CHAPLYGIN_BALL_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int chaplygin_ball_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CHAPLYGIN_BALL_NOT_FINITE;
@@ -144,7 +144,7 @@ static inline chaplygin_ball_bits chaplygin_ball_misses(chaplygin_ball_lanes val
     return ~(chaplygin_ball_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline chaplygin_ball_lanes chaplygin_ball_mark(chaplygin_ball_lanes value, chaplygin_ball_bits bad)
 {
     return (chaplygin_ball_lanes)((chaplygin_ball_bits)value | bad);
@@ -154,7 +154,7 @@ static inline chaplygin_ball_lanes chaplygin_ball_size(chaplygin_ball_lanes x)
 {
     return (chaplygin_ball_lanes)((chaplygin_ball_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int chaplygin_ball_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -230,13 +230,13 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt)
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1);
     const double z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1);
@@ -318,7 +318,7 @@ int chaplygin_ball_velocities(double t, const double *y, const double *p, double
     const double w3 = y[7];
     const double a = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / s_theta;
     const double z2 = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2);
     const double z3 = a * z2;
@@ -366,13 +366,13 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1);
     const double z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1);
@@ -469,7 +469,7 @@ int chaplygin_ball_state(double t, const double *q, const double *qdot, const do
     const double theta_dot = qdot[3];
     const double psi_dot = qdot[4];
 
-    /* state */
+    /* from the state */
     const double z1 = phi_dot * s_theta;
     y[0] = x;
     y[1] = y_2;
@@ -502,7 +502,7 @@ int chaplygin_ball_residuals(double t, const double *q, const double *qdot, cons
     const double psi_dot = qdot[4];
     const double a = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = psi_dot * s_theta;
     /* (I.1.1) 27:5 */
     r[0] = x_dot - a * (theta_dot * s_phi - c_phi * z1); /* roll_x = 0 */
@@ -539,14 +539,14 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
     const double k2 = m * a;
     const double k3 = I2 - I3;
     const double k4 = I1 - I3;
     const double k5 = I1 - I2;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1);
     const double z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1);
@@ -626,10 +626,10 @@ double chaplygin_ball_energy(double t, const double *y, const double *p)
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
 
-    /* state */
+    /* from the state */
     const double z1 = w3 * w3;
     const double z2 = w1 * w1;
     const double z3 = w2 * w2;
@@ -665,13 +665,13 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
 
-    /* state */
+    /* from the state */
     const double z1 = s_psi * s_psi;
     const double z2 = s_theta * s_theta;
     const double z3 = I1 + k1 * (1.0 - z1 * z2);
@@ -845,10 +845,10 @@ int chaplygin_ball_outputs(double t, const double *y, const double *p, double *o
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
 
-    /* state */
+    /* from the state */
     const double z1 = c_psi * w2 + s_psi * w1;
     const double z2 = s_theta * (c_theta * w3 + s_theta * z1);
     /* 35:7 */

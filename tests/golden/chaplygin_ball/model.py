@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:4cc247d1356d2810).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:f0ef9079683a79b8).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -44,6 +44,10 @@ jacobian: 73 +-, 180 *, 4 /, 6 calls
 outputs: 8 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -119,12 +123,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -210,7 +214,7 @@ def velocities(
     w3 = float(y[7])
     a = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -265,12 +269,12 @@ def accelerations(
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -372,7 +376,7 @@ def state(
     theta_dot = float(qdot[3])
     psi_dot = float(qdot[4])
     try:
-        # state
+        # from the state
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         s_theta = math.sin(theta)
@@ -399,7 +403,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (5,), qdot (5,), p (5,).
     Returns r (2,).
@@ -412,7 +416,7 @@ def residuals(
     psi_dot = float(qdot[4])
     a = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         s_theta = math.sin(theta)
@@ -433,11 +437,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns lambda_ (2,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
@@ -451,13 +456,13 @@ def reactions(
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
         k2 = m * a
         k3 = I2 - I3
         k4 = I1 - I3
         k5 = I1 - I2
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -517,7 +522,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns a scalar.
@@ -533,9 +538,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
-        # state
+        # from the state
         z1 = w3 * w3
         z2 = w1 * w1
         z3 = w2 * w2
@@ -560,7 +565,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
@@ -577,12 +582,12 @@ def jacobian(
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -817,9 +822,9 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:2b7ce370b20b479f)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:d359a815a3a212a7)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -55,11 +55,11 @@ const double chaplygin_ball_quaternion_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int chaplygin_ball_quaternion_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -74,7 +74,7 @@ static int chaplygin_ball_quaternion_finish(int count, const double *values)
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int chaplygin_ball_quaternion_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
@@ -146,7 +146,7 @@ static inline chaplygin_ball_quaternion_bits chaplygin_ball_quaternion_misses(ch
     return ~(chaplygin_ball_quaternion_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline chaplygin_ball_quaternion_lanes chaplygin_ball_quaternion_mark(chaplygin_ball_quaternion_lanes value, chaplygin_ball_quaternion_bits bad)
 {
     return (chaplygin_ball_quaternion_lanes)((chaplygin_ball_quaternion_bits)value | bad);
@@ -156,7 +156,7 @@ static inline chaplygin_ball_quaternion_lanes chaplygin_ball_quaternion_size(cha
 {
     return (chaplygin_ball_quaternion_lanes)((chaplygin_ball_quaternion_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int chaplygin_ball_quaternion_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -209,13 +209,13 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
 
-    /* state */
+    /* from the state */
     const double z1 = R_3 * R_3;
     const double z2 = R_2 * R_2;
     const double z3 = R_1 * R_1;
@@ -303,7 +303,7 @@ int chaplygin_ball_quaternion_velocities(double t, const double *y, const double
     const double w3 = y[8];
     const double a = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_2 * z1;
     const double z3 = R_0 * z1;
@@ -347,13 +347,13 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
 
-    /* state */
+    /* from the state */
     const double z1 = R_3 * R_3;
     const double z2 = R_2 * R_2;
     const double z3 = R_1 * R_1;
@@ -457,7 +457,7 @@ int chaplygin_ball_quaternion_state(double t, const double *q, const double *qdo
     const double R_2_dot = qdot[4];
     const double R_3_dot = qdot[5];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_0 * z1;
     const double z3 = R_1 * z1;
@@ -495,7 +495,7 @@ int chaplygin_ball_quaternion_residuals(double t, const double *q, const double 
     const double R_3_dot = qdot[5];
     const double a = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_0 * z1;
     const double z3 = R_1 * z1;
@@ -533,7 +533,7 @@ int chaplygin_ball_quaternion_positions(double t, const double *q, const double 
     const double R_2 = q[4]; /* quaternion of R, along y [1] */
     const double R_3 = q[5]; /* quaternion of R, along z [1] */
 
-    /* state */
+    /* from the state */
     /* 10:3 */
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -560,14 +560,14 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
     const double k2 = m * a;
     const double k3 = I2 - I3;
     const double k4 = I1 - I3;
     const double k5 = I1 - I2;
 
-    /* state */
+    /* from the state */
     const double z1 = R_3 * R_3;
     const double z2 = R_2 * R_2;
     const double z3 = R_1 * R_1;
@@ -658,7 +658,7 @@ double chaplygin_ball_quaternion_energy(double t, const double *y, const double 
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_2 * z1;
     const double z3 = R_0 * z1;
@@ -683,7 +683,7 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     (void)J;
     (void)t;
 
-    /* parameters only */
+    /* from the parameters alone */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double k1 = m * a * a;
@@ -698,7 +698,7 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double k4 = I1 - I2;
     kept[3] = k4;
 
-    /* state */
+    /* from the state */
     const double R_3 = y[5]; /* quaternion of R, along z [1] */
     const double z1 = R_3 * R_3;
     kept[4] = z1;
@@ -1219,12 +1219,12 @@ int chaplygin_ball_quaternion_outputs(double t, const double *y, const double *p
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a * a;
     const double k2 = I1 + k1;
     const double k3 = I2 + k1;
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = I1 * w1;
     const double z3 = I3 * w3;

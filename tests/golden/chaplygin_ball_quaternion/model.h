@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:c22bc172b2f83f7e)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:97da61cef8a1a41b)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -46,7 +46,16 @@
  * jacobian: 213 +-, 519 *, 4 /, 0 calls
  * outputs: 26 +-, 44 *, 1 /, 0 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has CHAPLYGIN_BALL_QUATERNION_NY entries and p CHAPLYGIN_BALL_QUATERNION_NP;
+ *     chaplygin_ball_quaternion_parameter_defaults can be p. chaplygin_ball_quaternion_state makes y from
+ *     coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: CHAPLYGIN_BALL_QUATERNION_OK (0) where the result is good; after any other code the output is
+ *     not to be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_CHAPLYGIN_BALL_QUATERNION_H
 #define NHC_CHAPLYGIN_BALL_QUATERNION_H
@@ -103,33 +112,33 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
 int chaplygin_ball_quaternion_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 3 entries
  */
 int chaplygin_ball_quaternion_residuals(double t, const double *q, const double *qdot, const double *p,
     double *r);
 
 /*
- * residuals of the holonomic constraints at position level
- * f: 1 entries
+ * left minus right side of each holonomic constraint, zero on every motion
+ * f: 1 entry
  */
 int chaplygin_ball_quaternion_positions(double t, const double *q, const double *p, double *f);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 3 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int chaplygin_ball_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double chaplygin_ball_quaternion_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.15)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
  * J: 81 entries, row by row: d rhs_i / d y_j stands at 9*i + j
  */
 int chaplygin_ball_quaternion_jacobian(double t, const double *y, const double *p, double *J);

@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:605a18efcdb554c3).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:cbd055c37b08ea62).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -47,6 +47,10 @@ jacobian: 213 +-, 519 *, 4 /, 0 calls
 outputs: 26 +-, 44 *, 1 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -123,12 +127,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
-        # state
+        # from the state
         z1 = R_3 * R_3
         z2 = R_2 * R_2
         z3 = R_1 * R_1
@@ -225,7 +229,7 @@ def velocities(
     w3 = float(y[8])
     a = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_2 * z1
         z3 = R_0 * z1
@@ -280,12 +284,12 @@ def accelerations(
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
-        # state
+        # from the state
         z1 = R_3 * R_3
         z2 = R_2 * R_2
         z3 = R_1 * R_1
@@ -398,7 +402,7 @@ def state(
     R_2_dot = float(qdot[4])
     R_3_dot = float(qdot[5])
     try:
-        # state
+        # from the state
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_0 * z1
         z3 = R_1 * z1
@@ -419,7 +423,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (6,), qdot (6,), p (5,).
     Returns r (3,).
@@ -436,7 +440,7 @@ def residuals(
     R_3_dot = float(qdot[5])
     a = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_0 * z1
         z3 = R_1 * z1
@@ -473,7 +477,7 @@ def positions(
     q: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """residuals of the holonomic constraints at position level
+    """left minus right side of each holonomic constraint, zero on every motion
 
     Arguments: t (scalar), q (6,), p (5,).
     Returns f (1,).
@@ -483,7 +487,7 @@ def positions(
     R_2 = float(q[4])  # quaternion of R, along y [1]
     R_3 = float(q[5])  # quaternion of R, along z [1]
     try:
-        # state
+        # from the state
         f: list[float] = [
             # R_norm = 0 10:3
             R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0,
@@ -498,11 +502,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns lambda_ (3,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     R_0 = float(y[2])  # quaternion of R, scalar part [1]
     R_1 = float(y[3])  # quaternion of R, along x [1]
@@ -517,13 +522,13 @@ def reactions(
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
         k2 = m * a
         k3 = I2 - I3
         k4 = I1 - I3
         k5 = I1 - I2
-        # state
+        # from the state
         z1 = R_3 * R_3
         z2 = R_2 * R_2
         z3 = R_1 * R_1
@@ -598,7 +603,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns a scalar.
@@ -616,7 +621,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # state
+        # from the state
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_2 * z1
         z3 = R_0 * z1
@@ -644,7 +649,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns rows (9, 9): d rhs_i / d y_j stands at [i][j].
@@ -662,12 +667,12 @@ def jacobian(
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
-        # state
+        # from the state
         z1 = R_3 * R_3
         z2 = R_2 * R_2
         z3 = R_1 * R_1
@@ -1058,11 +1063,11 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I2 = float(p[3])  # [kg*m^2]
     I3 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * a * a
         k2 = I1 + k1
         k3 = I2 + k1
-        # state
+        # from the state
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = I1 * w1
         z3 = I3 * w3

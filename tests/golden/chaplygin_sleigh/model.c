@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:40f414d6459f5b5f)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:70ce4d13924fb74d)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,11 +36,11 @@ const double chaplygin_sleigh_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int chaplygin_sleigh_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -55,7 +55,7 @@ static int chaplygin_sleigh_finish(int count, const double *values)
     return CHAPLYGIN_SLEIGH_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int chaplygin_sleigh_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CHAPLYGIN_SLEIGH_NOT_FINITE;
@@ -121,12 +121,12 @@ static int chaplygin_sleigh_one_by_one(size_t count, size_t first, size_t number
 
 typedef unsigned long long chaplygin_sleigh_bits __attribute__((vector_size(8 * CHAPLYGIN_SLEIGH_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline chaplygin_sleigh_lanes chaplygin_sleigh_mark(chaplygin_sleigh_lanes value, chaplygin_sleigh_bits bad)
 {
     return (chaplygin_sleigh_lanes)((chaplygin_sleigh_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int chaplygin_sleigh_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -193,12 +193,12 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dyd
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a;
     const double k2 = J + a * k1;
     const double k3 = -k1 / k2;
 
-    /* state */
+    /* from the state */
     /* (I.2.15) */
     dydt[0] = c_theta * v; /* x' */
     dydt[1] = s_theta * v; /* y' */
@@ -233,7 +233,7 @@ int chaplygin_sleigh_velocities(double t, const double *y, const double *p, doub
     const double v = y[3];
     const double w = y[4];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = c_theta * v; /* x' */
     qdot[1] = s_theta * v; /* y' */
@@ -259,12 +259,12 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a;
     const double k2 = J + a * k1;
     const double k3 = -k1 / k2;
 
-    /* state */
+    /* from the state */
     const double z1 = a * w * w;
     const double z2 = v * w;
     /* (I.2.15) */
@@ -301,7 +301,7 @@ int chaplygin_sleigh_state(double t, const double *q, const double *qdot, const 
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -326,7 +326,7 @@ int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, co
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 19:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -345,12 +345,12 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * (m * a);
     const double k2 = J + k1;
     const double k3 = k1 / k2;
 
-    /* state */
+    /* from the state */
     const double z1 = v * w;
     /* (I.4.1) 19:5 */
     lambda[0] = m * (z1 - z1 * k3); /* reaction of slip: Q_i gains lambda_1 a_1i */
@@ -378,10 +378,10 @@ double chaplygin_sleigh_energy(double t, const double *y, const double *p)
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
 
-    /* state */
+    /* from the state */
     const double z1 = w * w;
     return 0.5 * (J * z1 + m * (z1 * k1 + v * v));
 }
@@ -401,12 +401,12 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     const double J_2 = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a;
     const double k2 = J_2 + a * k1;
     const double k3 = -k1 / k2;
 
-    /* state */
+    /* from the state */
     /* (I.2.15) */
     J[2] = -s_theta * v;
     J[3] = c_theta;
@@ -444,7 +444,7 @@ int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double 
     const double v = y[3];
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
-    /* state */
+    /* from the state */
     /* 24:10 */
     out[0] = v; /* speed */
     /* 25:6 */

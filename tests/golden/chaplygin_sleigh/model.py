@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:e775729eb1542564).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:a51c30c26a19dadd).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -37,6 +37,10 @@ jacobian: 1 +-, 8 *, 1 /, 2 calls
 outputs: 2 +-, 2 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -110,14 +114,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = m * a
         k2 = J + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "rhs")
         k3 = -k1 / k2
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         dydt: list[float] = [
@@ -151,7 +155,7 @@ def velocities(
     v = float(y[3])
     w = float(y[4])
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         qdot: list[float] = [
@@ -187,14 +191,14 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = m * a
         k2 = J + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "accelerations")
         k3 = -k1 / k2
-        # state
+        # from the state
         c_theta = math.cos(theta)
         z1 = a * w * w
         s_theta = math.sin(theta)
@@ -230,7 +234,7 @@ def state(
     y_dot = float(qdot[1])
     theta_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         y: list[float] = [x, y_2, theta, x_dot * c_theta + y_dot * s_theta, theta_dot]
@@ -245,7 +249,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (1,).
@@ -254,7 +258,7 @@ def residuals(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         r: list[float] = [
@@ -271,11 +275,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     v = float(y[3])
     w = float(y[4])
@@ -286,14 +291,14 @@ def reactions(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = a * (m * a)
         k2 = J + k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "reactions")
         k3 = k1 / k2
-        # state
+        # from the state
         z1 = v * w
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 19:5
@@ -305,7 +310,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns a scalar.
@@ -316,9 +321,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
-        # state
+        # from the state
         z1 = w * w
         value1 = 0.5 * (J * z1 + m * (z1 * k1 + v * v))
         return _single("energy", value1)
@@ -331,7 +336,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -346,14 +351,14 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = m * a
         k2 = J_2 + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "jacobian")
         k3 = -k1 / k2
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         J: list[float] = [
@@ -409,7 +414,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     v = float(y[3])
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         out: list[float] = [

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:a744431aa671bbcf)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:16b3ae71ccbfe418)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -38,11 +38,11 @@ const double charged_sleigh_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int charged_sleigh_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -57,7 +57,7 @@ static int charged_sleigh_finish(int count, const double *values)
     return CHARGED_SLEIGH_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int charged_sleigh_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CHARGED_SLEIGH_NOT_FINITE;
@@ -123,12 +123,12 @@ static int charged_sleigh_one_by_one(size_t count, size_t first, size_t number, 
 
 typedef unsigned long long charged_sleigh_bits __attribute__((vector_size(8 * CHARGED_SLEIGH_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline charged_sleigh_lanes charged_sleigh_mark(charged_sleigh_lanes value, charged_sleigh_bits bad)
 {
     return (charged_sleigh_lanes)((charged_sleigh_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int charged_sleigh_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -196,12 +196,12 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
     const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double B = p[3]; /* charge times field [kg/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = J + m * (a * a);
     const double k2 = 1.0 / m;
     const double k3 = -1.0 / k1;
 
-    /* state */
+    /* from the state */
     const double z1 = a * (B + m * w);
     /* (I.2.15) */
     dydt[0] = c_theta * v; /* x' */
@@ -237,7 +237,7 @@ int charged_sleigh_velocities(double t, const double *y, const double *p, double
     const double v = y[3];
     const double w = y[4];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = c_theta * v; /* x' */
     qdot[1] = s_theta * v; /* y' */
@@ -264,12 +264,12 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
     const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double B = p[3]; /* charge times field [kg/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = J + m * (a * a);
     const double k2 = 1.0 / m;
     const double k3 = -1.0 / k1;
 
-    /* state */
+    /* from the state */
     const double z1 = v * w;
     const double z2 = a * (B + m * w);
     const double z3 = k2 * (w * z2);
@@ -307,7 +307,7 @@ int charged_sleigh_state(double t, const double *q, const double *qdot, const do
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -332,7 +332,7 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 20:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -352,12 +352,12 @@ int charged_sleigh_reactions(double t, const double *y, const double *p, double 
     const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double B = p[3]; /* charge times field [kg/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
     const double k2 = J + m * k1;
     const double k3 = k1 / k2;
 
-    /* state */
+    /* from the state */
     /* (I.4.1) 20:5 */
     lambda[0] = v * (B + m * (w - (B + m * w) * k3)); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -392,10 +392,10 @@ double charged_sleigh_energy(double t, const double *y, const double *p)
     const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double B = p[3]; /* charge times field [kg/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
 
-    /* state */
+    /* from the state */
     const double z1 = a * w * (a + (x * c_theta + y_2 * s_theta)) + v * (x * s_theta - y_2 * c_theta);
     const double z2 = w * w;
     return 0.5 * (B * z1 + (J * z2 + m * (z2 * k1 + v * v)));
@@ -417,14 +417,14 @@ int charged_sleigh_jacobian(double t, const double *y, const double *p, double *
     const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double B = p[3]; /* charge times field [kg/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * a;
     const double k2 = J_2 + m * (a * a);
     const double k3 = 1.0 / m;
     const double k4 = 1.0 / k2;
     const double k5 = -k1 * k4;
 
-    /* state */
+    /* from the state */
     const double z1 = a * (B + m * w);
     /* (I.2.15) */
     J[2] = -s_theta * v;
@@ -456,7 +456,7 @@ int charged_sleigh_outputs(double t, const double *y, const double *p, double *o
     (void)p;
     const double v = y[3];
 
-    /* state */
+    /* from the state */
     /* 25:10 */
     out[0] = v; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

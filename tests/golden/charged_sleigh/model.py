@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:8f02931cbf79e204).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:a448b6eaafc0551f).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -37,6 +37,10 @@ jacobian: 3 +-, 12 *, 2 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -111,14 +115,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = J + m * (a * a)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "rhs")
         k2 = 1.0 / m
         k3 = -1.0 / k1
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z1 = a * (B + m * w)
@@ -153,7 +157,7 @@ def velocities(
     v = float(y[3])
     w = float(y[4])
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         qdot: list[float] = [
@@ -190,14 +194,14 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = J + m * (a * a)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "accelerations")
         k2 = 1.0 / m
         k3 = -1.0 / k1
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = v * w
         c_theta = math.cos(theta)
@@ -234,7 +238,7 @@ def state(
     y_dot = float(qdot[1])
     theta_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         y: list[float] = [x, y_2, theta, x_dot * c_theta + y_dot * s_theta, theta_dot]
@@ -249,7 +253,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (4,).
     Returns r (1,).
@@ -258,7 +262,7 @@ def residuals(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         r: list[float] = [
@@ -275,11 +279,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     v = float(y[3])
     w = float(y[4])
@@ -291,14 +296,14 @@ def reactions(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = a * a
         k2 = J + m * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "reactions")
         k3 = k1 / k2
-        # state
+        # from the state
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 20:5
             v * (B + m * (w - (B + m * w) * k3)),
@@ -309,7 +314,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns a scalar.
@@ -324,9 +329,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     a = float(p[2])  # from the edge to the centre of mass [m]
     B = float(p[3])  # charge times field [kg/s]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         s1 = a * w * (a + (x * c_theta + y_2 * s_theta))
@@ -343,7 +348,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -359,7 +364,7 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = m * a
         k2 = J_2 + m * (a * a)
         # the mass matrix is singular
@@ -368,7 +373,7 @@ def jacobian(
         k3 = 1.0 / m
         k4 = 1.0 / k2
         k5 = -k1 * k4
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z1 = a * (B + m * w)
@@ -421,7 +426,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     """
     v = float(y[3])
     try:
-        # state
+        # from the state
         out: list[float] = [
             # speed 25:10
             v,

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:87d460d9abde61a0)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:91d3e462a31c6f9e)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -36,11 +36,11 @@ const double contact_oscillator_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int contact_oscillator_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -55,7 +55,7 @@ static int contact_oscillator_finish(int count, const double *values)
     return CONTACT_OSCILLATOR_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int contact_oscillator_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CONTACT_OSCILLATOR_NOT_FINITE;
@@ -121,12 +121,12 @@ static int contact_oscillator_one_by_one(size_t count, size_t first, size_t numb
 
 typedef unsigned long long contact_oscillator_bits __attribute__((vector_size(8 * CONTACT_OSCILLATOR_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline contact_oscillator_lanes contact_oscillator_mark(contact_oscillator_lanes value, contact_oscillator_bits bad)
 {
     return (contact_oscillator_lanes)((contact_oscillator_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int contact_oscillator_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -173,7 +173,7 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *d
     const double y_dot = y[3];
     const double z_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + y_2 * y_2;
     /* (III.3) */
     dydt[0] = -y_2 * z_dot; /* x' */
@@ -201,7 +201,7 @@ int contact_oscillator_velocities(double t, const double *y, const double *p, do
     const double y_dot = y[3];
     const double z_dot = y[4];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = -y_2 * z_dot; /* x' */
     qdot[1] = y_dot; /* y' */
@@ -223,7 +223,7 @@ int contact_oscillator_accelerations(double t, const double *y, const double *p,
     const double y_dot = y[3];
     const double z_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = y_dot * z_dot;
     const double z3 = (z - y_2 * (x - z2)) / z1;
@@ -252,7 +252,7 @@ int contact_oscillator_state(double t, const double *q, const double *qdot, cons
     const double y_dot = qdot[1];
     const double z_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = z;
@@ -273,7 +273,7 @@ int contact_oscillator_residuals(double t, const double *q, const double *qdot, 
     const double x_dot = qdot[0];
     const double z_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 10:5 */
     r[0] = x_dot + y * z_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -293,7 +293,7 @@ int contact_oscillator_reactions(double t, const double *y, const double *p, dou
     const double y_dot = y[3];
     const double z_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = x - y_dot * z_dot;
     /* (I.4.1) 10:5 */
@@ -319,7 +319,7 @@ double contact_oscillator_energy(double t, const double *y, const double *p)
     const double y_dot = y[3];
     const double z_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = z_dot * z_dot;
     const double z2 = 0.5 * (y_2 * y_2 * (1.0 + z1) + (z1 + (y_dot * y_dot + (x * x + z * z))));
     return z2;
@@ -336,7 +336,7 @@ int contact_oscillator_jacobian(double t, const double *y, const double *p, doub
     const double y_dot = y[3];
     const double z_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = 1.0 / z1;
     const double z3 = y_2 * z2;
@@ -373,7 +373,7 @@ int contact_oscillator_outputs(double t, const double *y, const double *p, doubl
     const double y_dot = y[3];
     const double z_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * y_2;
     /* 13:8 */
     out[0] = 0.5 * (y_dot * y_dot + z1); /* H_y */

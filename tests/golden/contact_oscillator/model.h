@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:9a914c70434d8862)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:7f751ce275b4db1a)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -34,7 +34,15 @@
  * jacobian: 4 +-, 9 *, 1 /, 0 calls
  * outputs: 4 +-, 8 *, 0 /, 0 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has CONTACT_OSCILLATOR_NY entries and p CONTACT_OSCILLATOR_NP;
+ *     contact_oscillator_parameter_defaults can be p. contact_oscillator_state makes y from coordinates and
+ *     velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Return codes: CONTACT_OSCILLATOR_OK (0) where the result is good; after any other code the output is not to
+ *     be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_CONTACT_OSCILLATOR_H
 #define NHC_CONTACT_OSCILLATOR_H
@@ -91,26 +99,26 @@ int contact_oscillator_accelerations(double t, const double *y, const double *p,
 int contact_oscillator_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int contact_oscillator_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int contact_oscillator_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double contact_oscillator_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (III.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
  * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
  */
 int contact_oscillator_jacobian(double t, const double *y, const double *p, double *J);

@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:2620fe67922c0221).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:3cecc2461752a976).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -35,6 +35,9 @@ jacobian: 4 +-, 9 *, 1 /, 0 calls
 outputs: 4 +-, 8 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -104,7 +107,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     y_dot = float(y[3])
     z_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -140,7 +143,7 @@ def velocities(
     y_dot = float(y[3])
     z_dot = float(y[4])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # x' (I.2.4)
             -y_2 * z_dot,
@@ -170,7 +173,7 @@ def accelerations(
     y_dot = float(y[3])
     z_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -207,7 +210,7 @@ def state(
     y_dot = float(qdot[1])
     z_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, z, y_dot, z_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -220,7 +223,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns r (1,).
@@ -229,7 +232,7 @@ def residuals(
     x_dot = float(qdot[0])
     z_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         r: list[float] = [
             # contact = 0 (I.1.1) 10:5
             x_dot + y * z_dot,
@@ -244,11 +247,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     x = float(y[0])
     y_2 = float(y[1])
@@ -256,7 +260,7 @@ def reactions(
     y_dot = float(y[3])
     z_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -272,7 +276,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.
@@ -283,7 +287,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     y_dot = float(y[3])
     z_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = z_dot * z_dot
         s1 = z1 + (y_dot * y_dot + (x * x + z * z))
         z2 = 0.5 * (y_2 * y_2 * (1.0 + z1) + s1)
@@ -298,7 +302,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -309,7 +313,7 @@ def jacobian(
     y_dot = float(y[3])
     z_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -372,7 +376,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     y_dot = float(y[3])
     z_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = y_2 * y_2
         out: list[float] = [
             # H_y 13:8

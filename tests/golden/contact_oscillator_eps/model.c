@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:a47468e7d0fa2b8a)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:25872c0d097d55b7)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -36,11 +36,11 @@ const double contact_oscillator_eps_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int contact_oscillator_eps_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -55,7 +55,7 @@ static int contact_oscillator_eps_finish(int count, const double *values)
     return CONTACT_OSCILLATOR_EPS_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int contact_oscillator_eps_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CONTACT_OSCILLATOR_EPS_NOT_FINITE;
@@ -121,12 +121,12 @@ static int contact_oscillator_eps_one_by_one(size_t count, size_t first, size_t 
 
 typedef unsigned long long contact_oscillator_eps_bits __attribute__((vector_size(8 * CONTACT_OSCILLATOR_EPS_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline contact_oscillator_eps_lanes contact_oscillator_eps_mark(contact_oscillator_eps_lanes value, contact_oscillator_eps_bits bad)
 {
     return (contact_oscillator_eps_lanes)((contact_oscillator_eps_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int contact_oscillator_eps_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -173,7 +173,7 @@ int contact_oscillator_eps_rhs(double t, const double *y, const double *p, doubl
     const double z_dot = y[4];
     const double eps = p[0]; /* strength of the coupling */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = y_2 * z_dot;
     const double z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_dot * z2);
@@ -203,7 +203,7 @@ int contact_oscillator_eps_velocities(double t, const double *y, const double *p
     const double y_dot = y[3];
     const double z_dot = y[4];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = -y_2 * z_dot; /* x' */
     qdot[1] = y_dot; /* y' */
@@ -225,7 +225,7 @@ int contact_oscillator_eps_accelerations(double t, const double *y, const double
     const double z_dot = y[4];
     const double eps = p[0]; /* strength of the coupling */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = y_dot * z_dot;
     const double z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_2 * z2);
@@ -255,7 +255,7 @@ int contact_oscillator_eps_state(double t, const double *q, const double *qdot, 
     const double y_dot = qdot[1];
     const double z_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = z;
@@ -277,7 +277,7 @@ int contact_oscillator_eps_residuals(double t, const double *q, const double *qd
     const double x_dot = qdot[0];
     const double z_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 12:5 */
     r[0] = x_dot + y * z_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -297,7 +297,7 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
     const double z_dot = y[4];
     const double eps = p[0]; /* strength of the coupling */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = 1.0 + eps * (z * z);
     const double z3 = y_2 / z1;
@@ -326,7 +326,7 @@ double contact_oscillator_eps_energy(double t, const double *y, const double *p)
     const double z_dot = y[4];
     const double eps = p[0]; /* strength of the coupling */
 
-    /* state */
+    /* from the state */
     const double z1 = z * z;
     const double z2 = z_dot * z_dot;
     const double z3 = x * x * (1.0 + eps * z1) + (y_2 * y_2 * (1.0 + z2) + (z2 + (y_dot * y_dot + z1)));
@@ -344,7 +344,7 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
     const double z_dot = y[4];
     const double eps = p[0]; /* strength of the coupling */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = 1.0 / z1;
     const double z3 = x * eps;
@@ -385,7 +385,7 @@ int contact_oscillator_eps_outputs(double t, const double *y, const double *p, d
     const double z_dot = y[4];
     const double eps = p[0]; /* strength of the coupling */
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * y_2;
     const double z2 = x * x;
     /* 15:8 */

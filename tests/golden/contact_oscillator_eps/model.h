@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:dd4c9020c77cc399)
+ * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:44c0f84c0f7d2533)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -37,7 +37,15 @@
  * jacobian: 10 +-, 24 *, 1 /, 0 calls
  * outputs: 5 +-, 10 *, 0 /, 0 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has CONTACT_OSCILLATOR_EPS_NY entries and p CONTACT_OSCILLATOR_EPS_NP;
+ *     contact_oscillator_eps_parameter_defaults can be p. contact_oscillator_eps_state makes y from
+ *     coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Return codes: CONTACT_OSCILLATOR_EPS_OK (0) where the result is good; after any other code the output is
+ *     not to be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_CONTACT_OSCILLATOR_EPS_H
 #define NHC_CONTACT_OSCILLATOR_EPS_H
@@ -94,27 +102,27 @@ int contact_oscillator_eps_accelerations(double t, const double *y, const double
 int contact_oscillator_eps_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int contact_oscillator_eps_residuals(double t, const double *q, const double *qdot, const double *p, double
     *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int contact_oscillator_eps_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double contact_oscillator_eps_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (III.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
  * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
  */
 int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, double *J);

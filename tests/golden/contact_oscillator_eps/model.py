@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:b0071d58e5b74266).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:8d5bcc4f8e0d121c).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -39,6 +39,9 @@ jacobian: 10 +-, 24 *, 1 /, 0 calls
 outputs: 5 +-, 10 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -109,7 +112,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     z_dot = float(y[4])
     eps = float(p[0])  # strength of the coupling
     try:
-        # state
+        # from the state
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -148,7 +151,7 @@ def velocities(
     y_dot = float(y[3])
     z_dot = float(y[4])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # x' (I.2.4)
             -y_2 * z_dot,
@@ -179,7 +182,7 @@ def accelerations(
     z_dot = float(y[4])
     eps = float(p[0])  # strength of the coupling
     try:
-        # state
+        # from the state
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -218,7 +221,7 @@ def state(
     y_dot = float(qdot[1])
     z_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, z, y_dot, z_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -231,7 +234,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns r (1,).
@@ -240,7 +243,7 @@ def residuals(
     x_dot = float(qdot[0])
     z_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         r: list[float] = [
             # contact = 0 (I.1.1) 12:5
             x_dot + y * z_dot,
@@ -255,11 +258,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     x = float(y[0])
     y_2 = float(y[1])
@@ -268,7 +272,7 @@ def reactions(
     z_dot = float(y[4])
     eps = float(p[0])  # strength of the coupling
     try:
-        # state
+        # from the state
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -288,7 +292,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns a scalar.
@@ -300,7 +304,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     z_dot = float(y[4])
     eps = float(p[0])  # strength of the coupling
     try:
-        # state
+        # from the state
         z1 = z * z
         z2 = z_dot * z_dot
         s1 = y_2 * y_2 * (1.0 + z2) + (z2 + (y_dot * y_dot + z1))
@@ -316,7 +320,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -328,7 +332,7 @@ def jacobian(
     z_dot = float(y[4])
     eps = float(p[0])  # strength of the coupling
     try:
-        # state
+        # from the state
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -397,7 +401,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     z_dot = float(y[4])
     eps = float(p[0])  # strength of the coupling
     try:
-        # state
+        # from the state
         z1 = y_2 * y_2
         z2 = x * x
         s1 = z2 + z * z * (1.0 + eps * z2) + z_dot * z_dot * (1.0 + z1)

@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:743324a99d779702)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:303f61de401e18bf)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -36,11 +36,11 @@ const double cvt_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int cvt_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -55,7 +55,7 @@ static int cvt_finish(int count, const double *values)
     return CVT_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int cvt_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CVT_NOT_FINITE;
@@ -121,12 +121,12 @@ static int cvt_one_by_one(size_t count, size_t first, size_t number, const doubl
 
 typedef unsigned long long cvt_bits __attribute__((vector_size(8 * CVT_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline cvt_lanes cvt_mark(cvt_lanes value, cvt_bits bad)
 {
     return (cvt_lanes)((cvt_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int cvt_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -193,7 +193,7 @@ int cvt_rhs(double t, const double *y, const double *p, double *dydt)
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
     /* (III.3) */
     dydt[0] = x_dot; /* x' */
@@ -221,7 +221,7 @@ int cvt_velocities(double t, const double *y, const double *p, double *qdot)
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double s_xi = sin(xi);
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
@@ -248,7 +248,7 @@ int cvt_accelerations(double t, const double *y, const double *p, double *qddot)
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
     const double z2 = c_xi * (x_dot * xi_dot);
     const double z3 = (x - s_xi * (y_2 - z2)) / z1;
@@ -277,7 +277,7 @@ int cvt_state(double t, const double *q, const double *qdot, const double *p, do
     const double x_dot = qdot[0];
     const double xi_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = xi;
@@ -298,7 +298,7 @@ int cvt_residuals(double t, const double *q, const double *qdot, const double *p
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     const double s_xi = sin(xi);
     /* (I.1.1) 10:5 */
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
@@ -323,7 +323,7 @@ int cvt_reactions(double t, const double *y, const double *p, double *lambda)
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
     const double z2 = y_2 - c_xi * (x_dot * xi_dot);
     /* (I.4.1) 10:5 */
@@ -353,7 +353,7 @@ double cvt_energy(double t, const double *y, const double *p)
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = x_dot * s_xi;
     const double z2 = 0.5 * (x * x + y_2 * y_2) + c_xi + 0.5 * (xi_dot * xi_dot + (x_dot * x_dot + z1 * z1));
     return z2;
@@ -374,7 +374,7 @@ int cvt_jacobian(double t, const double *y, const double *p, double *J)
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = s_xi * s_xi;
     const double z2 = 1.0 + z1;
     const double z3 = 1.0 / z2;
@@ -418,7 +418,7 @@ int cvt_outputs(double t, const double *y, const double *p, double *out)
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = x_dot * s_xi;
     /* 13:9 */
     out[0] = 0.5 * (xi_dot * xi_dot) + c_xi; /* E_xi */

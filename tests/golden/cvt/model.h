@@ -1,5 +1,5 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:3727b126637907b7)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:7c67e9f02169cec1)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -34,7 +34,13 @@
  * jacobian: 5 +-, 15 *, 1 /, 2 calls
  * outputs: 4 +-, 8 *, 0 /, 2 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has CVT_NY entries and p CVT_NP; cvt_parameter_defaults can be p. cvt_state makes y
+ *     from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Return codes: CVT_OK (0) where the result is good; after any other code the output is not to be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_CVT_H
 #define NHC_CVT_H
@@ -91,26 +97,26 @@ int cvt_accelerations(double t, const double *y, const double *p, double *qddot)
 int cvt_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int cvt_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int cvt_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double cvt_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (III.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
  * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
  */
 int cvt_jacobian(double t, const double *y, const double *p, double *J);

@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:bfc22a17b68a679e).
+"""cvt, emitted by nhc 0.1.0 (nhc:430c1c9f0105a55e).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -36,6 +36,9 @@ jacobian: 5 +-, 15 *, 1 /, 2 calls
 outputs: 4 +-, 8 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -105,7 +108,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     x_dot = float(y[3])
     xi_dot = float(y[4])
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         z1 = 1.0 + s_xi * s_xi
         # the mass matrix is singular
@@ -143,7 +146,7 @@ def velocities(
     x_dot = float(y[3])
     xi_dot = float(y[4])
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         qdot: list[float] = [
             # x' (I.2.4)
@@ -174,7 +177,7 @@ def accelerations(
     x_dot = float(y[3])
     xi_dot = float(y[4])
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         z1 = 1.0 + s_xi * s_xi
         # the mass matrix is singular
@@ -213,7 +216,7 @@ def state(
     x_dot = float(qdot[0])
     xi_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, xi, x_dot, xi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -226,7 +229,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns r (1,).
@@ -235,7 +238,7 @@ def residuals(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         r: list[float] = [
             # belt = 0 (I.1.1) 10:5
@@ -251,11 +254,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     x = float(y[0])
     y_2 = float(y[1])
@@ -263,7 +267,7 @@ def reactions(
     x_dot = float(y[3])
     xi_dot = float(y[4])
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         z1 = 1.0 + s_xi * s_xi
         # the mass matrix is singular
@@ -281,7 +285,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.
@@ -292,7 +296,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     x_dot = float(y[3])
     xi_dot = float(y[4])
     try:
-        # state
+        # from the state
         c_xi = math.cos(xi)
         s_xi = math.sin(xi)
         z1 = x_dot * s_xi
@@ -309,7 +313,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -320,7 +324,7 @@ def jacobian(
     x_dot = float(y[3])
     xi_dot = float(y[4])
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         z1 = s_xi * s_xi
         z2 = 1.0 + z1
@@ -388,7 +392,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     x_dot = float(y[3])
     xi_dot = float(y[4])
     try:
-        # state
+        # from the state
         c_xi = math.cos(xi)
         s_xi = math.sin(xi)
         z1 = x_dot * s_xi

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:b197380298187707)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:0fdc1fda067245dc)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -35,11 +35,11 @@ const double cvt_eps_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int cvt_eps_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -54,7 +54,7 @@ static int cvt_eps_finish(int count, const double *values)
     return CVT_EPS_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int cvt_eps_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : CVT_EPS_NOT_FINITE;
@@ -120,12 +120,12 @@ static int cvt_eps_one_by_one(size_t count, size_t first, size_t number, const d
 
 typedef unsigned long long cvt_eps_bits __attribute__((vector_size(8 * CVT_EPS_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline cvt_eps_lanes cvt_eps_mark(cvt_eps_lanes value, cvt_eps_bits bad)
 {
     return (cvt_eps_lanes)((cvt_eps_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int cvt_eps_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -192,7 +192,7 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
-    /* state */
+    /* from the state */
     const double z1 = s_xi * s_xi;
     const double z2 = 1.0 + z1;
     /* (III.3) */
@@ -221,7 +221,7 @@ int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double s_xi = sin(xi);
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
@@ -248,7 +248,7 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
-    /* state */
+    /* from the state */
     const double z1 = s_xi * s_xi;
     const double z2 = 1.0 + z1;
     const double z3 = c_xi * (x_dot * xi_dot);
@@ -278,7 +278,7 @@ int cvt_eps_state(double t, const double *q, const double *qdot, const double *p
     const double x_dot = qdot[0];
     const double xi_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = xi;
@@ -299,7 +299,7 @@ int cvt_eps_residuals(double t, const double *q, const double *qdot, const doubl
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     const double s_xi = sin(xi);
     /* (I.1.1) 12:5 */
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
@@ -324,7 +324,7 @@ int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
     const double z2 = y_2 - c_xi * (x_dot * xi_dot);
     /* (I.4.1) 12:5 */
@@ -354,7 +354,7 @@ double cvt_eps_energy(double t, const double *y, const double *p)
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
-    /* state */
+    /* from the state */
     const double z1 = c_xi + 0.5 * (xi_dot * xi_dot + (x * x + y_2 * y_2) - 2.0 * (eps * (c_xi * s_xi)));
     return 0.5 * (x_dot * x_dot * (1.0 + s_xi * s_xi)) + z1;
 }
@@ -374,7 +374,7 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
-    /* state */
+    /* from the state */
     const double z1 = s_xi * s_xi;
     const double z2 = 1.0 + z1;
     const double z3 = 1.0 / z2;
@@ -419,7 +419,7 @@ int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
-    /* state */
+    /* from the state */
     /* 15:9 */
     out[0] = c_xi + 0.5 * (xi_dot * xi_dot - 2.0 * (eps * (c_xi * s_xi))); /* E_xi */
     /* 16:9 */

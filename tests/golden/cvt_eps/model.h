@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:fdec072328ddca1b)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:67f3921c7e53801c)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -36,7 +36,13 @@
  * jacobian: 6 +-, 17 *, 1 /, 2 calls
  * outputs: 5 +-, 11 *, 0 /, 2 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has CVT_EPS_NY entries and p CVT_EPS_NP; cvt_eps_parameter_defaults can be p.
+ *     cvt_eps_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Return codes: CVT_EPS_OK (0) where the result is good; after any other code the output is not to be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_CVT_EPS_H
 #define NHC_CVT_EPS_H
@@ -93,26 +99,26 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
 int cvt_eps_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int cvt_eps_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double cvt_eps_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (III.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
  * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
  */
 int cvt_eps_jacobian(double t, const double *y, const double *p, double *J);

@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:d9342708bd7a82b6).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:f35a58a92c293735).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -37,6 +37,9 @@ jacobian: 6 +-, 17 *, 1 /, 2 calls
 outputs: 5 +-, 11 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -107,7 +110,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     xi_dot = float(y[4])
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         z1 = s_xi * s_xi
         z2 = 1.0 + z1
@@ -146,7 +149,7 @@ def velocities(
     x_dot = float(y[3])
     xi_dot = float(y[4])
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         qdot: list[float] = [
             # x' (I.2.4)
@@ -178,7 +181,7 @@ def accelerations(
     xi_dot = float(y[4])
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         z1 = s_xi * s_xi
         z2 = 1.0 + z1
@@ -218,7 +221,7 @@ def state(
     x_dot = float(qdot[0])
     xi_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, xi, x_dot, xi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -231,7 +234,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns r (1,).
@@ -240,7 +243,7 @@ def residuals(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         r: list[float] = [
             # belt = 0 (I.1.1) 12:5
@@ -256,11 +259,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     x = float(y[0])
     y_2 = float(y[1])
@@ -268,7 +272,7 @@ def reactions(
     x_dot = float(y[3])
     xi_dot = float(y[4])
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         z1 = 1.0 + s_xi * s_xi
         # the mass matrix is singular
@@ -286,7 +290,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns a scalar.
@@ -298,7 +302,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     xi_dot = float(y[4])
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         c_xi = math.cos(xi)
         s1 = xi_dot * xi_dot + (x * x + y_2 * y_2)
@@ -314,7 +318,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -326,7 +330,7 @@ def jacobian(
     xi_dot = float(y[4])
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
-        # state
+        # from the state
         s_xi = math.sin(xi)
         z1 = s_xi * s_xi
         z2 = 1.0 + z1
@@ -396,7 +400,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     xi_dot = float(y[4])
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
-        # state
+        # from the state
         c_xi = math.cos(xi)
         s_xi = math.sin(xi)
         s1 = x * x + y_2 * y_2 + x_dot * x_dot * (1.0 + s_xi * s_xi)

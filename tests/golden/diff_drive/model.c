@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:50c7be72c059b2f9)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:1798732cb132b6b3)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -51,11 +51,11 @@ const double diff_drive_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int diff_drive_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -70,7 +70,7 @@ static int diff_drive_finish(int count, const double *values)
     return DIFF_DRIVE_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int diff_drive_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : DIFF_DRIVE_NOT_FINITE;
@@ -136,12 +136,12 @@ static int diff_drive_one_by_one(size_t count, size_t first, size_t number, cons
 
 typedef unsigned long long diff_drive_bits __attribute__((vector_size(8 * DIFF_DRIVE_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline diff_drive_lanes diff_drive_mark(diff_drive_lanes value, diff_drive_bits bad)
 {
     return (diff_drive_lanes)((diff_drive_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int diff_drive_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -213,7 +213,7 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *dydt)
     const double tau_R = p[6]; /* torque on the right wheel [N*m] */
     const double tau_L = p[7]; /* torque on the left wheel [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / r;
     const double k2 = b * k1;
     const double k3 = m + 2.0 * (k1 * (J_w * k1));
@@ -224,7 +224,7 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *dydt)
     const double k8 = 1.0 / k3;
     const double k9 = -1.0 / k6;
 
-    /* state */
+    /* from the state */
     const double z1 = b * w;
     /* (I.2.15) */
     dydt[0] = c_theta * v; /* x' */
@@ -267,10 +267,10 @@ int diff_drive_velocities(double t, const double *y, const double *p, double *qd
     const double r = p[3]; /* radius of the wheels [m] */
     const double b = p[4]; /* half the track [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / r;
 
-    /* state */
+    /* from the state */
     const double z1 = b * w;
     /* (I.2.4) */
     qdot[0] = c_theta * v; /* x' */
@@ -308,7 +308,7 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
     const double tau_R = p[6]; /* torque on the right wheel [N*m] */
     const double tau_L = p[7]; /* torque on the left wheel [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / r;
     const double k2 = b * k1;
     const double k3 = m + 2.0 * (k1 * (J_w * k1));
@@ -319,7 +319,7 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
     const double k8 = 1.0 / k3;
     const double k9 = 1.0 / k6;
 
-    /* state */
+    /* from the state */
     const double z1 = (k4 * (w * w) + k5) * k8;
     const double z2 = v * w;
     const double z3 = (z2 * k4 - k7) * k9;
@@ -366,7 +366,7 @@ int diff_drive_state(double t, const double *q, const double *qdot, const double
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -397,7 +397,7 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
     const double r_2 = p[3]; /* radius of the wheels [m] */
     const double b = p[4]; /* half the track [m] */
 
-    /* state */
+    /* from the state */
     const double v = x_dot * c_theta + y_dot * s_theta;
     const double z1 = theta_dot * b;
     /* (I.1.1) 29:5 */
@@ -427,7 +427,7 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
     const double tau_R = p[6]; /* torque on the right wheel [N*m] */
     const double tau_L = p[7]; /* torque on the left wheel [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / r;
     const double k2 = b * k1;
     const double k3 = m + 2.0 * (k1 * (J_w * k1));
@@ -438,7 +438,7 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
     const double k8 = 1.0 / k6;
     const double k9 = k1 / k3;
 
-    /* state */
+    /* from the state */
     const double z1 = v * w;
     const double z2 = (z1 * k4 - k7) * k8;
     const double z3 = k2 * z2;
@@ -480,12 +480,12 @@ double diff_drive_energy(double t, const double *y, const double *p)
     const double b = p[4]; /* half the track [m] */
     const double d = p[5]; /* from the axle to the centre of mass [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / (r * r);
     const double k2 = k1 * (J_w * (b * b)) + 0.5 * (I + m * (d * d));
     const double k3 = 0.5 * m + J_w * k1;
 
-    /* state */
+    /* from the state */
     return w * w * k2 + v * v * k3;
 }
 
@@ -507,7 +507,7 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
     const double b = p[4]; /* half the track [m] */
     const double d = p[5]; /* from the axle to the centre of mass [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / r;
     const double k2 = b * k1;
     const double k3 = m + 2.0 * (k1 * (J_w * k1));
@@ -517,7 +517,7 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
     const double k7 = 1.0 / k5;
     const double k8 = -k4 * k7;
 
-    /* state */
+    /* from the state */
     const double z1 = w * k4;
     /* (I.2.15) */
     J[2] = -s_theta * v;
@@ -557,7 +557,7 @@ int diff_drive_outputs(double t, const double *y, const double *p, double *out)
     (void)y;
     const double r = p[3]; /* radius of the wheels [m] */
 
-    /* state */
+    /* from the state */
     /* the coframe is singular */
     if (!(fabs(r) > 0.0)) {
         return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:2fe60b9de177fdcb).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:84cdd7c99c7a4699).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -43,6 +43,10 @@ jacobian: 3 +-, 17 *, 3 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -122,7 +126,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the coframe is singular
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
@@ -138,7 +142,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k7 = k2 * (tau_R - tau_L)
         k8 = 1.0 / k3
         k9 = -1.0 / k6
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z1 = b * w
@@ -182,9 +186,9 @@ def velocities(
         # the coframe is singular
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "velocities")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / r
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z1 = b * w
@@ -231,7 +235,7 @@ def accelerations(
         # the coframe is singular
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
@@ -247,7 +251,7 @@ def accelerations(
         k7 = k2 * (tau_R - tau_L)
         k8 = 1.0 / k3
         k9 = 1.0 / k6
-        # state
+        # from the state
         c_theta = math.cos(theta)
         z1 = (k4 * (w * w) + k5) * k8
         s_theta = math.sin(theta)
@@ -291,7 +295,7 @@ def state(
     y_dot = float(qdot[1])
     theta_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         y: list[float] = [
@@ -314,7 +318,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (5,), qdot (5,), p (8,).
     Returns r (3,).
@@ -328,7 +332,7 @@ def residuals(
     r_2 = float(p[3])  # radius of the wheels [m]
     b = float(p[4])  # half the track [m]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         v = x_dot * c_theta + y_dot * s_theta
@@ -351,11 +355,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns lambda_ (3,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     v = float(y[5])
     w = float(y[6])
@@ -372,7 +377,7 @@ def reactions(
         # the coframe is singular
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
@@ -388,7 +393,7 @@ def reactions(
         k7 = k2 * (tau_R - tau_L)
         k8 = 1.0 / k6
         k9 = k1 / k3
-        # state
+        # from the state
         z1 = v * w
         z2 = (z1 * k4 - k7) * k8
         z3 = k2 * z2
@@ -407,7 +412,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns a scalar.
@@ -422,11 +427,11 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     b = float(p[4])  # half the track [m]
     d = float(p[5])  # from the axle to the centre of mass [m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / (r * r)
         k2 = k1 * (J_w * (b * b)) + 0.5 * (I + m * (d * d))
         k3 = 0.5 * m + J_w * k1
-        # state
+        # from the state
         value1 = w * w * k2 + v * v * k3
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -438,7 +443,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns rows (7, 7): d rhs_i / d y_j stands at [i][j].
@@ -457,7 +462,7 @@ def jacobian(
         # the coframe is singular
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
@@ -472,7 +477,7 @@ def jacobian(
         k6 = 1.0 / k3
         k7 = 1.0 / k5
         k8 = -k4 * k7
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z1 = w * k4
@@ -556,7 +561,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         # the coframe is singular
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "outputs")
-        # state
+        # from the state
         out: list[float] = []
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

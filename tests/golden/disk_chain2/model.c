@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:58d460dc9a558c28)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:e97bc9d86f71fb14)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -76,11 +76,11 @@ const double disk_chain2_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int disk_chain2_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -95,7 +95,7 @@ static int disk_chain2_finish(int count, const double *values)
     return DISK_CHAIN2_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int disk_chain2_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : DISK_CHAIN2_NOT_FINITE;
@@ -161,12 +161,12 @@ static int disk_chain2_one_by_one(size_t count, size_t first, size_t number, con
 
 typedef unsigned long long disk_chain2_bits __attribute__((vector_size(8 * DISK_CHAIN2_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline disk_chain2_lanes disk_chain2_mark(disk_chain2_lanes value, disk_chain2_bits bad)
 {
     return (disk_chain2_lanes)((disk_chain2_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int disk_chain2_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -244,11 +244,11 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt)
     const double J = p[3]; /* about the vertical [kg*m^2] */
     const double k = p[4]; /* stiffness of the spring [N/m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I + m * (R * R);
     const double k2 = R * k / k1;
 
-    /* state */
+    /* from the state */
     const double v1_x1 = theta1_dot * R;
     const double v1_x2 = theta2_dot * R;
     const double z1 = x1 - x2;
@@ -299,7 +299,7 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
     const double theta2_dot = y[11];
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double v1_x1 = theta1_dot * R;
     const double v1_x2 = theta2_dot * R;
     /* (I.2.4) */
@@ -343,11 +343,11 @@ int disk_chain2_accelerations(double t, const double *y, const double *p, double
     const double J = p[3]; /* about the vertical [kg*m^2] */
     const double k = p[4]; /* stiffness of the spring [N/m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I + m * (R * R);
     const double k2 = R * k / k1;
 
-    /* state */
+    /* from the state */
     const double z1 = R * (phi1_dot * theta1_dot);
     const double z2 = x1 - x2;
     const double z3 = y1_ - y2;
@@ -397,7 +397,7 @@ int disk_chain2_state(double t, const double *q, const double *qdot, const doubl
     const double phi2_dot = qdot[6];
     const double theta2_dot = qdot[7];
 
-    /* state */
+    /* from the state */
     y[0] = x1;
     y[1] = y1_;
     y[2] = phi1;
@@ -436,7 +436,7 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
     const double theta2_dot = qdot[7];
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double v1_x1 = theta1_dot * R;
     const double v1_x2 = theta2_dot * R;
     /* (I.1.1) 27:5 */
@@ -479,12 +479,12 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
     const double J = p[3]; /* about the vertical [kg*m^2] */
     const double k = p[4]; /* stiffness of the spring [N/m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R;
     const double k2 = I + m * (R * R);
     const double k3 = R * k / k2;
 
-    /* state */
+    /* from the state */
     const double z1 = x1 - x2;
     const double z2 = k * z1;
     const double z3 = k1 * (phi1_dot * theta1_dot);
@@ -533,10 +533,10 @@ double disk_chain2_energy(double t, const double *y, const double *p)
     const double J = p[3]; /* about the vertical [kg*m^2] */
     const double k = p[4]; /* stiffness of the spring [N/m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I + m * (R * R);
 
-    /* state */
+    /* from the state */
     const double z1 = x1 * (0.5 * x1 - x2) + (y1_ * (0.5 * y1_ - y2) + 0.5 * (x2 * x2 + y2 * y2));
     const double z2 = 0.5 * (theta1_dot * theta1_dot * k1 + (theta2_dot * theta2_dot * k1 + J * (phi1_dot *
         phi1_dot + phi2_dot * phi2_dot)));
@@ -568,11 +568,11 @@ int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
     const double J_2 = p[3]; /* about the vertical [kg*m^2] */
     const double k = p[4]; /* stiffness of the spring [N/m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I + m * (R * R);
     const double k2 = R * k / k1;
 
-    /* state */
+    /* from the state */
     const double z1 = R * s_phi1;
     const double z2 = R * c_phi1;
     const double z3 = R * s_phi2;

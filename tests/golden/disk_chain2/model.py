@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:d4eb3d1256ec561d).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:8c2a87bb73a9cd86).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -62,6 +62,10 @@ jacobian: 5 +-, 21 *, 1 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -166,13 +170,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = I + m * (R * R)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "rhs")
         k2 = R * k / k1
-        # state
+        # from the state
         c_phi1 = math.cos(phi1)
         v1_x1 = theta1_dot * R
         s_phi1 = math.sin(phi1)
@@ -230,7 +234,7 @@ def velocities(
     theta2_dot = float(y[11])
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         c_phi1 = math.cos(phi1)
         v1_x1 = theta1_dot * R
         s_phi1 = math.sin(phi1)
@@ -289,13 +293,13 @@ def accelerations(
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = I + m * (R * R)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "accelerations")
         k2 = R * k / k1
-        # state
+        # from the state
         s_phi1 = math.sin(phi1)
         z1 = R * (phi1_dot * theta1_dot)
         c_phi1 = math.cos(phi1)
@@ -355,7 +359,7 @@ def state(
     phi2_dot = float(qdot[6])
     theta2_dot = float(qdot[7])
     try:
-        # state
+        # from the state
         y: list[float] = [
             x1,
             y1,
@@ -381,7 +385,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (8,), qdot (8,), p (5,).
     Returns r (4,).
@@ -396,7 +400,7 @@ def residuals(
     theta2_dot = float(qdot[7])
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         c_phi1 = math.cos(phi1)
         v1_x1 = theta1_dot * R
         s_phi1 = math.sin(phi1)
@@ -423,11 +427,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns lambda_ (4,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     x1 = float(y[0])  # first disk [m]
     y1 = float(y[1])  # first disk [m]
@@ -448,14 +453,14 @@ def reactions(
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = m * R
         k2 = I + m * (R * R)
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "reactions")
         k3 = R * k / k2
-        # state
+        # from the state
         z1 = x1 - x2
         z2 = k * z1
         s_phi1 = math.sin(phi1)
@@ -484,7 +489,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns a scalar.
@@ -503,9 +508,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     J = float(p[3])  # about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = I + m * (R * R)
-        # state
+        # from the state
         s1 = y1 * (0.5 * y1 - y2) + 0.5 * (x2 * x2 + y2 * y2)
         z1 = x1 * (0.5 * x1 - x2) + s1
         s2 = J * (phi1_dot * phi1_dot + phi2_dot * phi2_dot)
@@ -522,7 +527,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns rows (12, 12): d rhs_i / d y_j stands at [i][j].
@@ -544,13 +549,13 @@ def jacobian(
         # the mass matrix is singular
         if not abs(J_2) > 0.0:
             raise _refuse(abs(J_2), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = I + m * (R * R)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "jacobian")
         k2 = R * k / k1
-        # state
+        # from the state
         s_phi1 = math.sin(phi1)
         z1 = R * s_phi1
         c_phi1 = math.cos(phi1)

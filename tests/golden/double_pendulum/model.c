@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:615e4df73f8daa61)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:e59b7128357d1f24)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -45,11 +45,11 @@ const double double_pendulum_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int double_pendulum_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -64,7 +64,7 @@ static int double_pendulum_finish(int count, const double *values)
     return DOUBLE_PENDULUM_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int double_pendulum_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : DOUBLE_PENDULUM_NOT_FINITE;
@@ -136,7 +136,7 @@ static inline double_pendulum_bits double_pendulum_misses(double_pendulum_lanes 
     return ~(double_pendulum_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline double_pendulum_lanes double_pendulum_mark(double_pendulum_lanes value, double_pendulum_bits bad)
 {
     return (double_pendulum_lanes)((double_pendulum_bits)value | bad);
@@ -146,7 +146,7 @@ static inline double_pendulum_lanes double_pendulum_size(double_pendulum_lanes x
 {
     return (double_pendulum_lanes)((double_pendulum_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int double_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -219,11 +219,11 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     const double l2 = p[3]; /* [m] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = -1.0 / l1;
     const double k2 = 1.0 / l2;
 
-    /* state */
+    /* from the state */
     const double z2 = m2 * s1;
     const double z3 = m1 + s1 * z2;
     const double z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1;
@@ -256,7 +256,7 @@ int double_pendulum_velocities(double t, const double *y, const double *p, doubl
     const double theta1_dot = y[2];
     const double theta2_dot = y[3];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = theta1_dot; /* theta1' */
     qdot[1] = theta2_dot; /* theta2' */
@@ -287,11 +287,11 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     const double l2 = p[3]; /* [m] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = -1.0 / l1;
     const double k2 = 1.0 / l2;
 
-    /* state */
+    /* from the state */
     const double z2 = m2 * s1;
     const double z3 = m1 + s1 * z2;
     const double z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1;
@@ -323,7 +323,7 @@ int double_pendulum_state(double t, const double *q, const double *qdot, const d
     const double theta1_dot = qdot[0];
     const double theta2_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     y[0] = theta1;
     y[1] = theta2;
     y[2] = theta1_dot;
@@ -353,7 +353,7 @@ int double_pendulum_reactions(double t, const double *y, const double *p, double
     const double m1 = p[0]; /* [kg] */
     const double m2 = p[1]; /* [kg] */
 
-    /* state */
+    /* from the state */
     const double s1 = sin(theta1 - theta2);
     /* the mass matrix is singular */
     if (!(fabs(m2) > 0.0)) {
@@ -386,10 +386,10 @@ double double_pendulum_energy(double t, const double *y, const double *p)
     const double l2 = p[3]; /* [m] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m1 * l1;
 
-    /* state */
+    /* from the state */
     const double z1 = g * c_theta1;
     const double z2 = l1 * (z1 - theta1_dot * (0.5 * (theta1_dot * l1) + l2 * (theta2_dot * (c_theta1 *
         c_theta2 + s_theta1 * s_theta2))));
@@ -425,11 +425,11 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double l2 = p[3]; /* [m] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / l1;
     const double k2 = 1.0 / l2;
 
-    /* state */
+    /* from the state */
     const double z2 = m2 * s1;
     const double z3 = m1 + s1 * z2;
     const double z4 = g * c_theta1;
@@ -491,7 +491,7 @@ int double_pendulum_outputs(double t, const double *y, const double *p, double *
     const double l1 = p[2]; /* [m] */
     const double l2 = p[3]; /* [m] */
 
-    /* state */
+    /* from the state */
     /* 23:10 */
     out[0] = l1 * s_theta1 + l2 * s_theta2; /* tip_x */
     /* 24:10 */

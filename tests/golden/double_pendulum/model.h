@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:da04959cd4d26f0a)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:99e563508e4abfe2)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -33,7 +33,16 @@
  * jacobian: 16 +-, 49 *, 3 /, 4 calls
  * outputs: 2 +-, 4 *, 0 /, 4 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has DOUBLE_PENDULUM_NY entries and p DOUBLE_PENDULUM_NP;
+ *     double_pendulum_parameter_defaults can be p. double_pendulum_state makes y from coordinates and
+ *     velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: DOUBLE_PENDULUM_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_DOUBLE_PENDULUM_H
 #define NHC_DOUBLE_PENDULUM_H
@@ -90,26 +99,26 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
 int double_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 0 entries
  */
 int double_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int double_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double double_pendulum_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (II.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
  * J: 16 entries, row by row: d rhs_i / d y_j stands at 4*i + j
  */
 int double_pendulum_jacobian(double t, const double *y, const double *p, double *J);

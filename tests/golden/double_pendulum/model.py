@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:e41ec29b73b5fca1).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:b83c59ba1bcc0d59).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -35,6 +35,10 @@ jacobian: 16 +-, 49 *, 3 /, 4 calls
 outputs: 2 +-, 4 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -111,10 +115,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m2) > 0.0:
             raise _refuse(abs(m2), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = -1.0 / l1
         k2 = 1.0 / l2
-        # state
+        # from the state
         z1 = theta1 - theta2
         s1 = math.sin(z1)
         z2 = m2 * s1
@@ -155,7 +159,7 @@ def velocities(
     theta1_dot = float(y[2])
     theta2_dot = float(y[3])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # theta1' (I.2.4)
             theta1_dot,
@@ -190,10 +194,10 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m2) > 0.0:
             raise _refuse(abs(m2), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = -1.0 / l1
         k2 = 1.0 / l2
-        # state
+        # from the state
         z1 = theta1 - theta2
         s1 = math.sin(z1)
         z2 = m2 * s1
@@ -233,7 +237,7 @@ def state(
     theta1_dot = float(qdot[0])
     theta2_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         y: list[float] = [theta1, theta2, theta1_dot, theta2_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -246,7 +250,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (2,), qdot (2,), p (5,).
     Returns r (0,).
@@ -263,11 +267,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns lambda_ (0,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     theta1 = float(y[0])  # upper rod from the downward vertical [rad]
     theta2 = float(y[1])  # lower rod from the downward vertical [rad]
@@ -277,7 +282,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(m2) > 0.0:
             raise _refuse(abs(m2), 0.0, 2, "reactions")
-        # state
+        # from the state
         s1 = math.sin(theta1 - theta2)
         s2 = m1 + s1 * (m2 * s1)
         # the mass matrix is singular
@@ -290,7 +295,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns a scalar.
@@ -305,9 +310,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     l2 = float(p[3])  # [m]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m1 * l1
-        # state
+        # from the state
         c_theta1 = math.cos(theta1)
         z1 = g * c_theta1
         c_theta2 = math.cos(theta2)
@@ -329,7 +334,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns rows (4, 4): d rhs_i / d y_j stands at [i][j].
@@ -347,10 +352,10 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m2) > 0.0:
             raise _refuse(abs(m2), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / l1
         k2 = 1.0 / l2
-        # state
+        # from the state
         z1 = theta1 - theta2
         s1 = math.sin(z1)
         z2 = m2 * s1
@@ -423,7 +428,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     l1 = float(p[2])  # [m]
     l2 = float(p[3])  # [m]
     try:
-        # state
+        # from the state
         s_theta1 = math.sin(theta1)
         s_theta2 = math.sin(theta2)
         c_theta1 = math.cos(theta1)

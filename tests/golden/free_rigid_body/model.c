@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:90859511499f9350)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:08530a6030346f8a)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -37,11 +37,11 @@ const double free_rigid_body_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int free_rigid_body_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -56,7 +56,7 @@ static int free_rigid_body_finish(int count, const double *values)
     return FREE_RIGID_BODY_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int free_rigid_body_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : FREE_RIGID_BODY_NOT_FINITE;
@@ -128,7 +128,7 @@ static inline free_rigid_body_bits free_rigid_body_misses(free_rigid_body_lanes 
     return ~(free_rigid_body_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline free_rigid_body_lanes free_rigid_body_mark(free_rigid_body_lanes value, free_rigid_body_bits bad)
 {
     return (free_rigid_body_lanes)((free_rigid_body_bits)value | bad);
@@ -138,7 +138,7 @@ static inline free_rigid_body_lanes free_rigid_body_size(free_rigid_body_lanes x
 {
     return (free_rigid_body_lanes)((free_rigid_body_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int free_rigid_body_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -209,12 +209,12 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = (I2 - I3) / I1;
     const double k2 = -(I1 - I3) / I2;
     const double k3 = (I1 - I2) / I3;
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / s_theta;
     const double z2 = (c_psi * w2 + s_psi * w1) * z1;
     /* (I.2.14) */
@@ -264,7 +264,7 @@ int free_rigid_body_velocities(double t, const double *y, const double *p, doubl
     const double w2 = y[4];
     const double w3 = y[5];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / s_theta;
     const double z2 = (c_psi * w2 + s_psi * w1) * z1;
     /* (I.2.4) */
@@ -300,12 +300,12 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = (I2 - I3) / I1;
     const double k2 = (I1 - I3) / I2;
     const double k3 = (I1 - I2) / I3;
 
-    /* state */
+    /* from the state */
     const double z1 = c_psi * w2 + s_psi * w1;
     const double z2 = 1.0 / s_theta;
     const double z3 = s_theta * c_psi;
@@ -366,7 +366,7 @@ int free_rigid_body_state(double t, const double *q, const double *qdot, const d
     const double theta_dot = qdot[1];
     const double psi_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     const double z1 = phi_dot * s_theta;
     y[0] = phi;
     y[1] = theta;
@@ -399,7 +399,7 @@ int free_rigid_body_reactions(double t, const double *y, const double *p, double
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double s_theta = sin(theta);
     /* the mass matrix is singular, or the velocities that are kept are */
     if (!(fabs(I1) > 0.0)) {
@@ -431,7 +431,7 @@ double free_rigid_body_energy(double t, const double *y, const double *p)
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     return 0.5 * (I3 * (w3 * w3) + (I1 * (w1 * w1) + I2 * (w2 * w2)));
 }
 
@@ -454,12 +454,12 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = (I2 - I3) / I1;
     const double k2 = -(I1 - I3) / I2;
     const double k3 = (I1 - I2) / I3;
 
-    /* state */
+    /* from the state */
     const double z1 = c_psi * w2 + s_psi * w1;
     const double z2 = 1.0 / s_theta;
     const double z3 = c_theta * (z2 * z2);
@@ -522,12 +522,12 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 * I1;
     const double k2 = I2 * I2;
     const double k3 = I3 * I3;
 
-    /* state */
+    /* from the state */
     const double s_theta = sin(theta);
     /* 24:14 */
     out[0] = w3 * w3 * k3 + (w1 * w1 * k1 + w2 * w2 * k2); /* L_squared */

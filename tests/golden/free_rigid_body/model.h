@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:74b245e388c1cec6)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:f9d9661b7d481c19)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -32,7 +32,16 @@
  * jacobian: 6 +-, 21 *, 4 /, 4 calls
  * outputs: 2 +-, 9 *, 0 /, 1 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has FREE_RIGID_BODY_NY entries and p FREE_RIGID_BODY_NP;
+ *     free_rigid_body_parameter_defaults can be p. free_rigid_body_state makes y from coordinates and
+ *     velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: FREE_RIGID_BODY_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_FREE_RIGID_BODY_H
 #define NHC_FREE_RIGID_BODY_H
@@ -90,33 +99,33 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
 int free_rigid_body_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 0 entries
  */
 int free_rigid_body_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int free_rigid_body_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double free_rigid_body_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.14)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.14)
  * J: 36 entries, row by row: d rhs_i / d y_j stands at 6*i + j
  */
 int free_rigid_body_jacobian(double t, const double *y, const double *p, double *J);
 
 /*
  * the spec's outputs
- * out: 1 entries
+ * out: 1 entry
  */
 int free_rigid_body_outputs(double t, const double *y, const double *p, double *out);
 

@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:4df058d95692d4f6).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:fc46a1707ea50948).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -34,6 +34,10 @@ jacobian: 6 +-, 21 *, 4 /, 4 calls
 outputs: 2 +-, 9 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -115,11 +119,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = (I2 - I3) / I1
         k2 = -(I1 - I3) / I2
         k3 = (I1 - I2) / I3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -164,7 +168,7 @@ def velocities(
     w2 = float(y[4])
     w3 = float(y[5])
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -215,11 +219,11 @@ def accelerations(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = (I2 - I3) / I1
         k2 = (I1 - I3) / I2
         k3 = (I1 - I2) / I3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -275,7 +279,7 @@ def state(
     theta_dot = float(qdot[1])
     psi_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = phi_dot * s_theta
         s_psi = math.sin(psi)
@@ -300,7 +304,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (0,).
@@ -317,11 +321,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns lambda_ (0,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     theta = float(y[1])  # nutation [rad]
     I1 = float(p[0])  # [kg*m^2]
@@ -337,7 +342,7 @@ def reactions(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -349,7 +354,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.
@@ -361,7 +366,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # state
+        # from the state
         value1 = 0.5 * (I3 * (w3 * w3) + (I1 * (w1 * w1) + I2 * (w2 * w2)))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -373,7 +378,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.14)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.14)
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
@@ -396,11 +401,11 @@ def jacobian(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = (I2 - I3) / I1
         k2 = -(I1 - I3) / I2
         k3 = (I1 - I2) / I3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -492,11 +497,11 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = I1 * I1
         k2 = I2 * I2
         k3 = I3 * I3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:b7431d4667ccfaf3)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:16d405d7b9b3cba4)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -46,11 +46,11 @@ const double free_rigid_body_quaternion_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int free_rigid_body_quaternion_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -65,7 +65,7 @@ static int free_rigid_body_quaternion_finish(int count, const double *values)
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int free_rigid_body_quaternion_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
@@ -131,12 +131,12 @@ static int free_rigid_body_quaternion_one_by_one(size_t count, size_t first, siz
 
 typedef unsigned long long free_rigid_body_quaternion_bits __attribute__((vector_size(8 * FREE_RIGID_BODY_QUATERNION_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline free_rigid_body_quaternion_lanes free_rigid_body_quaternion_mark(free_rigid_body_quaternion_lanes value, free_rigid_body_quaternion_bits bad)
 {
     return (free_rigid_body_quaternion_lanes)((free_rigid_body_quaternion_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int free_rigid_body_quaternion_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -187,12 +187,12 @@ int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, d
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = (I2 - I3) / I1;
     const double k2 = -(I1 - I3) / I2;
     const double k3 = (I1 - I2) / I3;
 
-    /* state */
+    /* from the state */
     /* (I.2.15) */
     dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     dydt[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
@@ -233,7 +233,7 @@ int free_rigid_body_quaternion_velocities(double t, const double *y, const doubl
     const double w2 = y[5];
     const double w3 = y[6];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     qdot[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
@@ -260,12 +260,12 @@ int free_rigid_body_quaternion_accelerations(double t, const double *y, const do
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = (I2 - I3) / I1;
     const double k2 = (I1 - I3) / I2;
     const double k3 = (I1 - I2) / I3;
 
-    /* state */
+    /* from the state */
     const double z1 = R_2 * w3;
     const double z2 = R_3 * w2;
     const double z3 = w3 * w3;
@@ -321,7 +321,7 @@ int free_rigid_body_quaternion_state(double t, const double *q, const double *qd
     const double R_2_dot = qdot[2];
     const double R_3_dot = qdot[3];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_0 * z1;
     const double z3 = R_1 * z1;
@@ -355,7 +355,7 @@ int free_rigid_body_quaternion_residuals(double t, const double *q, const double
     const double R_2_dot = qdot[2];
     const double R_3_dot = qdot[3];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 7:3 */
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -374,7 +374,7 @@ int free_rigid_body_quaternion_positions(double t, const double *q, const double
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
     const double R_3 = q[3]; /* quaternion of R, along z [1] */
 
-    /* state */
+    /* from the state */
     /* 7:3 */
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -392,7 +392,7 @@ int free_rigid_body_quaternion_reactions(double t, const double *y, const double
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     /* (I.4.1) 7:3 */
     lambda[0] = 0.0; /* reaction of R_norm: Q_i gains lambda_1 a_1i */
     if (!(fabs(I1) > 0.0 && fabs(I2) > 0.0 && fabs(I3) > 0.0)) {
@@ -423,7 +423,7 @@ double free_rigid_body_quaternion_energy(double t, const double *y, const double
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     return 0.5 * (I1 * (w1 * w1) + I2 * (w2 * w2) + I3 * (w3 * w3));
 }
 
@@ -443,12 +443,12 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = (I2 - I3) / I1;
     const double k2 = -(I1 - I3) / I2;
     const double k3 = (I1 - I2) / I3;
 
-    /* state */
+    /* from the state */
     const double z1 = 0.5 * w1;
     const double z2 = 0.5 * w2;
     const double z3 = 0.5 * w3;
@@ -521,7 +521,7 @@ int free_rigid_body_quaternion_outputs(double t, const double *y, const double *
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = I1 * w1;
     const double z2 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z3 = I3 * w3;

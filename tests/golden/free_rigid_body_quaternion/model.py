@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:3c7bebf10e669e09).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:01a5492ed3bddc54).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -41,6 +41,10 @@ jacobian: 3 +-, 13 *, 3 /, 0 calls
 outputs: 15 +-, 28 *, 1 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -124,11 +128,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = (I2 - I3) / I1
         k2 = -(I1 - I3) / I2
         k3 = (I1 - I2) / I3
-        # state
+        # from the state
         dydt: list[float] = [
             # R_0' (I.2.15)
             -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
@@ -168,7 +172,7 @@ def velocities(
     w2 = float(y[5])
     w3 = float(y[6])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # R_0' (I.2.4)
             -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
@@ -214,11 +218,11 @@ def accelerations(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = (I2 - I3) / I1
         k2 = (I1 - I3) / I2
         k3 = (I1 - I2) / I3
-        # state
+        # from the state
         z1 = R_2 * w3
         z2 = R_3 * w2
         z3 = w3 * w3
@@ -271,7 +275,7 @@ def state(
     R_2_dot = float(qdot[2])
     R_3_dot = float(qdot[3])
     try:
-        # state
+        # from the state
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_0 * z1
         z3 = R_1 * z1
@@ -292,7 +296,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (4,), qdot (4,), p (3,).
     Returns r (1,).
@@ -306,7 +310,7 @@ def residuals(
     R_2_dot = float(qdot[2])
     R_3_dot = float(qdot[3])
     try:
-        # state
+        # from the state
         s1 = R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot)
         r: list[float] = [
             # R_norm = 0 (I.1.1) 7:3
@@ -322,7 +326,7 @@ def positions(
     q: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """residuals of the holonomic constraints at position level
+    """left minus right side of each holonomic constraint, zero on every motion
 
     Arguments: t (scalar), q (4,), p (3,).
     Returns f (1,).
@@ -332,7 +336,7 @@ def positions(
     R_2 = float(q[2])  # quaternion of R, along y [1]
     R_3 = float(q[3])  # quaternion of R, along z [1]
     try:
-        # state
+        # from the state
         f: list[float] = [
             # R_norm = 0 7:3
             R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0,
@@ -347,11 +351,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
@@ -366,7 +371,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
-        # state
+        # from the state
         lambda_: list[float] = [
             # reaction of R_norm: Q_i gains lambda_1 a_1i (I.4.1) 7:3
             0.0,
@@ -377,7 +382,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns a scalar.
@@ -389,7 +394,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # state
+        # from the state
         value1 = 0.5 * (I1 * (w1 * w1) + I2 * (w2 * w2) + I3 * (w3 * w3))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -401,7 +406,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns rows (7, 7): d rhs_i / d y_j stands at [i][j].
@@ -426,11 +431,11 @@ def jacobian(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = (I2 - I3) / I1
         k2 = -(I1 - I3) / I2
         k3 = (I1 - I2) / I3
-        # state
+        # from the state
         z1 = 0.5 * w1
         z2 = 0.5 * w2
         z3 = 0.5 * w3
@@ -542,7 +547,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # state
+        # from the state
         z1 = I1 * w1
         z2 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z3 = I3 * w3

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:7939b5b8e2575491)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:4ab1cef5a78b2c88)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -44,11 +44,11 @@ const double heavy_top_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int heavy_top_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -63,7 +63,7 @@ static int heavy_top_finish(int count, const double *values)
     return HEAVY_TOP_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int heavy_top_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : HEAVY_TOP_NOT_FINITE;
@@ -135,7 +135,7 @@ static inline heavy_top_bits heavy_top_misses(heavy_top_lanes value, heavy_top_l
     return ~(heavy_top_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline heavy_top_lanes heavy_top_mark(heavy_top_lanes value, heavy_top_bits bad)
 {
     return (heavy_top_lanes)((heavy_top_bits)value | bad);
@@ -145,7 +145,7 @@ static inline heavy_top_lanes heavy_top_size(heavy_top_lanes x)
 {
     return (heavy_top_lanes)((heavy_top_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int heavy_top_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -213,11 +213,11 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 - I3;
     const double k2 = 1.0 / I1;
 
-    /* state */
+    /* from the state */
     const double z1 = I3 * c_theta;
     const double z2 = I1 * (s_theta * s_theta) + c_theta * z1;
     const double z3 = 1.0 / z2;
@@ -263,7 +263,7 @@ int heavy_top_velocities(double t, const double *y, const double *p, double *qdo
     const double theta_dot = y[4];
     const double psi_dot = y[5];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = phi_dot; /* phi' */
     qdot[1] = theta_dot; /* theta' */
@@ -290,11 +290,11 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 - I3;
     const double k2 = 1.0 / I1;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I1 * z1 + I3 * (1.0 - z1);
     const double z3 = I3 * c_theta;
@@ -340,7 +340,7 @@ int heavy_top_state(double t, const double *q, const double *qdot, const double 
     const double theta_dot = qdot[1];
     const double psi_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = phi;
     y[1] = theta;
     y[2] = psi;
@@ -375,7 +375,7 @@ int heavy_top_reactions(double t, const double *y, const double *p, double *lamb
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I1 * z1 + I3 * (1.0 - z1);
     const double z3 = I3 * c_theta;
@@ -410,7 +410,7 @@ double heavy_top_energy(double t, const double *y, const double *p)
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
-    /* state */
+    /* from the state */
     const double omega3 = psi_dot + phi_dot * c_theta;
     const double z1 = 0.5 * (I1 * (theta_dot * theta_dot + s_theta * s_theta * (phi_dot * phi_dot)) + I3 *
         (omega3 * omega3)) + mgl * c_theta;
@@ -434,11 +434,11 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 - I3;
     const double k2 = 1.0 / I1;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I1 * z1 + I3 * (1.0 - z1);
     const double z3 = I3 * c_theta;
@@ -514,7 +514,7 @@ int heavy_top_outputs(double t, const double *y, const double *p, double *out)
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = I3 * (psi_dot + phi_dot * c_theta);
     /* 19:10 */
     out[0] = phi_dot * (I1 * (s_theta * s_theta)) + c_theta * z1; /* p_phi */

@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:175dba17cc805433).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:99529990287bdcf3).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -34,6 +34,10 @@ jacobian: 21 +-, 61 *, 3 /, 2 calls
 outputs: 2 +-, 6 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -108,10 +112,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = I1 - I3
         k2 = 1.0 / I1
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z1 = I3 * c_theta
@@ -163,7 +167,7 @@ def velocities(
     theta_dot = float(y[4])
     psi_dot = float(y[5])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # phi' (I.2.4)
             phi_dot,
@@ -198,10 +202,10 @@ def accelerations(
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = I1 - I3
         k2 = 1.0 / I1
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I1 * z1 + I3 * (1.0 - z1)
@@ -252,7 +256,7 @@ def state(
     theta_dot = float(qdot[1])
     psi_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         y: list[float] = [phi, theta, psi, phi_dot, theta_dot, psi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -265,7 +269,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (0,).
@@ -282,11 +286,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns lambda_ (0,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     theta = float(y[1])  # nutation [rad]
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
@@ -295,7 +300,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "reactions")
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I1 * z1 + I3 * (1.0 - z1)
@@ -315,7 +320,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.
@@ -328,7 +333,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         omega3 = psi_dot + phi_dot * c_theta
@@ -346,7 +351,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
@@ -362,10 +367,10 @@ def jacobian(
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = I1 - I3
         k2 = 1.0 / I1
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I1 * z1 + I3 * (1.0 - z1)
@@ -472,7 +477,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z1 = I3 * (psi_dot + phi_dot * c_theta)

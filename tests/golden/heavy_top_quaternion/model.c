@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:ef7f9b3accbae93f)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:67ddb0386e0b9d02)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -47,11 +47,11 @@ const double heavy_top_quaternion_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int heavy_top_quaternion_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -66,7 +66,7 @@ static int heavy_top_quaternion_finish(int count, const double *values)
     return HEAVY_TOP_QUATERNION_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int heavy_top_quaternion_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : HEAVY_TOP_QUATERNION_NOT_FINITE;
@@ -132,12 +132,12 @@ static int heavy_top_quaternion_one_by_one(size_t count, size_t first, size_t nu
 
 typedef unsigned long long heavy_top_quaternion_bits __attribute__((vector_size(8 * HEAVY_TOP_QUATERNION_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline heavy_top_quaternion_lanes heavy_top_quaternion_mark(heavy_top_quaternion_lanes value, heavy_top_quaternion_bits bad)
 {
     return (heavy_top_quaternion_lanes)((heavy_top_quaternion_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int heavy_top_quaternion_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -188,11 +188,11 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 - I3;
     const double k2 = 1.0 / I1;
 
-    /* state */
+    /* from the state */
     const double z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = w3 * k1;
     /* (I.2.15) */
@@ -231,7 +231,7 @@ int heavy_top_quaternion_velocities(double t, const double *y, const double *p, 
     const double w2 = y[5];
     const double w3 = y[6];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     qdot[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
@@ -258,12 +258,12 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / I1;
     const double k2 = 1.0 - I3 * k1;
     const double k3 = mgl * k1;
 
-    /* state */
+    /* from the state */
     const double z1 = 0.25 * (w3 * w3 + (w1 * w1 + w2 * w2));
     const double z2 = R_1 * R_1;
     const double z3 = R_2 * R_2;
@@ -306,7 +306,7 @@ int heavy_top_quaternion_state(double t, const double *q, const double *qdot, co
     const double R_2_dot = qdot[2];
     const double R_3_dot = qdot[3];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_0 * z1;
     const double z3 = R_1 * z1;
@@ -339,7 +339,7 @@ int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot
     const double R_2_dot = qdot[2];
     const double R_3_dot = qdot[3];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 7:3 */
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -358,7 +358,7 @@ int heavy_top_quaternion_positions(double t, const double *q, const double *p, d
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
     const double R_3 = q[3]; /* quaternion of R, along z [1] */
 
-    /* state */
+    /* from the state */
     /* 7:3 */
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -375,7 +375,7 @@ int heavy_top_quaternion_reactions(double t, const double *y, const double *p, d
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
-    /* state */
+    /* from the state */
     /* (I.4.1) 7:3 */
     lambda[0] = 0.0; /* reaction of R_norm: Q_i gains lambda_1 a_1i */
     if (!(fabs(I1) > 0.0 && fabs(I3) > 0.0)) {
@@ -406,7 +406,7 @@ double heavy_top_quaternion_energy(double t, const double *y, const double *p)
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
-    /* state */
+    /* from the state */
     const double z1 = R_2 * R_2;
     const double z2 = R_1 * R_1;
     const double z3 = mgl * (1.0 - 2.0 * ((z2 + z1) / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2)))));
@@ -429,11 +429,11 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / I1;
     const double k2 = (I1 - I3) * k1;
 
-    /* state */
+    /* from the state */
     const double z1 = 0.5 * w1;
     const double z2 = 0.5 * w2;
     const double z3 = 0.5 * w3;
@@ -518,7 +518,7 @@ int heavy_top_quaternion_outputs(double t, const double *y, const double *p, dou
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = R_2 * R_2;
     const double z2 = R_1 * R_1;
     const double z3 = 1.0 / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2)));

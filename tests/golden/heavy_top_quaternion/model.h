@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:340d2f91e19e5d94)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:935547738a89e7ec)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -39,7 +39,16 @@
  * jacobian: 14 +-, 56 *, 2 /, 0 calls
  * outputs: 10 +-, 17 *, 1 /, 0 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has HEAVY_TOP_QUATERNION_NY entries and p HEAVY_TOP_QUATERNION_NP;
+ *     heavy_top_quaternion_parameter_defaults can be p. heavy_top_quaternion_state makes y from coordinates
+ *     and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: HEAVY_TOP_QUATERNION_OK (0) where the result is good; after any other code the output is not
+ *     to be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_HEAVY_TOP_QUATERNION_H
 #define NHC_HEAVY_TOP_QUATERNION_H
@@ -96,32 +105,32 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
 int heavy_top_quaternion_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * residuals of the holonomic constraints at position level
- * f: 1 entries
+ * left minus right side of each holonomic constraint, zero on every motion
+ * f: 1 entry
  */
 int heavy_top_quaternion_positions(double t, const double *q, const double *p, double *f);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int heavy_top_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double heavy_top_quaternion_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.15)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
  * J: 49 entries, row by row: d rhs_i / d y_j stands at 7*i + j
  */
 int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, double *J);

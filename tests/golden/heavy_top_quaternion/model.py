@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:4e8f95b4752c319c).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:154233b845342c7d).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -40,6 +40,10 @@ jacobian: 14 +-, 56 *, 2 /, 0 calls
 outputs: 10 +-, 17 *, 1 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -120,10 +124,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = I1 - I3
         k2 = 1.0 / I1
-        # state
+        # from the state
         z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = w3 * k1
         dydt: list[float] = [
@@ -165,7 +169,7 @@ def velocities(
     w2 = float(y[5])
     w3 = float(y[6])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # R_0' (I.2.4)
             -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
@@ -208,11 +212,11 @@ def accelerations(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / I1
         k2 = 1.0 - I3 * k1
         k3 = mgl * k1
-        # state
+        # from the state
         z1 = 0.25 * (w3 * w3 + (w1 * w1 + w2 * w2))
         z2 = R_1 * R_1
         z3 = R_2 * R_2
@@ -257,7 +261,7 @@ def state(
     R_2_dot = float(qdot[2])
     R_3_dot = float(qdot[3])
     try:
-        # state
+        # from the state
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_0 * z1
         z3 = R_1 * z1
@@ -278,7 +282,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (4,), qdot (4,), p (3,).
     Returns r (1,).
@@ -292,7 +296,7 @@ def residuals(
     R_2_dot = float(qdot[2])
     R_3_dot = float(qdot[3])
     try:
-        # state
+        # from the state
         s1 = R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot)
         r: list[float] = [
             # R_norm = 0 (I.1.1) 7:3
@@ -308,7 +312,7 @@ def positions(
     q: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """residuals of the holonomic constraints at position level
+    """left minus right side of each holonomic constraint, zero on every motion
 
     Arguments: t (scalar), q (4,), p (3,).
     Returns f (1,).
@@ -318,7 +322,7 @@ def positions(
     R_2 = float(q[2])  # quaternion of R, along y [1]
     R_3 = float(q[3])  # quaternion of R, along z [1]
     try:
-        # state
+        # from the state
         f: list[float] = [
             # R_norm = 0 7:3
             R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0,
@@ -333,11 +337,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
@@ -348,7 +353,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
-        # state
+        # from the state
         lambda_: list[float] = [
             # reaction of R_norm: Q_i gains lambda_1 a_1i (I.4.1) 7:3
             0.0,
@@ -359,7 +364,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns a scalar.
@@ -375,7 +380,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
-        # state
+        # from the state
         z1 = R_2 * R_2
         z2 = R_1 * R_1
         s1 = 2.0 * ((z2 + z1) / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2))))
@@ -391,7 +396,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns rows (7, 7): d rhs_i / d y_j stands at [i][j].
@@ -413,10 +418,10 @@ def jacobian(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / I1
         k2 = (I1 - I3) * k1
-        # state
+        # from the state
         z1 = 0.5 * w1
         z2 = 0.5 * w2
         z3 = 0.5 * w3
@@ -543,7 +548,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     try:
-        # state
+        # from the state
         z1 = R_2 * R_2
         z2 = R_1 * R_1
         z3 = 1.0 / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2)))

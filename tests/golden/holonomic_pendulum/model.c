@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:b921ddc81d49c68f)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:b6190bed6a5e78ee)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -34,11 +34,11 @@ const double holonomic_pendulum_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int holonomic_pendulum_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -53,7 +53,7 @@ static int holonomic_pendulum_finish(int count, const double *values)
     return HOLONOMIC_PENDULUM_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int holonomic_pendulum_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : HOLONOMIC_PENDULUM_NOT_FINITE;
@@ -125,7 +125,7 @@ static inline holonomic_pendulum_bits holonomic_pendulum_misses(holonomic_pendul
     return ~(holonomic_pendulum_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline holonomic_pendulum_lanes holonomic_pendulum_mark(holonomic_pendulum_lanes value, holonomic_pendulum_bits bad)
 {
     return (holonomic_pendulum_lanes)((holonomic_pendulum_bits)value | bad);
@@ -135,7 +135,7 @@ static inline holonomic_pendulum_lanes holonomic_pendulum_size(holonomic_pendulu
 {
     return (holonomic_pendulum_lanes)((holonomic_pendulum_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int holonomic_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -181,7 +181,7 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *d
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = 1.0 / z1;
@@ -216,7 +216,7 @@ int holonomic_pendulum_velocities(double t, const double *y, const double *p, do
     const double y_2 = y[1]; /* up [m] */
     const double v = y[2];
 
-    /* state */
+    /* from the state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = v / z1;
@@ -243,7 +243,7 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
@@ -276,7 +276,7 @@ int holonomic_pendulum_state(double t, const double *q, const double *qdot, cons
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = y_2 * x_dot - x * y_dot;
@@ -296,7 +296,7 @@ int holonomic_pendulum_residuals(double t, const double *q, const double *qdot, 
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 16:5 */
     r[0] = x * x_dot + y * y_dot; /* rod = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -313,10 +313,10 @@ int holonomic_pendulum_positions(double t, const double *q, const double *p, dou
     const double y = q[1]; /* up [m] */
     const double l = p[2]; /* length of the rod [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = l * l;
 
-    /* state */
+    /* from the state */
     /* 16:5 */
     f[0] = 0.5 * (x * x + y * y - k1); /* rod = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -335,7 +335,7 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
@@ -368,10 +368,10 @@ double holonomic_pendulum_energy(double t, const double *y, const double *p)
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * g;
 
-    /* state */
+    /* from the state */
     const double z1 = v / (x * x + y_2 * y_2);
     const double z2 = y_2 * z1;
     const double z3 = x * z1;
@@ -389,7 +389,7 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = 1.0 / z1;
@@ -428,7 +428,7 @@ int holonomic_pendulum_outputs(double t, const double *y, const double *p, doubl
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = fabs(y_2) + fabs(x);
     /* the coframe is singular */
     if (!(fabs(x * x + y_2 * y_2) > 1e-12 * (z1 * z1))) {

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:cadf1bc2a997c5af)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:b1eaf40cfacd35fc)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -31,7 +31,16 @@
  * jacobian: 3 +-, 14 *, 1 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 2 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has HOLONOMIC_PENDULUM_NY entries and p HOLONOMIC_PENDULUM_NP;
+ *     holonomic_pendulum_parameter_defaults can be p. holonomic_pendulum_state makes y from coordinates and
+ *     velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: HOLONOMIC_PENDULUM_OK (0) where the result is good; after any other code the output is not to
+ *     be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_HOLONOMIC_PENDULUM_H
 #define NHC_HOLONOMIC_PENDULUM_H
@@ -89,32 +98,32 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
 int holonomic_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int holonomic_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * residuals of the holonomic constraints at position level
- * f: 1 entries
+ * left minus right side of each holonomic constraint, zero on every motion
+ * f: 1 entry
  */
 int holonomic_pendulum_positions(double t, const double *q, const double *p, double *f);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int holonomic_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double holonomic_pendulum_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.15)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
  * J: 9 entries, row by row: d rhs_i / d y_j stands at 3*i + j
  */
 int holonomic_pendulum_jacobian(double t, const double *y, const double *p, double *J);

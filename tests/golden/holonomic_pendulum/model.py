@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:983295cbc94a401c).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:acf0ae7fd8a68ab6).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -34,6 +34,10 @@ jacobian: 3 +-, 14 *, 1 /, 2 calls
 outputs: 2 +-, 3 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -103,7 +107,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
-        # state
+        # from the state
         z1 = x * x + y_2 * y_2
         z2 = abs(y_2) + abs(x)
         # the coframe is singular
@@ -141,7 +145,7 @@ def velocities(
     y_2 = float(y[1])  # up [m]
     v = float(y[2])
     try:
-        # state
+        # from the state
         z1 = x * x + y_2 * y_2
         z2 = abs(y_2) + abs(x)
         # the coframe is singular
@@ -175,7 +179,7 @@ def accelerations(
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
-        # state
+        # from the state
         z1 = x * x
         z2 = z1 + y_2 * y_2
         z3 = abs(y_2) + abs(x)
@@ -214,7 +218,7 @@ def state(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, y_2 * x_dot - x * y_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -227,7 +231,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (2,), qdot (2,), p (3,).
     Returns r (1,).
@@ -237,7 +241,7 @@ def residuals(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         r: list[float] = [
             # rod = 0 (I.1.1) 16:5
             x * x_dot + y * y_dot,
@@ -252,7 +256,7 @@ def positions(
     q: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """residuals of the holonomic constraints at position level
+    """left minus right side of each holonomic constraint, zero on every motion
 
     Arguments: t (scalar), q (2,), p (3,).
     Returns f (1,).
@@ -261,9 +265,9 @@ def positions(
     y = float(q[1])  # up [m]
     l = float(p[2])  # length of the rod [m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = l * l
-        # state
+        # from the state
         f: list[float] = [
             # rod = 0 16:5
             0.5 * (x * x + y * y - k1),
@@ -278,11 +282,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     x = float(y[0])  # across [m]
     y_2 = float(y[1])  # up [m]
@@ -290,7 +295,7 @@ def reactions(
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
-        # state
+        # from the state
         z1 = x * x
         z2 = z1 + y_2 * y_2
         z3 = abs(y_2) + abs(x)
@@ -313,7 +318,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns a scalar.
@@ -324,9 +329,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * g
-        # state
+        # from the state
         z1 = v / (x * x + y_2 * y_2)
         z2 = y_2 * z1
         z3 = x * z1
@@ -341,7 +346,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns rows (3, 3): d rhs_i / d y_j stands at [i][j].
@@ -352,7 +357,7 @@ def jacobian(
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
-        # state
+        # from the state
         z1 = x * x + y_2 * y_2
         z2 = abs(y_2) + abs(x)
         # the coframe is singular
@@ -398,7 +403,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     x = float(y[0])  # across [m]
     y_2 = float(y[1])  # up [m]
     try:
-        # state
+        # from the state
         z1 = abs(y_2) + abs(x)
         s1 = x * x + y_2 * y_2
         # the coframe is singular

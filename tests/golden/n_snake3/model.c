@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:e98759121c4095eb)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:dc3a2f55357ccd63)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -49,11 +49,11 @@ const double n_snake3_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int n_snake3_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -68,7 +68,7 @@ static int n_snake3_finish(int count, const double *values)
     return N_SNAKE3_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int n_snake3_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : N_SNAKE3_NOT_FINITE;
@@ -140,7 +140,7 @@ static inline n_snake3_bits n_snake3_misses(n_snake3_lanes value, n_snake3_lanes
     return ~(n_snake3_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline n_snake3_lanes n_snake3_mark(n_snake3_lanes value, n_snake3_bits bad)
 {
     return (n_snake3_lanes)((n_snake3_bits)value | bad);
@@ -150,7 +150,7 @@ static inline n_snake3_lanes n_snake3_size(n_snake3_lanes x)
 {
     return (n_snake3_lanes)((n_snake3_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int n_snake3_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -226,14 +226,14 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     const double a = p[2]; /* half the length of a link [m] */
     const double k = p[3]; /* stiffness of the hinges [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / a;
     const double k2 = J * k1;
     const double k3 = k1 * k2;
     const double k4 = m * a;
     const double k5 = a * k4;
 
-    /* state */
+    /* from the state */
     const double z3 = c1 * c2 + s1 * s2;
     const double z4 = z3 * z3 + (1.0 + c1 * c1);
     const double z5 = s1 * s1;
@@ -318,10 +318,10 @@ int n_snake3_velocities(double t, const double *y, const double *p, double *qdot
     const double w = y[6];
     const double a = p[2]; /* half the length of a link [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / a;
 
-    /* state */
+    /* from the state */
     const double z2 = a * w;
     const double z3 = v * s1 - c1 * z2;
     /* (I.2.4) */
@@ -365,14 +365,14 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double a = p[2]; /* half the length of a link [m] */
     const double k = p[3]; /* stiffness of the hinges [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / a;
     const double k2 = J * k1;
     const double k3 = k1 * k2;
     const double k4 = m * a;
     const double k5 = a * k4;
 
-    /* state */
+    /* from the state */
     const double z3 = c1 * c2 + s1 * s2;
     const double z4 = 1.0 + c1 * c1;
     const double z5 = s1 * s1;
@@ -459,7 +459,7 @@ int n_snake3_state(double t, const double *q, const double *qdot, const double *
     const double y_dot = qdot[1];
     const double theta1_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta1;
@@ -495,7 +495,7 @@ int n_snake3_residuals(double t, const double *q, const double *qdot, const doub
     const double theta3_dot = qdot[4];
     const double a = p[2]; /* half the length of a link [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = theta1_dot * a;
     const double z2 = theta2_dot * a;
     const double z3 = s_theta2 * z2;
@@ -539,7 +539,7 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double a = p[2]; /* half the length of a link [m] */
     const double k = p[3]; /* stiffness of the hinges [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / a;
     const double k2 = J * k1;
     const double k3 = k1 * k2;
@@ -547,7 +547,7 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double k5 = a * k4;
     const double k6 = m * k1;
 
-    /* state */
+    /* from the state */
     const double z3 = c1 * c2 + s1 * s2;
     const double z4 = 1.0 + c1 * c1;
     const double z5 = s1 * s1;
@@ -637,10 +637,10 @@ double n_snake3_energy(double t, const double *y, const double *p)
     const double a = p[2]; /* half the length of a link [m] */
     const double k = p[3]; /* stiffness of the hinges [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / a;
 
-    /* state */
+    /* from the state */
     const double z1 = theta1 - theta2;
     const double z2 = theta2 - theta3;
     const double z3 = c_theta2 * s_theta1 - c_theta1 * s_theta2;
@@ -690,7 +690,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double a = p[2]; /* half the length of a link [m] */
     const double k = p[3]; /* stiffness of the hinges [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / a;
     const double k2 = J_2 * k1;
     const double k3 = k1 * k2;
@@ -699,7 +699,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double k6 = k2 - k4;
     const double k7 = k * k1;
 
-    /* state */
+    /* from the state */
     const double z3 = c1 * c2 + s1 * s2;
     const double z4 = 1.0 + c1 * c1;
     const double z5 = s1 * s1;
@@ -865,7 +865,7 @@ int n_snake3_outputs(double t, const double *y, const double *p, double *out)
     (void)y;
     const double a = p[2]; /* half the length of a link [m] */
 
-    /* state */
+    /* from the state */
     /* the coframe is singular */
     if (!(fabs(a) > 0.0)) {
         return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);

@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:225e341edfedc3a9).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:c286c5b02911896d).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -38,6 +38,10 @@ jacobian: 191 +-, 302 *, 3 /, 6 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -114,13 +118,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the coframe is singular
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / a
         k2 = J * k1
         k3 = k1 * k2
         k4 = m * a
         k5 = a * k4
-        # state
+        # from the state
         z1 = theta1 - theta2
         c1 = math.cos(z1)
         z2 = theta2 - theta3
@@ -213,9 +217,9 @@ def velocities(
         # the coframe is singular
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "velocities")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / a
-        # state
+        # from the state
         c_theta1 = math.cos(theta1)
         s_theta1 = math.sin(theta1)
         z1 = theta1 - theta2
@@ -266,13 +270,13 @@ def accelerations(
         # the coframe is singular
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / a
         k2 = J * k1
         k3 = k1 * k2
         k4 = m * a
         k5 = a * k4
-        # state
+        # from the state
         z1 = theta1 - theta2
         c1 = math.cos(z1)
         z2 = theta2 - theta3
@@ -371,7 +375,7 @@ def state(
     y_dot = float(qdot[1])
     theta1_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_theta1 = math.cos(theta1)
         s_theta1 = math.sin(theta1)
         y: list[float] = [
@@ -394,7 +398,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (5,), qdot (5,), p (4,).
     Returns r (3,).
@@ -409,7 +413,7 @@ def residuals(
     theta3_dot = float(qdot[4])
     a = float(p[2])  # half the length of a link [m]
     try:
-        # state
+        # from the state
         s_theta1 = math.sin(theta1)
         c_theta1 = math.cos(theta1)
         s_theta2 = math.sin(theta2)
@@ -442,11 +446,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns lambda_ (3,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     theta1 = float(y[2])  # first link [rad]
     theta2 = float(y[3])  # second link [rad]
@@ -461,14 +466,14 @@ def reactions(
         # the coframe is singular
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / a
         k2 = J * k1
         k3 = k1 * k2
         k4 = m * a
         k5 = a * k4
         k6 = m * k1
-        # state
+        # from the state
         z1 = theta1 - theta2
         c1 = math.cos(z1)
         z2 = theta2 - theta3
@@ -542,7 +547,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns a scalar.
@@ -557,9 +562,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     a = float(p[2])  # half the length of a link [m]
     k = float(p[3])  # stiffness of the hinges [N*m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / a
-        # state
+        # from the state
         z1 = theta1 - theta2
         z2 = theta2 - theta3
         c_theta2 = math.cos(theta2)
@@ -599,7 +604,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns rows (7, 7): d rhs_i / d y_j stands at [i][j].
@@ -617,7 +622,7 @@ def jacobian(
         # the coframe is singular
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / a
         k2 = J_2 * k1
         k3 = k1 * k2
@@ -625,7 +630,7 @@ def jacobian(
         k5 = a * k4
         k6 = k2 - k4
         k7 = k * k1
-        # state
+        # from the state
         z1 = theta1 - theta2
         c1 = math.cos(z1)
         z2 = theta2 - theta3
@@ -862,7 +867,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         # the coframe is singular
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "outputs")
-        # state
+        # from the state
         out: list[float] = []
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:e4f85b1cc1d4cf98)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:edff4025b52f7e68)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -53,11 +53,11 @@ const double n_trailer3_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int n_trailer3_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -72,7 +72,7 @@ static int n_trailer3_finish(int count, const double *values)
     return N_TRAILER3_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int n_trailer3_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : N_TRAILER3_NOT_FINITE;
@@ -138,12 +138,12 @@ static int n_trailer3_one_by_one(size_t count, size_t first, size_t number, cons
 
 typedef unsigned long long n_trailer3_bits __attribute__((vector_size(8 * N_TRAILER3_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline n_trailer3_lanes n_trailer3_mark(n_trailer3_lanes value, n_trailer3_bits bad)
 {
     return (n_trailer3_lanes)((n_trailer3_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int n_trailer3_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -224,11 +224,11 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
     const double J = p[3]; /* each trailer [kg*m^2] */
     const double L = p[4]; /* from axle to axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / L;
     const double k2 = k1 * (J * k1);
 
-    /* state */
+    /* from the state */
     const double z4 = c1 * c2;
     const double z5 = s1 * z4;
     const double z6 = c1 * s3;
@@ -292,10 +292,10 @@ int n_trailer3_velocities(double t, const double *y, const double *p, double *qd
     const double w = y[7];
     const double L = p[4]; /* from axle to axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / L;
 
-    /* state */
+    /* from the state */
     const double z2 = v * k1;
     const double z4 = c1 * z2;
     /* (I.2.4) */
@@ -345,11 +345,11 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
     const double J = p[3]; /* each trailer [kg*m^2] */
     const double L = p[4]; /* from axle to axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / L;
     const double k2 = k1 * (J * k1);
 
-    /* state */
+    /* from the state */
     const double z4 = c1 * c2;
     const double z5 = s1 * z4;
     const double z6 = c1 * s3;
@@ -411,7 +411,7 @@ int n_trailer3_state(double t, const double *q, const double *qdot, const double
     const double y_dot = qdot[1];
     const double theta0_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta0;
@@ -451,7 +451,7 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
     const double theta3_dot = qdot[5];
     const double L = p[4]; /* from axle to axle [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = theta1_dot * L;
     const double x1_dot = x_dot + s_theta1 * z1;
     const double y1_dot = y_dot - c_theta1 * z1;
@@ -501,12 +501,12 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     const double J = p[3]; /* each trailer [kg*m^2] */
     const double L = p[4]; /* from axle to axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / L;
     const double k2 = J * k1;
     const double k3 = k1 * k2;
 
-    /* state */
+    /* from the state */
     const double z4 = c1 * c2;
     const double z5 = s1 * z4;
     const double z6 = c1 * s3;
@@ -586,10 +586,10 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     const double J = p[3]; /* each trailer [kg*m^2] */
     const double L = p[4]; /* from axle to axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = J / (L * L);
 
-    /* state */
+    /* from the state */
     const double z1 = c_theta2 * c_theta3 + s_theta2 * s_theta3;
     const double z2 = z1 * z1;
     const double z3 = c_theta1 * c_theta0 + s_theta1 * s_theta0;
@@ -638,11 +638,11 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     const double J_2 = p[3]; /* each trailer [kg*m^2] */
     const double L = p[4]; /* from axle to axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / L;
     const double k2 = k1 * (J_2 * k1);
 
-    /* state */
+    /* from the state */
     const double z4 = c1 * c2;
     const double z5 = s1 * z4;
     const double z6 = c1 * s3;
@@ -764,7 +764,7 @@ int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
     const double y_2 = y[1]; /* axle of the tractor [m] */
     const double L = p[4]; /* from axle to axle [m] */
 
-    /* state */
+    /* from the state */
     /* 40:11 */
     out[0] = x - L * (c_theta3 + (c_theta1 + c_theta2)); /* tail_x */
     /* 41:11 */

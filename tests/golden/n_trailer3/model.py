@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:7947e1aedb937e42).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:5bcc3a2e012e7f2e).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -45,6 +45,10 @@ jacobian: 66 +-, 138 *, 2 /, 8 calls
 outputs: 6 +-, 2 *, 0 /, 6 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -126,10 +130,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the coframe is singular
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / L
         k2 = k1 * (J * k1)
-        # state
+        # from the state
         z1 = theta2 - theta3
         s1 = math.sin(z1)
         z2 = theta0 - theta1
@@ -201,9 +205,9 @@ def velocities(
         # the coframe is singular
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "velocities")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / L
-        # state
+        # from the state
         c_theta0 = math.cos(theta0)
         s_theta0 = math.sin(theta0)
         z1 = theta0 - theta1
@@ -262,10 +266,10 @@ def accelerations(
         # the coframe is singular
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / L
         k2 = k1 * (J * k1)
-        # state
+        # from the state
         z1 = theta2 - theta3
         s1 = math.sin(z1)
         z2 = theta0 - theta1
@@ -338,7 +342,7 @@ def state(
     y_dot = float(qdot[1])
     theta0_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_theta0 = math.cos(theta0)
         s_theta0 = math.sin(theta0)
         y: list[float] = [
@@ -362,7 +366,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (6,), qdot (6,), p (5,).
     Returns r (4,).
@@ -378,7 +382,7 @@ def residuals(
     theta3_dot = float(qdot[5])
     L = float(p[4])  # from axle to axle [m]
     try:
-        # state
+        # from the state
         s_theta0 = math.sin(theta0)
         c_theta0 = math.cos(theta0)
         s_theta1 = math.sin(theta1)
@@ -415,11 +419,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns lambda_ (4,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     theta0 = float(y[2])  # heading of the tractor [rad]
     theta1 = float(y[3])  # first trailer [rad]
@@ -439,11 +444,11 @@ def reactions(
         # the coframe is singular
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / L
         k2 = J * k1
         k3 = k1 * k2
-        # state
+        # from the state
         z1 = theta2 - theta3
         s1 = math.sin(z1)
         z2 = theta0 - theta1
@@ -501,7 +506,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns a scalar.
@@ -518,9 +523,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     J = float(p[3])  # each trailer [kg*m^2]
     L = float(p[4])  # from axle to axle [m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = J / (L * L)
-        # state
+        # from the state
         c_theta2 = math.cos(theta2)
         c_theta3 = math.cos(theta3)
         s_theta2 = math.sin(theta2)
@@ -558,7 +563,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
@@ -581,10 +586,10 @@ def jacobian(
         # the coframe is singular
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / L
         k2 = k1 * (J_2 * k1)
-        # state
+        # from the state
         z1 = theta2 - theta3
         s1 = math.sin(z1)
         z2 = theta0 - theta1
@@ -773,7 +778,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         # the coframe is singular
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "outputs")
-        # state
+        # from the state
         c_theta3 = math.cos(theta3)
         c_theta1 = math.cos(theta1)
         c_theta2 = math.cos(theta2)

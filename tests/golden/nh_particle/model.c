@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:10fe9886ba3ecf16)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:a5ac490afd5ff05b)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -32,11 +32,11 @@ const double nh_particle_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int nh_particle_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -51,7 +51,7 @@ static int nh_particle_finish(int count, const double *values)
     return NH_PARTICLE_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int nh_particle_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : NH_PARTICLE_NOT_FINITE;
@@ -117,12 +117,12 @@ static int nh_particle_one_by_one(size_t count, size_t first, size_t number, con
 
 typedef unsigned long long nh_particle_bits __attribute__((vector_size(8 * NH_PARTICLE_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline nh_particle_lanes nh_particle_mark(nh_particle_lanes value, nh_particle_bits bad)
 {
     return (nh_particle_lanes)((nh_particle_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int nh_particle_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -167,7 +167,7 @@ int nh_particle_rhs(double t, const double *y, const double *p, double *dydt)
     const double y_dot = y[4];
     const double m = p[0];
 
-    /* state */
+    /* from the state */
     const double z1 = m * (1.0 + y_2 * y_2);
     const double z2 = y_2 * x_dot;
     /* (III.3) */
@@ -200,7 +200,7 @@ int nh_particle_velocities(double t, const double *y, const double *p, double *q
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
@@ -220,7 +220,7 @@ int nh_particle_accelerations(double t, const double *y, const double *p, double
     const double y_dot = y[4];
     const double m = p[0];
 
-    /* state */
+    /* from the state */
     const double z1 = m * (1.0 + y_2 * y_2);
     const double z2 = x_dot * y_dot;
     const double z3 = m * (y_2 * z2 / z1);
@@ -253,7 +253,7 @@ int nh_particle_state(double t, const double *q, const double *qdot, const doubl
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = z;
@@ -274,7 +274,7 @@ int nh_particle_residuals(double t, const double *q, const double *qdot, const d
     const double x_dot = qdot[0];
     const double z_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 11:5 */
     r[0] = z_dot - y * x_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -292,7 +292,7 @@ int nh_particle_reactions(double t, const double *y, const double *p, double *la
     const double y_dot = y[4];
     const double m = p[0];
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * y_2;
     const double z2 = m * (1.0 + z1);
     /* (I.4.1) 11:5 */
@@ -320,7 +320,7 @@ double nh_particle_energy(double t, const double *y, const double *p)
     const double y_dot = y[4];
     const double m = p[0];
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * x_dot;
     return 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z1 * z1));
 }
@@ -334,7 +334,7 @@ int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
     const double y_dot = y[4];
     const double m = p[0];
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * y_2;
     const double z2 = m * (1.0 + z1);
     const double z3 = m / z2;
@@ -369,7 +369,7 @@ int nh_particle_outputs(double t, const double *y, const double *p, double *out)
     const double x_dot = y[3];
     const double m = p[0];
 
-    /* state */
+    /* from the state */
     /* 14:8 */
     out[0] = m * (x_dot + y_2 * (y_2 * x_dot)); /* p_x */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

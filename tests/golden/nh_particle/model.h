@@ -1,5 +1,5 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:bee541c6a4443725)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:d55e37f2ae19fa5f)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -32,7 +32,14 @@
  * jacobian: 2 +-, 10 *, 1 /, 0 calls
  * outputs: 1 +-, 3 *, 0 /, 0 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has NH_PARTICLE_NY entries and p NH_PARTICLE_NP; nh_particle_parameter_defaults can
+ *     be p. nh_particle_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Return codes: NH_PARTICLE_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_NH_PARTICLE_H
 #define NHC_NH_PARTICLE_H
@@ -89,33 +96,33 @@ int nh_particle_accelerations(double t, const double *y, const double *p, double
 int nh_particle_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int nh_particle_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int nh_particle_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double nh_particle_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (III.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
  * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
  */
 int nh_particle_jacobian(double t, const double *y, const double *p, double *J);
 
 /*
  * the spec's outputs
- * out: 1 entries
+ * out: 1 entry
  */
 int nh_particle_outputs(double t, const double *y, const double *p, double *out);
 

@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:ab212718ba5a6c36).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:8ba164c0dfb6be2e).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -33,6 +33,9 @@ jacobian: 2 +-, 10 *, 1 /, 0 calls
 outputs: 1 +-, 3 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -104,7 +107,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
-        # state
+        # from the state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -141,7 +144,7 @@ def velocities(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # x' (I.2.4)
             x_dot,
@@ -173,7 +176,7 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
-        # state
+        # from the state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -210,7 +213,7 @@ def state(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, z, x_dot, y_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -223,7 +226,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns r (1,).
@@ -232,7 +235,7 @@ def residuals(
     x_dot = float(qdot[0])
     z_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         r: list[float] = [
             # contact = 0 (I.1.1) 11:5
             z_dot - y * x_dot,
@@ -247,11 +250,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     y_2 = float(y[1])
     x_dot = float(y[3])
@@ -261,7 +265,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
-        # state
+        # from the state
         z1 = y_2 * y_2
         z2 = m * (1.0 + z1)
         # the mass matrix is singular
@@ -277,7 +281,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns a scalar.
@@ -287,7 +291,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     y_dot = float(y[4])
     m = float(p[0])
     try:
-        # state
+        # from the state
         z1 = y_2 * x_dot
         value1 = 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z1 * z1))
         return _single("energy", value1)
@@ -300,7 +304,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -313,7 +317,7 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
-        # state
+        # from the state
         z1 = y_2 * y_2
         z2 = m * (1.0 + z1)
         # the mass matrix is singular
@@ -371,7 +375,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     x_dot = float(y[3])
     m = float(p[0])
     try:
-        # state
+        # from the state
         out: list[float] = [
             # p_x 14:8
             m * (x_dot + y_2 * (y_2 * x_dot)),

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:3145906a56e89b31)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:298183e64444f78c)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -34,11 +34,11 @@ const double nh_particle_pot_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int nh_particle_pot_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -53,7 +53,7 @@ static int nh_particle_pot_finish(int count, const double *values)
     return NH_PARTICLE_POT_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int nh_particle_pot_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : NH_PARTICLE_POT_NOT_FINITE;
@@ -119,12 +119,12 @@ static int nh_particle_pot_one_by_one(size_t count, size_t first, size_t number,
 
 typedef unsigned long long nh_particle_pot_bits __attribute__((vector_size(8 * NH_PARTICLE_POT_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline nh_particle_pot_lanes nh_particle_pot_mark(nh_particle_pot_lanes value, nh_particle_pot_bits bad)
 {
     return (nh_particle_pot_lanes)((nh_particle_pot_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int nh_particle_pot_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -171,10 +171,10 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt
     const double m = p[0];
     const double k = p[1];
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = -k / m;
 
-    /* state */
+    /* from the state */
     const double z1 = m * (1.0 + y_2 * y_2);
     const double z2 = y_2 * x_dot;
     /* (III.3) */
@@ -207,7 +207,7 @@ int nh_particle_pot_velocities(double t, const double *y, const double *p, doubl
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
@@ -229,10 +229,10 @@ int nh_particle_pot_accelerations(double t, const double *y, const double *p, do
     const double m = p[0];
     const double k = p[1];
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = -k / m;
 
-    /* state */
+    /* from the state */
     const double z1 = m * (1.0 + y_2 * y_2);
     const double z2 = x_dot * y_dot;
     const double z3 = (x * k + m * (y_2 * z2)) / z1;
@@ -265,7 +265,7 @@ int nh_particle_pot_state(double t, const double *q, const double *qdot, const d
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = z;
@@ -286,7 +286,7 @@ int nh_particle_pot_residuals(double t, const double *q, const double *qdot, con
     const double x_dot = qdot[0];
     const double z_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 13:5 */
     r[0] = z_dot - y * x_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -306,7 +306,7 @@ int nh_particle_pot_reactions(double t, const double *y, const double *p, double
     const double m = p[0];
     const double k = p[1];
 
-    /* state */
+    /* from the state */
     const double z1 = m * (1.0 + y_2 * y_2);
     const double z2 = x_dot * y_dot;
     /* (I.4.1) 13:5 */
@@ -337,7 +337,7 @@ double nh_particle_pot_energy(double t, const double *y, const double *p)
     const double m = p[0];
     const double k = p[1];
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * y_2;
     const double z2 = 0.5 * (k * (x * x + z1) + m * (y_dot * y_dot + x_dot * x_dot * (1.0 + z1)));
     return z2;
@@ -354,7 +354,7 @@ int nh_particle_pot_jacobian(double t, const double *y, const double *p, double 
     const double m = p[0];
     const double k = p[1];
 
-    /* state */
+    /* from the state */
     const double z1 = m * (1.0 + y_2 * y_2);
     const double z2 = 1.0 / z1;
     const double z3 = y_dot * m;

@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:d0ff0fed25dd9443).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:c6fc9fb8f43a0c4d).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -31,6 +31,9 @@ jacobian: 3 +-, 16 *, 2 /, 0 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -104,9 +107,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = -k / m
-        # state
+        # from the state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -143,7 +146,7 @@ def velocities(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # x' (I.2.4)
             x_dot,
@@ -177,9 +180,9 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = -k / m
-        # state
+        # from the state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -216,7 +219,7 @@ def state(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, z, x_dot, y_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -229,7 +232,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (2,).
     Returns r (1,).
@@ -238,7 +241,7 @@ def residuals(
     x_dot = float(qdot[0])
     z_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         r: list[float] = [
             # contact = 0 (I.1.1) 13:5
             z_dot - y * x_dot,
@@ -253,11 +256,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (2,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     x = float(y[0])
     y_2 = float(y[1])
@@ -269,7 +273,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
-        # state
+        # from the state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
@@ -285,7 +289,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (2,).
     Returns a scalar.
@@ -297,7 +301,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     m = float(p[0])
     k = float(p[1])
     try:
-        # state
+        # from the state
         z1 = y_2 * y_2
         s1 = m * (y_dot * y_dot + x_dot * x_dot * (1.0 + z1))
         z2 = 0.5 * (k * (x * x + z1) + s1)
@@ -312,7 +316,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (5,), p (2,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -327,7 +331,7 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
-        # state
+        # from the state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:

@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:b656dda136f67d59)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:a7b4172e07d8775a)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -31,11 +31,11 @@ const double pendulum_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int pendulum_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -50,7 +50,7 @@ static int pendulum_finish(int count, const double *values)
     return PENDULUM_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int pendulum_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : PENDULUM_NOT_FINITE;
@@ -116,12 +116,12 @@ static int pendulum_one_by_one(size_t count, size_t first, size_t number, const 
 
 typedef unsigned long long pendulum_bits __attribute__((vector_size(8 * PENDULUM_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline pendulum_lanes pendulum_mark(pendulum_lanes value, pendulum_bits bad)
 {
     return (pendulum_lanes)((pendulum_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -183,10 +183,10 @@ int pendulum_rhs(double t, const double *y, const double *p, double *dydt)
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = -g / l;
 
-    /* state */
+    /* from the state */
     const double s_theta = sin(theta);
     /* (II.3) */
     dydt[0] = theta_dot; /* theta' */
@@ -209,7 +209,7 @@ int pendulum_velocities(double t, const double *y, const double *p, double *qdot
     (void)p;
     const double theta_dot = y[1];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -227,10 +227,10 @@ int pendulum_accelerations(double t, const double *y, const double *p, double *q
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = -g / l;
 
-    /* state */
+    /* from the state */
     const double s_theta = sin(theta);
     /* (II.3) */
     qddot[0] = s_theta * k1; /* theta'' */
@@ -252,7 +252,7 @@ int pendulum_state(double t, const double *q, const double *qdot, const double *
     const double theta = q[0]; /* angle from the downward vertical [rad] */
     const double theta_dot = qdot[0];
 
-    /* state */
+    /* from the state */
     y[0] = theta;
     y[1] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -279,7 +279,7 @@ int pendulum_reactions(double t, const double *y, const double *p, double *lambd
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
 
-    /* state */
+    /* from the state */
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
@@ -297,10 +297,10 @@ double pendulum_energy(double t, const double *y, const double *p)
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * l;
 
-    /* state */
+    /* from the state */
     const double c_theta = cos(theta);
     return k1 * (0.5 * (l * (theta_dot * theta_dot)) - g * c_theta);
 }
@@ -315,10 +315,10 @@ int pendulum_jacobian(double t, const double *y, const double *p, double *J)
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = -g / l;
 
-    /* state */
+    /* from the state */
     const double c_theta = cos(theta);
     /* (II.3) */
     J[1] = 1.0;
@@ -340,7 +340,7 @@ int pendulum_outputs(double t, const double *y, const double *p, double *out)
     (void)p;
     const double theta_dot = y[1];
 
-    /* state */
+    /* from the state */
     /* 15:9 */
     out[0] = theta_dot; /* rate */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

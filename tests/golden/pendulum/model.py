@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:619b247e19170125).
+"""pendulum, emitted by nhc 0.1.0 (nhc:69795918905fce81).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -30,6 +30,10 @@ jacobian: 0 +-, 3 *, 1 /, 1 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -103,9 +107,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = -g / l
-        # state
+        # from the state
         s_theta = math.sin(theta)
         dydt: list[float] = [
             # theta' (II.3)
@@ -130,7 +134,7 @@ def velocities(
     """
     theta_dot = float(y[1])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # theta' (I.2.4)
             theta_dot,
@@ -159,9 +163,9 @@ def accelerations(
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = -g / l
-        # state
+        # from the state
         s_theta = math.sin(theta)
         qddot: list[float] = [
             # theta'' (II.3)
@@ -186,7 +190,7 @@ def state(
     theta = float(q[0])  # angle from the downward vertical [rad]
     theta_dot = float(qdot[0])
     try:
-        # state
+        # from the state
         y: list[float] = [theta, theta_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -199,7 +203,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (1,), qdot (1,), p (3,).
     Returns r (0,).
@@ -216,11 +220,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns lambda_ (0,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
@@ -229,7 +234,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "reactions")
-        # state
+        # from the state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -237,7 +242,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns a scalar.
@@ -248,9 +253,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * l
-        # state
+        # from the state
         c_theta = math.cos(theta)
         value1 = k1 * (0.5 * (l * (theta_dot * theta_dot)) - g * c_theta)
         return _single("energy", value1)
@@ -263,7 +268,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns rows (2, 2): d rhs_i / d y_j stands at [i][j].
@@ -277,9 +282,9 @@ def jacobian(
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = -g / l
-        # state
+        # from the state
         c_theta = math.cos(theta)
         J: list[float] = [
             0.0,
@@ -303,7 +308,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     """
     theta_dot = float(y[1])
     try:
-        # state
+        # from the state
         out: list[float] = [
             # rate 15:9
             theta_dot,

@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:65cb2ae43ec33bf7)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:aeb956b7795b9109)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -37,11 +37,11 @@ const double point_mass_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int point_mass_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -56,7 +56,7 @@ static int point_mass_finish(int count, const double *values)
     return POINT_MASS_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int point_mass_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : POINT_MASS_NOT_FINITE;
@@ -122,12 +122,12 @@ static int point_mass_one_by_one(size_t count, size_t first, size_t number, cons
 
 typedef unsigned long long point_mass_bits __attribute__((vector_size(8 * POINT_MASS_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline point_mass_lanes point_mass_mark(point_mass_lanes value, point_mass_bits bad)
 {
     return (point_mass_lanes)((point_mass_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int point_mass_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -174,10 +174,10 @@ int point_mass_rhs(double t, const double *y, const double *p, double *dydt)
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
     const double c = p[2]; /* drag coefficient [kg/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = c / m;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
@@ -205,7 +205,7 @@ int point_mass_velocities(double t, const double *y, const double *p, double *qd
     const double y_dot = y[4];
     const double z_dot = y[5];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
@@ -227,10 +227,10 @@ int point_mass_accelerations(double t, const double *y, const double *p, double 
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
     const double c = p[2]; /* drag coefficient [kg/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = c / m;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     qddot[0] = -x_dot * k1; /* x'' */
     qddot[1] = -y_dot * k1; /* y'' */
@@ -257,7 +257,7 @@ int point_mass_state(double t, const double *q, const double *qdot, const double
     const double y_dot = qdot[1];
     const double z_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = z;
@@ -287,7 +287,7 @@ int point_mass_reactions(double t, const double *y, const double *p, double *lam
     (void)y;
     const double m = p[0]; /* mass [kg] */
 
-    /* state */
+    /* from the state */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
@@ -306,10 +306,10 @@ double point_mass_energy(double t, const double *y, const double *p)
     const double m = p[0]; /* mass [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * g;
 
-    /* state */
+    /* from the state */
     return 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z_dot * z_dot)) + z * k1;
 }
 
@@ -321,10 +321,10 @@ int point_mass_jacobian(double t, const double *y, const double *p, double *J)
     const double m = p[0]; /* mass [kg] */
     const double c = p[2]; /* drag coefficient [kg/s] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = c / m;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     J[3] = 1.0;
     J[10] = 1.0;
@@ -351,7 +351,7 @@ int point_mass_outputs(double t, const double *y, const double *p, double *out)
     const double y_dot = y[4];
     const double z_dot = y[5];
 
-    /* state */
+    /* from the state */
     /* 21:10 */
     out[0] = sqrt(x_dot * x_dot + y_dot * y_dot + z_dot * z_dot); /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

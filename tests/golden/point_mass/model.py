@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:9df0e3ce4a33ab21).
+"""point_mass, emitted by nhc 0.1.0 (nhc:8936f7391282bb6a).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -33,6 +33,10 @@ jacobian: 0 +-, 0 *, 1 /, 0 calls
 outputs: 2 +-, 3 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -106,9 +110,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = c / m
-        # state
+        # from the state
         dydt: list[float] = [
             # x' (II.3)
             x_dot,
@@ -142,7 +146,7 @@ def velocities(
     y_dot = float(y[4])
     z_dot = float(y[5])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # x' (I.2.4)
             x_dot,
@@ -176,9 +180,9 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = c / m
-        # state
+        # from the state
         qddot: list[float] = [
             # x'' (II.3)
             -x_dot * k1,
@@ -210,7 +214,7 @@ def state(
     y_dot = float(qdot[1])
     z_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, z, x_dot, y_dot, z_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -223,7 +227,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (0,).
@@ -240,18 +244,19 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns lambda_ (0,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     m = float(p[0])  # mass [kg]
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
-        # state
+        # from the state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -259,7 +264,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.
@@ -271,9 +276,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     m = float(p[0])  # mass [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * g
-        # state
+        # from the state
         s1 = 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z_dot * z_dot))
         value1 = s1 + z * k1
         return _single("energy", value1)
@@ -286,7 +291,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
@@ -297,9 +302,9 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = c / m
-        # state
+        # from the state
         J: list[float] = [
             0.0,
             0.0,
@@ -360,7 +365,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     y_dot = float(y[4])
     z_dot = float(y[5])
     try:
-        # state
+        # from the state
         out: list[float] = [
             # speed 21:10
             math.sqrt(x_dot * x_dot + y_dot * y_dot + z_dot * z_dot),

@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:e745df1f5a31aee9)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:bf87d77921cf6a85)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -35,11 +35,11 @@ const double pumped_pendulum_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int pumped_pendulum_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -54,7 +54,7 @@ static int pumped_pendulum_finish(int count, const double *values)
     return PUMPED_PENDULUM_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int pumped_pendulum_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : PUMPED_PENDULUM_NOT_FINITE;
@@ -120,12 +120,12 @@ static int pumped_pendulum_one_by_one(size_t count, size_t first, size_t number,
 
 typedef unsigned long long pumped_pendulum_bits __attribute__((vector_size(8 * PUMPED_PENDULUM_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline pumped_pendulum_lanes pumped_pendulum_mark(pumped_pendulum_lanes value, pumped_pendulum_bits bad)
 {
     return (pumped_pendulum_lanes)((pumped_pendulum_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int pumped_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -193,11 +193,11 @@ int pumped_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double a = p[3]; /* amplitude of the pivot [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * nu * nu;
     const double k2 = -1.0 / l;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     dydt[0] = theta_dot; /* theta' */
     /* (II.3) 17:4 */
@@ -219,7 +219,7 @@ int pumped_pendulum_velocities(double t, const double *y, const double *p, doubl
     (void)p;
     const double theta_dot = y[1];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -243,11 +243,11 @@ int pumped_pendulum_accelerations(double t, const double *y, const double *p, do
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double a = p[3]; /* amplitude of the pivot [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * nu * nu;
     const double k2 = -1.0 / l;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     qddot[0] = (g * s_theta - c_theta * (s1 * k1)) * k2; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -268,7 +268,7 @@ int pumped_pendulum_state(double t, const double *q, const double *qdot, const d
     const double theta = q[0]; /* angle from the downward vertical [rad] */
     const double theta_dot = qdot[0];
 
-    /* state */
+    /* from the state */
     y[0] = theta;
     y[1] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -295,7 +295,7 @@ int pumped_pendulum_reactions(double t, const double *y, const double *p, double
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
 
-    /* state */
+    /* from the state */
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
@@ -319,11 +319,11 @@ double pumped_pendulum_energy(double t, const double *y, const double *p)
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double a = p[3]; /* amplitude of the pivot [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * nu;
     const double k2 = l * (m * g);
 
-    /* state */
+    /* from the state */
     const double z1 = theta_dot * l;
     const double x_dot = c1 * k1 + c_theta * z1;
     const double y_dot = s_theta * z1;
@@ -346,11 +346,11 @@ int pumped_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double a = p[3]; /* amplitude of the pivot [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * nu * nu;
     const double k2 = -1.0 / l;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     J[1] = 1.0;
     J[2] = k2 * (g * c_theta + s_theta * (s1 * k1));

@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:f56c678dbc0be68f)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:60f28c26372578cb)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -27,7 +27,16 @@
  * jacobian: 1 +-, 9 *, 1 /, 3 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has PUMPED_PENDULUM_NY entries and p PUMPED_PENDULUM_NP;
+ *     pumped_pendulum_parameter_defaults can be p. pumped_pendulum_state makes y from coordinates and
+ *     velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: PUMPED_PENDULUM_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_PUMPED_PENDULUM_H
 #define NHC_PUMPED_PENDULUM_H
@@ -67,13 +76,13 @@ int pumped_pendulum_rhs(double t, const double *y, const double *p, double *dydt
 
 /*
  * all velocities q' from the state (I.2.4)
- * qdot: 1 entries
+ * qdot: 1 entry
  */
 int pumped_pendulum_velocities(double t, const double *y, const double *p, double *qdot);
 
 /*
  * all accelerations q'' on the motion (II.3)
- * qddot: 1 entries
+ * qddot: 1 entry
  */
 int pumped_pendulum_accelerations(double t, const double *y, const double *p, double *qddot);
 
@@ -84,26 +93,26 @@ int pumped_pendulum_accelerations(double t, const double *y, const double *p, do
 int pumped_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 0 entries
  */
 int pumped_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int pumped_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double pumped_pendulum_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (II.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
  * J: 4 entries, row by row: d rhs_i / d y_j stands at 2*i + j
  */
 int pumped_pendulum_jacobian(double t, const double *y, const double *p, double *J);

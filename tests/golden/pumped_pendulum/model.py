@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:93c7dd819faa365a).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:a5eaf14334a989d3).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -30,6 +30,10 @@ jacobian: 1 +-, 9 *, 1 /, 3 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -106,10 +110,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(s2) > 0.0:
             raise _refuse(abs(s2), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = a * nu * nu
         k2 = -1.0 / l
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         s1 = math.sin(t_ * nu)
@@ -136,7 +140,7 @@ def velocities(
     """
     theta_dot = float(y[1])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # theta' (I.2.4)
             theta_dot,
@@ -168,10 +172,10 @@ def accelerations(
         # the mass matrix is singular
         if not abs(s2) > 0.0:
             raise _refuse(abs(s2), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = a * nu * nu
         k2 = -1.0 / l
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         s1 = math.sin(t_ * nu)
@@ -198,7 +202,7 @@ def state(
     theta = float(q[0])  # angle from the downward vertical [rad]
     theta_dot = float(qdot[0])
     try:
-        # state
+        # from the state
         y: list[float] = [theta, theta_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -211,7 +215,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (1,), qdot (1,), p (5,).
     Returns r (0,).
@@ -228,11 +232,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns lambda_ (0,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
@@ -241,7 +246,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "reactions")
-        # state
+        # from the state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -249,7 +254,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns a scalar.
@@ -263,10 +268,10 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     a = float(p[3])  # amplitude of the pivot [m]
     nu = float(p[4])  # frequency of the pivot [rad/s]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * nu
         k2 = l * (m * g)
-        # state
+        # from the state
         c1 = math.cos(t_ * nu)
         c_theta = math.cos(theta)
         z1 = theta_dot * l
@@ -284,7 +289,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns rows (2, 2): d rhs_i / d y_j stands at [i][j].
@@ -301,10 +306,10 @@ def jacobian(
         # the mass matrix is singular
         if not abs(s2) > 0.0:
             raise _refuse(abs(s2), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = a * nu * nu
         k2 = -1.0 / l
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         s1 = math.sin(t_ * nu)

@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:59be68a9ebf3f4fc)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:80dbb6b441027c7a)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -62,11 +62,11 @@ const double rattleback_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int rattleback_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -81,7 +81,7 @@ static int rattleback_finish(int count, const double *values)
     return RATTLEBACK_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int rattleback_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : RATTLEBACK_NOT_FINITE;
@@ -153,7 +153,7 @@ static inline rattleback_bits rattleback_misses(rattleback_lanes value, rattleba
     return ~(rattleback_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline rattleback_lanes rattleback_mark(rattleback_lanes value, rattleback_bits bad)
 {
     return (rattleback_lanes)((rattleback_bits)value | bad);
@@ -163,7 +163,7 @@ static inline rattleback_lanes rattleback_size(rattleback_lanes x)
 {
     return (rattleback_lanes)((rattleback_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int rattleback_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -254,12 +254,12 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
     const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
     const double g = p[8]; /* acceleration of gravity [cm/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
 
-    /* state */
+    /* from the state */
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
@@ -376,12 +376,12 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     const double c = p[2]; /* half axis 3 [cm] */
     const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
 
-    /* state */
+    /* from the state */
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
@@ -443,12 +443,12 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
     const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
     const double g = p[8]; /* acceleration of gravity [cm/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
 
-    /* state */
+    /* from the state */
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
@@ -578,7 +578,7 @@ int rattleback_state(double t, const double *q, const double *qdot, const double
     const double beta_dot = qdot[4];
     const double gamma_dot = qdot[5];
 
-    /* state */
+    /* from the state */
     const double z1 = gamma_dot * c_alpha;
     y[0] = x;
     y[1] = y_2;
@@ -621,12 +621,12 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     const double c = p[2]; /* half axis 3 [cm] */
     const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
 
-    /* state */
+    /* from the state */
     const double omega2 = beta_dot + gamma_dot * mu2;
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
@@ -683,12 +683,12 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
     const double g = p[8]; /* acceleration of gravity [cm/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
 
-    /* state */
+    /* from the state */
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
@@ -817,12 +817,12 @@ double rattleback_energy(double t, const double *y, const double *p)
     const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
     const double g = p[8]; /* acceleration of gravity [cm/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
 
-    /* state */
+    /* from the state */
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
@@ -863,7 +863,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, 
     const double s_gamma = sin(gamma_);
     const double c_gamma = cos(gamma_);
 
-    /* parameters only */
+    /* from the parameters alone */
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
     const double k1 = a * a;
     kept[4] = k1;
@@ -882,7 +882,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, 
     const double k6 = I_a - I_c;
     kept[8] = k6;
 
-    /* state */
+    /* from the state */
     const double z1 = c_alpha * s_beta;
     kept[9] = z1;
     const double mu3 = c_beta * c_alpha;
@@ -1459,7 +1459,7 @@ int rattleback_outputs(double t, const double *y, const double *p, double *out)
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double w3 = y[8];
 
-    /* state */
+    /* from the state */
     const double c_alpha = cos(alpha);
     /* 53:9 */
     out[0] = w3; /* spin */

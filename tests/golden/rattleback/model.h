@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:cb7b73726905a5d7)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:7a1ca96163b758b6)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -46,7 +46,15 @@
  * jacobian: 453 +-, 680 *, 5 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has RATTLEBACK_NY entries and p RATTLEBACK_NP; rattleback_parameter_defaults can be
+ *     p. rattleback_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: RATTLEBACK_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_RATTLEBACK_H
 #define NHC_RATTLEBACK_H
@@ -104,33 +112,33 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
 int rattleback_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 3 entries
  */
 int rattleback_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 3 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int rattleback_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double rattleback_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.15)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
  * J: 81 entries, row by row: d rhs_i / d y_j stands at 9*i + j
  */
 int rattleback_jacobian(double t, const double *y, const double *p, double *J);
 
 /*
  * the spec's outputs
- * out: 1 entries
+ * out: 1 entry
  */
 int rattleback_outputs(double t, const double *y, const double *p, double *out);
 

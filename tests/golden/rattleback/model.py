@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:1d99a641fe076ada).
+"""rattleback, emitted by nhc 0.1.0 (nhc:07fb3d35e2d9c560).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -48,6 +48,10 @@ jacobian: 453 +-, 680 *, 5 /, 7 calls
 outputs: 0 +-, 0 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -127,11 +131,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I_d = float(p[7])  # product of inertia, what makes it a rattleback [cm^2]
     g = float(p[8])  # acceleration of gravity [cm/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        # state
+        # from the state
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
@@ -256,11 +260,11 @@ def velocities(
     c = float(p[2])  # half axis 3 [cm]
     h = float(p[3])  # from the centre of the ellipsoid down to the centre of mass [cm]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        # state
+        # from the state
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
@@ -330,11 +334,11 @@ def accelerations(
     I_d = float(p[7])  # product of inertia, what makes it a rattleback [cm^2]
     g = float(p[8])  # acceleration of gravity [cm/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        # state
+        # from the state
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
@@ -474,7 +478,7 @@ def state(
     beta_dot = float(qdot[4])
     gamma_dot = float(qdot[5])
     try:
-        # state
+        # from the state
         c_beta = math.cos(beta)
         s_beta = math.sin(beta)
         c_alpha = math.cos(alpha)
@@ -502,7 +506,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (6,), qdot (6,), p (9,).
     Returns r (3,).
@@ -521,11 +525,11 @@ def residuals(
     c = float(p[2])  # half axis 3 [cm]
     h = float(p[3])  # from the centre of the ellipsoid down to the centre of mass [cm]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        # state
+        # from the state
         c_beta = math.cos(beta)
         mu2 = math.sin(alpha)
         omega2 = beta_dot + gamma_dot * mu2
@@ -566,11 +570,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns lambda_ (3,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
@@ -588,11 +593,11 @@ def reactions(
     I_d = float(p[7])  # product of inertia, what makes it a rattleback [cm^2]
     g = float(p[8])  # acceleration of gravity [cm/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        # state
+        # from the state
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
@@ -696,7 +701,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns a scalar.
@@ -718,11 +723,11 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I_d = float(p[7])  # product of inertia, what makes it a rattleback [cm^2]
     g = float(p[8])  # acceleration of gravity [cm/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        # state
+        # from the state
         s_gamma = math.sin(gamma)
         c_alpha = math.cos(alpha)
         s_beta = math.sin(beta)
@@ -758,7 +763,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns rows (9, 9): d rhs_i / d y_j stands at [i][j].
@@ -779,14 +784,14 @@ def jacobian(
     I_d = float(p[7])  # product of inertia, what makes it a rattleback [cm^2]
     g = float(p[8])  # acceleration of gravity [cm/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = a * a
         k2 = b * b
         k3 = c * c
         k4 = k1 - k3
         k5 = I_b - I_c
         k6 = I_a - I_c
-        # state
+        # from the state
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
@@ -1270,7 +1275,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     alpha = float(y[3])  # roll about the long axis [rad]
     w3 = float(y[8])
     try:
-        # state
+        # from the state
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:f0ff3221786ba64c)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:60750a3b1f730d00)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -50,11 +50,11 @@ const double roller_racer_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int roller_racer_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -69,7 +69,7 @@ static int roller_racer_finish(int count, const double *values)
     return ROLLER_RACER_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int roller_racer_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : ROLLER_RACER_NOT_FINITE;
@@ -141,7 +141,7 @@ static inline roller_racer_bits roller_racer_misses(roller_racer_lanes value, ro
     return ~(roller_racer_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline roller_racer_lanes roller_racer_mark(roller_racer_lanes value, roller_racer_bits bad)
 {
     return (roller_racer_lanes)((roller_racer_bits)value | bad);
@@ -151,7 +151,7 @@ static inline roller_racer_lanes roller_racer_size(roller_racer_lanes x)
 {
     return (roller_racer_lanes)((roller_racer_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int roller_racer_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -223,12 +223,12 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / d2;
     const double k2 = I2 * k1;
     const double k3 = k1 * k2;
 
-    /* state */
+    /* from the state */
     const double z1 = m + k3 * (s_phi * s_phi);
     const double z2 = d1 * c_phi;
     const double z3 = z2 * k1;
@@ -285,10 +285,10 @@ int roller_racer_velocities(double t, const double *y, const double *p, double *
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = -1.0 / d2;
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = c_theta * v; /* x' */
     qdot[1] = s_theta * v; /* y' */
@@ -324,12 +324,12 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / d2;
     const double k2 = I2 * k1;
     const double k3 = k1 * k2;
 
-    /* state */
+    /* from the state */
     const double z1 = m + k3 * (s_phi * s_phi);
     const double z2 = d2 + d1 * c_phi;
     const double z3 = 1.0 - z2 * k1;
@@ -387,7 +387,7 @@ int roller_racer_state(double t, const double *q, const double *qdot, const doub
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -419,7 +419,7 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = theta_dot * (d2 + d1 * c_phi) - (x_dot * (s_theta * c_phi + c_theta * s_phi) - y_dot *
         (c_theta * c_phi - s_theta * s_phi));
     /* (I.1.1) 19:5 */
@@ -449,12 +449,12 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / d2;
     const double k2 = I2 * k1;
     const double k3 = k1 * k2;
 
-    /* state */
+    /* from the state */
     const double z1 = m + k3 * (s_phi * s_phi);
     const double z2 = d2 + d1 * c_phi;
     const double z3 = 1.0 - z2 * k1;
@@ -511,10 +511,10 @@ double roller_racer_energy(double t, const double *y, const double *p)
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / d2;
 
-    /* state */
+    /* from the state */
     const double z1 = c_theta * v;
     const double z2 = s_theta * v;
     const double z3 = theta_dot - k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi);
@@ -543,12 +543,12 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / d2;
     const double k2 = I2 * k1;
     const double k3 = k1 * k2;
 
-    /* state */
+    /* from the state */
     const double z1 = m + k3 * (s_phi * s_phi);
     const double z2 = d2 + d1 * c_phi;
     const double z3 = z2 * k1;
@@ -627,7 +627,7 @@ int roller_racer_outputs(double t, const double *y, const double *p, double *out
     const double v = y[4];
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
-    /* state */
+    /* from the state */
     /* 22:10 */
     out[0] = v; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

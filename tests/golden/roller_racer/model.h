@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:d272abb655f2d373)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:98e4d4db9dd7e89d)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -39,7 +39,15 @@
  * jacobian: 36 +-, 92 *, 3 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has ROLLER_RACER_NY entries and p ROLLER_RACER_NP; roller_racer_parameter_defaults
+ *     can be p. roller_racer_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: ROLLER_RACER_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_ROLLER_RACER_H
 #define NHC_ROLLER_RACER_H
@@ -97,33 +105,33 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
 int roller_racer_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 2 entries
  */
 int roller_racer_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int roller_racer_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double roller_racer_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.15)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
  * J: 36 entries, row by row: d rhs_i / d y_j stands at 6*i + j
  */
 int roller_racer_jacobian(double t, const double *y, const double *p, double *J);
 
 /*
  * the spec's outputs
- * out: 1 entries
+ * out: 1 entry
  */
 int roller_racer_outputs(double t, const double *y, const double *p, double *out);
 

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:e1ccc464b51a97ec).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:447cf8d2e5139f8c).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -40,6 +40,10 @@ jacobian: 36 +-, 92 *, 3 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -116,11 +120,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / d2
         k2 = I2 * k1
         k3 = k1 * k2
-        # state
+        # from the state
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
@@ -183,9 +187,9 @@ def velocities(
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "velocities")
-        # parameters only
+        # from the parameters alone
         k1 = -1.0 / d2
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         c_phi = math.cos(phi)
@@ -228,11 +232,11 @@ def accelerations(
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / d2
         k2 = I2 * k1
         k3 = k1 * k2
-        # state
+        # from the state
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
@@ -294,7 +298,7 @@ def state(
     y_dot = float(qdot[1])
     theta_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         y: list[float] = [
@@ -316,7 +320,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (4,), qdot (4,), p (5,).
     Returns r (2,).
@@ -330,7 +334,7 @@ def residuals(
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         c_phi = math.cos(phi)
@@ -354,11 +358,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns lambda_ (2,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     phi = float(y[3])  # second body, relative to the first [rad]
     v = float(y[4])
@@ -372,11 +377,11 @@ def reactions(
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / d2
         k2 = I2 * k1
         k3 = k1 * k2
-        # state
+        # from the state
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
@@ -412,7 +417,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns a scalar.
@@ -427,9 +432,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / d2
-        # state
+        # from the state
         c_theta = math.cos(theta)
         z1 = c_theta * v
         s_theta = math.sin(theta)
@@ -450,7 +455,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
@@ -468,11 +473,11 @@ def jacobian(
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / d2
         k2 = I2 * k1
         k3 = k1 * k2
-        # state
+        # from the state
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
@@ -595,7 +600,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "outputs")
-        # state
+        # from the state
         out: list[float] = [
             # speed 22:10
             v,

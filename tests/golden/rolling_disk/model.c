@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:2425f9f6c963ae7e)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:f88b850eb2d187ac)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -52,11 +52,11 @@ const double rolling_disk_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int rolling_disk_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -71,7 +71,7 @@ static int rolling_disk_finish(int count, const double *values)
     return ROLLING_DISK_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int rolling_disk_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : ROLLING_DISK_NOT_FINITE;
@@ -143,7 +143,7 @@ static inline rolling_disk_bits rolling_disk_misses(rolling_disk_lanes value, ro
     return ~(rolling_disk_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline rolling_disk_lanes rolling_disk_mark(rolling_disk_lanes value, rolling_disk_bits bad)
 {
     return (rolling_disk_lanes)((rolling_disk_bits)value | bad);
@@ -153,7 +153,7 @@ static inline rolling_disk_lanes rolling_disk_size(rolling_disk_lanes x)
 {
     return (rolling_disk_lanes)((rolling_disk_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int rolling_disk_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -226,7 +226,7 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     const double C = p[3]; /* moment of inertia about the axis [kg*m^2] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R;
     const double k2 = R * k1;
     const double k3 = C + k2;
@@ -236,7 +236,7 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     const double k7 = -1.0 / k6;
     const double k8 = k2 / k3;
 
-    /* state */
+    /* from the state */
     const double z1 = R * w_n;
     const double z2 = R * (s_theta * w_t);
     const double z3 = w_u / s_theta;
@@ -292,7 +292,7 @@ int rolling_disk_velocities(double t, const double *y, const double *p, double *
     const double w_n = y[7];
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = R * s_theta * w_t;
     const double z2 = R * w_n;
     const double z3 = w_u / s_theta;
@@ -333,7 +333,7 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     const double C = p[3]; /* moment of inertia about the axis [kg*m^2] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R * R;
     const double k2 = A + k1;
     const double k3 = C + k1;
@@ -342,7 +342,7 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     const double k6 = 1.0 / A;
     const double k7 = k1 / k3;
 
-    /* state */
+    /* from the state */
     const double z = R * s_theta;
     const double z1 = z * w_t;
     const double z2 = 1.0 / s_theta;
@@ -403,7 +403,7 @@ int rolling_disk_state(double t, const double *q, const double *qdot, const doub
     const double theta_dot = qdot[3];
     const double psi_dot = qdot[4];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -437,7 +437,7 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
     const double psi_dot = qdot[4];
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = R * (psi_dot + phi_dot * c_theta);
     const double z2 = theta_dot * (R * s_theta);
     /* (I.1.1) 25:5 */
@@ -471,7 +471,7 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     const double C = p[3]; /* moment of inertia about the axis [kg*m^2] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R;
     const double k2 = m * R * R;
     const double k3 = A + k2;
@@ -481,7 +481,7 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     const double k7 = 1.0 - k2 / k4;
     const double k8 = A * k6;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * k6;
     const double z2 = w_u * (w_n * (1.0 / s_theta - k4 * z1) + c_theta * w_u * k8) + c_theta * (w_t * w_t -
         k5 * z1);
@@ -526,10 +526,10 @@ double rolling_disk_energy(double t, const double *y, const double *p)
     const double C = p[3]; /* moment of inertia about the axis [kg*m^2] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R;
 
-    /* state */
+    /* from the state */
     const double z1 = w_t * w_t;
     const double z2 = w_n * w_n;
     const double s_theta = sin(theta);
@@ -559,7 +559,7 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     const double C = p[3]; /* moment of inertia about the axis [kg*m^2] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R * R;
     const double k2 = A + k1;
     const double k3 = C + k1;
@@ -570,7 +570,7 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     const double k8 = C * k6;
     const double k9 = -k3 * k5;
 
-    /* state */
+    /* from the state */
     const double z = R * s_theta;
     const double z1 = z * w_t;
     const double z2 = R * w_n;
@@ -645,7 +645,7 @@ int rolling_disk_outputs(double t, const double *y, const double *p, double *out
     const double y_2 = y[1]; /* centre [m] */
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = R * c_theta;
     /* 33:11 */
     out[0] = R * s_theta; /* height */

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:980101d86a59be76)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:ac8cf5ce6812f439)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -42,7 +42,15 @@
  * jacobian: 8 +-, 44 *, 4 /, 4 calls
  * outputs: 2 +-, 4 *, 0 /, 4 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has ROLLING_DISK_NY entries and p ROLLING_DISK_NP; rolling_disk_parameter_defaults
+ *     can be p. rolling_disk_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: ROLLING_DISK_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_ROLLING_DISK_H
 #define NHC_ROLLING_DISK_H
@@ -100,26 +108,26 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
 int rolling_disk_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 2 entries
  */
 int rolling_disk_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int rolling_disk_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double rolling_disk_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.15)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
  * J: 64 entries, row by row: d rhs_i / d y_j stands at 8*i + j
  */
 int rolling_disk_jacobian(double t, const double *y, const double *p, double *J);

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:6f6cada29c2879ab).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:6aefd621c4ea40d1).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -43,6 +43,10 @@ jacobian: 8 +-, 44 *, 4 /, 4 calls
 outputs: 2 +-, 4 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -120,7 +124,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = m * R
         k2 = R * k1
         k3 = C + k2
@@ -135,7 +139,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(k6), 0.0, 2, "rhs")
         k7 = -1.0 / k6
         k8 = k2 / k3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
@@ -188,7 +192,7 @@ def velocities(
     w_n = float(y[7])
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
@@ -240,7 +244,7 @@ def accelerations(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = m * R * R
         k2 = A + k1
         # the mass matrix is singular, or the velocities that are kept are
@@ -254,7 +258,7 @@ def accelerations(
         k5 = 1.0 / k2
         k6 = 1.0 / A
         k7 = k1 / k3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
@@ -313,7 +317,7 @@ def state(
     theta_dot = float(qdot[3])
     psi_dot = float(qdot[4])
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         y: list[float] = [
@@ -337,7 +341,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (5,), qdot (5,), p (5,).
     Returns r (2,).
@@ -351,7 +355,7 @@ def residuals(
     psi_dot = float(qdot[4])
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         z1 = R * (psi_dot + phi_dot * c_theta)
         c_phi = math.cos(phi)
@@ -374,11 +378,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns lambda_ (2,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
@@ -394,7 +399,7 @@ def reactions(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = m * R
         k2 = m * R * R
         k3 = A + k2
@@ -409,7 +414,7 @@ def reactions(
         k6 = 1.0 / k3
         k7 = 1.0 - k2 / k4
         k8 = A * k6
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
@@ -433,7 +438,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns a scalar.
@@ -448,9 +453,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * R
-        # state
+        # from the state
         z1 = w_t * w_t
         z2 = w_n * w_n
         s_theta = math.sin(theta)
@@ -467,7 +472,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
@@ -486,7 +491,7 @@ def jacobian(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = m * R * R
         k2 = A + k1
         # the mass matrix is singular, or the velocities that are kept are
@@ -502,7 +507,7 @@ def jacobian(
         k7 = k1 / k3
         k8 = C * k6
         k9 = -k3 * k5
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
@@ -627,7 +632,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:530f3aea07aa74a1)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:b6d0a3417a47e68c)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -54,11 +54,11 @@ const double routh_sphere_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int routh_sphere_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -73,7 +73,7 @@ static int routh_sphere_finish(int count, const double *values)
     return ROUTH_SPHERE_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int routh_sphere_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : ROUTH_SPHERE_NOT_FINITE;
@@ -145,7 +145,7 @@ static inline routh_sphere_bits routh_sphere_misses(routh_sphere_lanes value, ro
     return ~(routh_sphere_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline routh_sphere_lanes routh_sphere_mark(routh_sphere_lanes value, routh_sphere_bits bad)
 {
     return (routh_sphere_lanes)((routh_sphere_bits)value | bad);
@@ -155,7 +155,7 @@ static inline routh_sphere_lanes routh_sphere_size(routh_sphere_lanes x)
 {
     return (routh_sphere_lanes)((routh_sphere_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int routh_sphere_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -229,7 +229,7 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R * R;
     const double k2 = m * e;
     const double k3 = m * R;
@@ -237,7 +237,7 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     const double k5 = I3 - (I1 + m * k4);
     const double k6 = e * k3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I3 - z1 * k5;
     const double Z = e * c_theta;
@@ -300,7 +300,7 @@ int routh_sphere_velocities(double t, const double *y, const double *p, double *
     const double psi_dot = y[7];
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * (psi_dot * R);
     const double z2 = theta_dot * R;
     /* (I.2.4) */
@@ -338,7 +338,7 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R * R;
     const double k2 = m * e;
     const double k3 = m * R;
@@ -346,7 +346,7 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     const double k5 = I3 - (I1 + m * k4);
     const double k6 = e * k3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I3 - z1 * k5;
     const double Z = e * c_theta;
@@ -409,7 +409,7 @@ int routh_sphere_state(double t, const double *q, const double *qdot, const doub
     const double theta_dot = qdot[3];
     const double psi_dot = qdot[4];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -441,7 +441,7 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
     const double psi_dot = qdot[4];
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double z1 = psi_dot * s_theta;
     /* (I.1.1) 29:5 */
     r[0] = x_dot - R * (theta_dot * s_phi - c_phi * z1); /* roll_x = 0 */
@@ -476,7 +476,7 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R * R;
     const double k2 = m * e;
     const double k3 = m * R;
@@ -484,7 +484,7 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     const double k5 = I3 - (I1 + m * k4);
     const double k6 = e * k3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I3 - z1 * k5;
     const double Z = e * c_theta;
@@ -555,11 +555,11 @@ double routh_sphere_energy(double t, const double *y, const double *p)
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = R * R;
     const double k2 = 0.5 * e;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = theta_dot * theta_dot;
     const double z3 = phi_dot * z1 * (psi_dot * R - 0.5 * (phi_dot * e)) - (z2 * (k2 + R * c_theta) + g *
@@ -593,7 +593,7 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R * R;
     const double k2 = m * e;
     const double k3 = m * R;
@@ -601,7 +601,7 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
     const double k5 = I3 - (I1 + m * k4);
     const double k6 = e * k3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = I3 - z1 * k5;
     const double Z = e * c_theta;
@@ -711,13 +711,13 @@ int routh_sphere_outputs(double t, const double *y, const double *p, double *out
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
     const double I3 = p[4]; /* about the axis [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 * I3;
     const double k2 = I1 * (m * (R * R));
     const double k3 = m * I3;
     const double k4 = R * I1;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double omega3 = psi_dot + phi_dot * c_theta;
     const double z2 = e + R * c_theta;

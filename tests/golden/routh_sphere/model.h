@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:d40ce58c4d743c2c)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:8225bbe2970b4811)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -42,7 +42,15 @@
  * jacobian: 46 +-, 124 *, 3 /, 4 calls
  * outputs: 5 +-, 17 *, 0 /, 3 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has ROUTH_SPHERE_NY entries and p ROUTH_SPHERE_NP; routh_sphere_parameter_defaults
+ *     can be p. routh_sphere_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: ROUTH_SPHERE_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_ROUTH_SPHERE_H
 #define NHC_ROUTH_SPHERE_H
@@ -99,26 +107,26 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
 int routh_sphere_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 2 entries
  */
 int routh_sphere_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int routh_sphere_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double routh_sphere_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (III.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
  * J: 64 entries, row by row: d rhs_i / d y_j stands at 8*i + j
  */
 int routh_sphere_jacobian(double t, const double *y, const double *p, double *J);

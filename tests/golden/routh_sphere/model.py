@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:aa88c7576e3087a7).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:8ad95df3cdf9b357).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -44,6 +44,10 @@ jacobian: 46 +-, 124 *, 3 /, 4 calls
 outputs: 5 +-, 17 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -119,14 +123,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * R * R
         k2 = m * e
         k3 = m * R
         k4 = e * e
         k5 = I3 - (I1 + m * k4)
         k6 = e * k3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I3 - z1 * k5
@@ -200,7 +204,7 @@ def velocities(
     psi_dot = float(y[7])
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         c_phi = math.cos(phi)
         s_theta = math.sin(theta)
         z1 = s_theta * (psi_dot * R)
@@ -245,14 +249,14 @@ def accelerations(
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * R * R
         k2 = m * e
         k3 = m * R
         k4 = e * e
         k5 = I3 - (I1 + m * k4)
         k6 = e * k3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I3 - z1 * k5
@@ -329,7 +333,7 @@ def state(
     theta_dot = float(qdot[3])
     psi_dot = float(qdot[4])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, phi, theta, psi, phi_dot, theta_dot, psi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -342,7 +346,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns r (2,).
@@ -355,7 +359,7 @@ def residuals(
     psi_dot = float(qdot[4])
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         s_theta = math.sin(theta)
@@ -376,11 +380,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns lambda_ (2,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
@@ -394,14 +399,14 @@ def reactions(
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * R * R
         k2 = m * e
         k3 = m * R
         k4 = e * e
         k5 = I3 - (I1 + m * k4)
         k6 = e * k3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I3 - z1 * k5
@@ -459,7 +464,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns a scalar.
@@ -475,10 +480,10 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = R * R
         k2 = 0.5 * e
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = theta_dot * theta_dot
@@ -500,7 +505,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
@@ -517,14 +522,14 @@ def jacobian(
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * R * R
         k2 = m * e
         k3 = m * R
         k4 = e * e
         k5 = I3 - (I1 + m * k4)
         k6 = e * k3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I3 - z1 * k5
@@ -698,12 +703,12 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I1 = float(p[3])  # across the axis, at the centre of mass [kg*m^2]
     I3 = float(p[4])  # about the axis [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = I1 * I3
         k2 = I1 * (m * (R * R))
         k3 = m * I3
         k4 = R * I1
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         c_theta = math.cos(theta)

@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:48b30f7ee0d0aa7e)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:6e0c9cd90f8ddbce)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -39,11 +39,11 @@ const double skate_incline_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int skate_incline_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -58,7 +58,7 @@ static int skate_incline_finish(int count, const double *values)
     return SKATE_INCLINE_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int skate_incline_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : SKATE_INCLINE_NOT_FINITE;
@@ -124,12 +124,12 @@ static int skate_incline_one_by_one(size_t count, size_t first, size_t number, c
 
 typedef unsigned long long skate_incline_bits __attribute__((vector_size(8 * SKATE_INCLINE_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline skate_incline_lanes skate_incline_mark(skate_incline_lanes value, skate_incline_bits bad)
 {
     return (skate_incline_lanes)((skate_incline_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int skate_incline_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -197,11 +197,11 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_alpha = sin(alpha);
     const double k1 = g * s_alpha;
 
-    /* state */
+    /* from the state */
     /* (I.2.15) */
     dydt[0] = c_phi * v; /* x' */
     dydt[1] = s_phi * v; /* y' */
@@ -236,7 +236,7 @@ int skate_incline_velocities(double t, const double *y, const double *p, double 
     const double v = y[3];
     const double phi_dot = y[4];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = c_phi * v; /* x' */
     qdot[1] = s_phi * v; /* y' */
@@ -263,11 +263,11 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_alpha = sin(alpha);
     const double k1 = g * s_alpha;
 
-    /* state */
+    /* from the state */
     const double z1 = c_phi * k1;
     const double z2 = phi_dot * v;
     /* (I.2.15) */
@@ -304,7 +304,7 @@ int skate_incline_state(double t, const double *q, const double *qdot, const dou
     const double y_dot = qdot[1];
     const double phi_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -329,7 +329,7 @@ int skate_incline_residuals(double t, const double *q, const double *qdot, const
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     /* (I.1.1) 18:5 */
     r[0] = x_dot * s_phi - y_dot * c_phi; /* slip = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -350,11 +350,11 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_alpha = sin(alpha);
     const double k1 = g * s_alpha;
 
-    /* state */
+    /* from the state */
     const double s_phi = sin(phi);
     /* (I.4.1) 18:5 */
     lambda[0] = -m * (phi_dot * v + s_phi * k1); /* reaction of slip: Q_i gains lambda_1 a_1i */
@@ -384,11 +384,11 @@ double skate_incline_energy(double t, const double *y, const double *p)
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_alpha = sin(alpha);
     const double k1 = g * s_alpha;
 
-    /* state */
+    /* from the state */
     return 0.5 * (J * (phi_dot * phi_dot)) + m * (0.5 * (v * v) - x * k1);
 }
 
@@ -407,11 +407,11 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double s_alpha = sin(alpha);
     const double k1 = -g * s_alpha;
 
-    /* state */
+    /* from the state */
     /* (I.2.15) */
     J[2] = -s_phi * v;
     J[3] = c_phi;
@@ -440,7 +440,7 @@ int skate_incline_outputs(double t, const double *y, const double *p, double *ou
     (void)p;
     const double v = y[3];
 
-    /* state */
+    /* from the state */
     /* 20:10 */
     out[0] = v; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

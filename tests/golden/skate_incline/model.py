@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:8b3c9a1a58cbf68e).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:8173d34111309f07).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -38,6 +38,10 @@ jacobian: 0 +-, 4 *, 0 /, 3 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -115,10 +119,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         s_alpha = math.sin(alpha)
         k1 = g * s_alpha
-        # state
+        # from the state
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
         dydt: list[float] = [
@@ -152,7 +156,7 @@ def velocities(
     v = float(y[3])
     phi_dot = float(y[4])
     try:
-        # state
+        # from the state
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
         qdot: list[float] = [
@@ -192,10 +196,10 @@ def accelerations(
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         s_alpha = math.sin(alpha)
         k1 = g * s_alpha
-        # state
+        # from the state
         c_phi = math.cos(phi)
         z1 = c_phi * k1
         s_phi = math.sin(phi)
@@ -231,7 +235,7 @@ def state(
     y_dot = float(qdot[1])
     phi_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
         y: list[float] = [x, y_2, phi, x_dot * c_phi + y_dot * s_phi, phi_dot]
@@ -246,7 +250,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (4,).
     Returns r (1,).
@@ -255,7 +259,7 @@ def residuals(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         r: list[float] = [
@@ -272,11 +276,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     phi = float(y[2])  # heading, from the fall line [rad]
     v = float(y[3])
@@ -292,10 +297,10 @@ def reactions(
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "reactions")
-        # parameters only
+        # from the parameters alone
         s_alpha = math.sin(alpha)
         k1 = g * s_alpha
-        # state
+        # from the state
         s_phi = math.sin(phi)
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 18:5
@@ -307,7 +312,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns a scalar.
@@ -320,10 +325,10 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     g = float(p[2])  # acceleration of gravity [m/s^2]
     alpha = float(p[3])  # slope, 30 degrees [rad]
     try:
-        # parameters only
+        # from the parameters alone
         s_alpha = math.sin(alpha)
         k1 = g * s_alpha
-        # state
+        # from the state
         s1 = 0.5 * (J * (phi_dot * phi_dot))
         value1 = s1 + m * (0.5 * (v * v) - x * k1)
         return _single("energy", value1)
@@ -336,7 +341,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -354,10 +359,10 @@ def jacobian(
         # the mass matrix is singular
         if not abs(J_2) > 0.0:
             raise _refuse(abs(J_2), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         s_alpha = math.sin(alpha)
         k1 = -g * s_alpha
-        # state
+        # from the state
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         J: list[float] = [
@@ -407,7 +412,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     """
     v = float(y[3])
     try:
-        # state
+        # from the state
         out: list[float] = [
             # speed 20:10
             v,

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:f04a9839237374e7)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:57c0e67a3faa6265)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -56,11 +56,11 @@ const double smooth_tippe_top_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int smooth_tippe_top_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -75,7 +75,7 @@ static int smooth_tippe_top_finish(int count, const double *values)
     return SMOOTH_TIPPE_TOP_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int smooth_tippe_top_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : SMOOTH_TIPPE_TOP_NOT_FINITE;
@@ -147,7 +147,7 @@ static inline smooth_tippe_top_bits smooth_tippe_top_misses(smooth_tippe_top_lan
     return ~(smooth_tippe_top_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline smooth_tippe_top_lanes smooth_tippe_top_mark(smooth_tippe_top_lanes value, smooth_tippe_top_bits bad)
 {
     return (smooth_tippe_top_lanes)((smooth_tippe_top_bits)value | bad);
@@ -157,7 +157,7 @@ static inline smooth_tippe_top_lanes smooth_tippe_top_size(smooth_tippe_top_lane
 {
     return (smooth_tippe_top_lanes)((smooth_tippe_top_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int smooth_tippe_top_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -232,14 +232,14 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * e;
     const double k2 = g * k1;
     const double k3 = 1.0 / m;
     const double k4 = I1 + e * k1;
     const double k5 = I3 - k4;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * k1;
     const double z2 = s_phi * z1;
     const double z3 = z2 * k3;
@@ -317,7 +317,7 @@ int smooth_tippe_top_velocities(double t, const double *y, const double *p, doub
     const double theta_dot = y[8];
     const double psi_dot = y[9];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
@@ -352,14 +352,14 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * e;
     const double k2 = I1 + m * (e * e);
     const double k3 = I3 - k2;
     const double k4 = g * k1;
     const double k5 = 1.0 / m;
 
-    /* state */
+    /* from the state */
     const double z1 = I3 - s_theta * s_theta * k3;
     const double z2 = s_theta * k1;
     const double z3 = c_phi * z2;
@@ -435,7 +435,7 @@ int smooth_tippe_top_state(double t, const double *q, const double *qdot, const 
     const double theta_dot = qdot[3];
     const double psi_dot = qdot[4];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -479,13 +479,13 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
     const double I3 = p[4]; /* about the axis [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * e;
     const double k2 = I1 + m * (e * e);
     const double k3 = I3 - k2;
     const double k4 = 1.0 / m;
 
-    /* state */
+    /* from the state */
     const double z1 = I3 - s_theta * s_theta * k3;
     const double z2 = s_theta * k1;
     const double z3 = c_phi * z2;
@@ -538,10 +538,10 @@ double smooth_tippe_top_energy(double t, const double *y, const double *p)
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = e * (m * g);
 
-    /* state */
+    /* from the state */
     const double omega3 = psi_dot + phi_dot * c_theta;
     const double z1 = theta_dot * e;
     const double z2 = c_theta * z1;
@@ -576,14 +576,14 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * e;
     const double k2 = I1 + m * (e * e);
     const double k3 = I3 - k2;
     const double k4 = g * k1;
     const double k5 = 1.0 / m;
 
-    /* state */
+    /* from the state */
     const double z1 = I3 - s_theta * s_theta * k3;
     const double z2 = s_theta * k1;
     const double z3 = c_phi * z2;
@@ -742,10 +742,10 @@ int smooth_tippe_top_outputs(double t, const double *y, const double *p, double 
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
     const double I3 = p[4]; /* about the axis [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = R * I1;
 
-    /* state */
+    /* from the state */
     const double omega3 = psi_dot + phi_dot * c_theta;
     const double z1 = e * (theta_dot * c_theta);
     const double z2 = phi_dot * (e * s_theta);

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:318a9c8a3f2757ba)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:e24348048fbb85a8)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -42,7 +42,16 @@
  * jacobian: 77 +-, 184 *, 4 /, 4 calls
  * outputs: 7 +-, 18 *, 0 /, 4 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has SMOOTH_TIPPE_TOP_NY entries and p SMOOTH_TIPPE_TOP_NP;
+ *     smooth_tippe_top_parameter_defaults can be p. smooth_tippe_top_state makes y from coordinates and
+ *     velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: SMOOTH_TIPPE_TOP_OK (0) where the result is good; after any other code the output is not to
+ *     be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_SMOOTH_TIPPE_TOP_H
 #define NHC_SMOOTH_TIPPE_TOP_H
@@ -99,26 +108,26 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
 int smooth_tippe_top_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 0 entries
  */
 int smooth_tippe_top_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int smooth_tippe_top_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double smooth_tippe_top_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (II.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
  * J: 100 entries, row by row: d rhs_i / d y_j stands at 10*i + j
  */
 int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double *J);

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:382b1a436086e1fc).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:2b34b40bcf85f0ca).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -43,6 +43,10 @@ jacobian: 77 +-, 184 *, 4 /, 4 calls
 outputs: 7 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -133,13 +137,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = m * e
         k2 = g * k1
         k3 = 1.0 / m
         k4 = I1 + e * k1
         k5 = I3 - k4
-        # state
+        # from the state
         s_phi = math.sin(phi)
         s_theta = math.sin(theta)
         z1 = s_theta * k1
@@ -228,7 +232,7 @@ def velocities(
     theta_dot = float(y[8])
     psi_dot = float(y[9])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # x' (I.2.4)
             x_dot,
@@ -270,13 +274,13 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = m * e
         k2 = I1 + m * (e * e)
         k3 = I3 - k2
         k4 = g * k1
         k5 = 1.0 / m
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
@@ -361,7 +365,7 @@ def state(
     theta_dot = float(qdot[3])
     psi_dot = float(qdot[4])
     try:
-        # state
+        # from the state
         y: list[float] = [
             x,
             y_2,
@@ -385,7 +389,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns r (0,).
@@ -402,11 +406,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns lambda_ (0,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
@@ -418,12 +423,12 @@ def reactions(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = m * e
         k2 = I1 + m * (e * e)
         k3 = I3 - k2
         k4 = 1.0 / m
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
@@ -456,7 +461,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns a scalar.
@@ -474,9 +479,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = e * (m * g)
-        # state
+        # from the state
         c_theta = math.cos(theta)
         omega3 = psi_dot + phi_dot * c_theta
         s_theta = math.sin(theta)
@@ -502,7 +507,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns rows (10, 10): d rhs_i / d y_j stands at [i][j].
@@ -521,13 +526,13 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = m * e
         k2 = I1 + m * (e * e)
         k3 = I3 - k2
         k4 = g * k1
         k5 = 1.0 / m
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
@@ -778,9 +783,9 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I1 = float(p[3])  # across the axis, at the centre of mass [kg*m^2]
     I3 = float(p[4])  # about the axis [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = R * I1
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         omega3 = psi_dot + phi_dot * c_theta

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:dd47d7273289cb5e)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:164c24cd9ee8534c)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -62,11 +62,11 @@ const double snakeboard_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int snakeboard_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -81,7 +81,7 @@ static int snakeboard_finish(int count, const double *values)
     return SNAKEBOARD_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int snakeboard_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : SNAKEBOARD_NOT_FINITE;
@@ -153,7 +153,7 @@ static inline snakeboard_bits snakeboard_misses(snakeboard_lanes value, snakeboa
     return ~(snakeboard_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline snakeboard_lanes snakeboard_mark(snakeboard_lanes value, snakeboard_bits bad)
 {
     return (snakeboard_lanes)((snakeboard_bits)value | bad);
@@ -163,7 +163,7 @@ static inline snakeboard_lanes snakeboard_size(snakeboard_lanes x)
 {
     return (snakeboard_lanes)((snakeboard_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int snakeboard_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -246,7 +246,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double tau = p[5]; /* amplitude of the torque on the rotor [N*m] */
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = l * l;
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
@@ -255,7 +255,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double k6 = 1.0 / J_r;
     const double k7 = 1.0 / J_w;
 
-    /* state */
+    /* from the state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
     const double z3 = 1.0 - z2 - k1 * (3.0 - z2);
@@ -362,13 +362,13 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
     const double p_f_dot = y[9];
     const double l = p[1]; /* from the centre to an axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = l * l;
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
     const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
@@ -429,7 +429,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double tau = p[5]; /* amplitude of the torque on the rotor [N*m] */
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = l * l;
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
@@ -438,7 +438,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double k6 = 1.0 / J_w;
     const double k7 = J + J_w;
 
-    /* state */
+    /* from the state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
     const double z3 = 1.0 - z2 - k1 * (3.0 - z2);
@@ -552,7 +552,7 @@ int snakeboard_state(double t, const double *q, const double *qdot, const double
     const double p_f_dot = qdot[5];
     const double l = p[1]; /* from the centre to an axle [m] */
 
-    /* state */
+    /* from the state */
     const double z2 = c1 * c_p_f;
     const double z3 = z2 - s1 * s_p_f;
     const double z4 = s1 * c_p_f;
@@ -597,7 +597,7 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
     const double theta_dot = qdot[2];
     const double l = p[1]; /* from the centre to an axle [m] */
 
-    /* state */
+    /* from the state */
     const double z2 = theta_dot * l;
     /* (I.1.1) 28:5 */
     r[0] = -(x_dot * s1 - y_dot * c1 + c_p_b * z2); /* back = 0 */
@@ -640,7 +640,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double tau = p[5]; /* amplitude of the torque on the rotor [N*m] */
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = l * l;
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
@@ -650,7 +650,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double k7 = J + J_w;
     const double k8 = J_r - (m - J);
 
-    /* state */
+    /* from the state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
     const double z3 = 1.0 - z2 - k1 * (3.0 - z2);
@@ -775,11 +775,11 @@ double snakeboard_energy(double t, const double *y, const double *p)
     const double J_r = p[3]; /* rotor [kg*m^2] */
     const double J_w = p[4]; /* each axle [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = l * l;
     const double k2 = 1.0 - k1;
 
-    /* state */
+    /* from the state */
     const double z2 = l * c_p_f;
     const double z3 = l * c_p_b;
     const double z4 = c1 * c_p_f - s1 * s_p_f;
@@ -832,14 +832,14 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double tau = p[5]; /* amplitude of the torque on the rotor [N*m] */
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = l * l;
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
     const double k5 = J_2 + J_w;
 
-    /* state */
+    /* from the state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
     const double z3 = 1.0 - z2 - k1 * (3.0 - z2);
@@ -1065,13 +1065,13 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     const double v = y[6];
     const double l = p[1]; /* from the centre to an axle [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = l * l;
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
     const double z3 = c_p_b * c_p_f;

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:30ec1c50a2f9008c)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:de90c2879955f15c)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -46,7 +46,15 @@
  * jacobian: 165 +-, 299 *, 2 /, 9 calls
  * outputs: 10 +-, 18 *, 1 /, 5 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has SNAKEBOARD_NY entries and p SNAKEBOARD_NP; snakeboard_parameter_defaults can be
+ *     p. snakeboard_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: SNAKEBOARD_OK (0) where the result is good; after any other code the output is not to be
+ *     used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_SNAKEBOARD_H
 #define NHC_SNAKEBOARD_H
@@ -104,33 +112,33 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
 int snakeboard_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 2 entries
  */
 int snakeboard_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int snakeboard_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double snakeboard_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.15)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
  * J: 100 entries, row by row: d rhs_i / d y_j stands at 10*i + j
  */
 int snakeboard_jacobian(double t, const double *y, const double *p, double *J);
 
 /*
  * the spec's outputs
- * out: 1 entries
+ * out: 1 entry
  */
 int snakeboard_outputs(double t, const double *y, const double *p, double *out);
 

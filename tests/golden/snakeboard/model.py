@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:9e07d3be79fbfa42).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:c569cabd380f4247).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -49,6 +49,10 @@ jacobian: 165 +-, 299 *, 2 /, 9 calls
 outputs: 10 +-, 18 *, 1 /, 5 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -146,7 +150,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = l * l
         k2 = 1.0 - k1
         k3 = abs(l)
@@ -154,7 +158,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k5 = J + J_r
         k6 = 1.0 / J_r
         k7 = 1.0 / J_w
-        # state
+        # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
         z1 = s_p_f * s_p_f
@@ -269,12 +273,12 @@ def velocities(
     p_f_dot = float(y[9])
     l = float(p[1])  # from the centre to an axle [m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = l * l
         k2 = 1.0 - k1
         k3 = abs(l)
         k4 = 2.0 + k3
-        # state
+        # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
         z1 = s_p_f * s_p_f
@@ -349,7 +353,7 @@ def accelerations(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = l * l
         k2 = 1.0 - k1
         k3 = abs(l)
@@ -357,7 +361,7 @@ def accelerations(
         k5 = 1.0 / J_r
         k6 = 1.0 / J_w
         k7 = J + J_w
-        # state
+        # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
         z1 = s_p_f * s_p_f
@@ -474,7 +478,7 @@ def state(
     p_f_dot = float(qdot[5])
     l = float(p[1])  # from the centre to an axle [m]
     try:
-        # state
+        # from the state
         c_p_b = math.cos(p_b)
         s_p_f = math.sin(p_f)
         c_p_f = math.cos(p_f)
@@ -511,7 +515,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (6,), qdot (6,), p (8,).
     Returns r (2,).
@@ -524,7 +528,7 @@ def residuals(
     theta_dot = float(qdot[2])
     l = float(p[1])  # from the centre to an axle [m]
     try:
-        # state
+        # from the state
         z1 = theta + p_b
         s1 = math.sin(z1)
         c1 = math.cos(z1)
@@ -550,11 +554,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns lambda_ (2,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     t_ = float(t)  # time
     theta = float(y[2])  # heading of the board [rad]
@@ -578,7 +583,7 @@ def reactions(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = l * l
         k2 = 1.0 - k1
         k3 = abs(l)
@@ -587,7 +592,7 @@ def reactions(
         k6 = 1.0 / J_w
         k7 = J + J_w
         k8 = J_r - (m - J)
-        # state
+        # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
         z1 = s_p_f * s_p_f
@@ -694,7 +699,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns a scalar.
@@ -712,10 +717,10 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     J_r = float(p[3])  # rotor [kg*m^2]
     J_w = float(p[4])  # each axle [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = l * l
         k2 = 1.0 - k1
-        # state
+        # from the state
         z1 = theta + p_b
         c1 = math.cos(z1)
         c_p_f = math.cos(p_f)
@@ -753,7 +758,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns rows (10, 10): d rhs_i / d y_j stands at [i][j].
@@ -780,13 +785,13 @@ def jacobian(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = l * l
         k2 = 1.0 - k1
         k3 = abs(l)
         k4 = 2.0 + k3
         k5 = J_2 + J_w
-        # state
+        # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
         z1 = s_p_f * s_p_f
@@ -1119,12 +1124,12 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     v = float(y[6])
     l = float(p[1])  # from the centre to an axle [m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = l * l
         k2 = 1.0 - k1
         k3 = abs(l)
         k4 = 2.0 + k3
-        # state
+        # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
         z1 = s_p_f * s_p_f

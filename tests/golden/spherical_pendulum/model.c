@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:aa951f500afab4de)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:6431f362cce898c6)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -34,11 +34,11 @@ const double spherical_pendulum_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int spherical_pendulum_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -53,7 +53,7 @@ static int spherical_pendulum_finish(int count, const double *values)
     return SPHERICAL_PENDULUM_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int spherical_pendulum_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : SPHERICAL_PENDULUM_NOT_FINITE;
@@ -125,7 +125,7 @@ static inline spherical_pendulum_bits spherical_pendulum_misses(spherical_pendul
     return ~(spherical_pendulum_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline spherical_pendulum_lanes spherical_pendulum_mark(spherical_pendulum_lanes value, spherical_pendulum_bits bad)
 {
     return (spherical_pendulum_lanes)((spherical_pendulum_bits)value | bad);
@@ -135,7 +135,7 @@ static inline spherical_pendulum_lanes spherical_pendulum_size(spherical_pendulu
 {
     return (spherical_pendulum_lanes)((spherical_pendulum_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int spherical_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -202,11 +202,11 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *d
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * l * l;
     const double k2 = g / l;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     dydt[0] = theta_dot; /* theta' */
     dydt[1] = phi_dot; /* phi' */
@@ -236,7 +236,7 @@ int spherical_pendulum_velocities(double t, const double *y, const double *p, do
     const double theta_dot = y[2];
     const double phi_dot = y[3];
 
-    /* state */
+    /* from the state */
     /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
     qdot[1] = phi_dot; /* phi' */
@@ -261,11 +261,11 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * l * l;
     const double k2 = g / l;
 
-    /* state */
+    /* from the state */
     /* (II.3) */
     qddot[0] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
     qddot[1] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
@@ -294,7 +294,7 @@ int spherical_pendulum_state(double t, const double *q, const double *qdot, cons
     const double theta_dot = qdot[0];
     const double phi_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     y[0] = theta;
     y[1] = phi;
     y[2] = theta_dot;
@@ -323,10 +323,10 @@ int spherical_pendulum_reactions(double t, const double *y, const double *p, dou
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * l * l;
 
-    /* state */
+    /* from the state */
     const double s_theta = sin(theta);
     /* the mass matrix is singular */
     if (!(fabs(k1) > 0.0)) {
@@ -354,10 +354,10 @@ double spherical_pendulum_energy(double t, const double *y, const double *p)
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * l;
 
-    /* state */
+    /* from the state */
     return k1 * (0.5 * (l * (theta_dot * theta_dot + s_theta * s_theta * (phi_dot * phi_dot))) - g * c_theta);
 }
 
@@ -376,11 +376,11 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * l * l;
     const double k2 = g / l;
 
-    /* state */
+    /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = phi_dot * c_theta;
     const double z3 = 1.0 / s_theta;
@@ -415,10 +415,10 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * l * l;
 
-    /* state */
+    /* from the state */
     const double s_theta = sin(theta);
     /* 16:8 */
     out[0] = phi_dot * (k1 * (s_theta * s_theta)); /* L_z */

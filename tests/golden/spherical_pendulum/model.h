@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:b32d5111458bf883)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:fb778398f83081e4)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -30,7 +30,16 @@
  * jacobian: 2 +-, 20 *, 2 /, 2 calls
  * outputs: 0 +-, 5 *, 0 /, 1 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has SPHERICAL_PENDULUM_NY entries and p SPHERICAL_PENDULUM_NP;
+ *     spherical_pendulum_parameter_defaults can be p. spherical_pendulum_state makes y from coordinates and
+ *     velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: SPHERICAL_PENDULUM_OK (0) where the result is good; after any other code the output is not to
+ *     be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_SPHERICAL_PENDULUM_H
 #define NHC_SPHERICAL_PENDULUM_H
@@ -87,33 +96,33 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
 int spherical_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
+ * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 0 entries
  */
 int spherical_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int spherical_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double spherical_pendulum_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (II.3)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
  * J: 16 entries, row by row: d rhs_i / d y_j stands at 4*i + j
  */
 int spherical_pendulum_jacobian(double t, const double *y, const double *p, double *J);
 
 /*
  * the spec's outputs
- * out: 1 entries
+ * out: 1 entry
  */
 int spherical_pendulum_outputs(double t, const double *y, const double *p, double *out);
 

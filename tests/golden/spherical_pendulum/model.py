@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:6eca83adac188328).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:3596b1a24b2c7427).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -32,6 +32,10 @@ jacobian: 2 +-, 20 *, 2 /, 2 calls
 outputs: 0 +-, 5 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -102,13 +106,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "rhs")
         k2 = g / l
-        # state
+        # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
         # the mass matrix is singular
@@ -143,7 +147,7 @@ def velocities(
     theta_dot = float(y[2])
     phi_dot = float(y[3])
     try:
-        # state
+        # from the state
         qdot: list[float] = [
             # theta' (I.2.4)
             theta_dot,
@@ -172,13 +176,13 @@ def accelerations(
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "accelerations")
         k2 = g / l
-        # state
+        # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
         # the mass matrix is singular
@@ -212,7 +216,7 @@ def state(
     theta_dot = float(qdot[0])
     phi_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         y: list[float] = [theta, phi, theta_dot, phi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -225,7 +229,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (2,), qdot (2,), p (3,).
     Returns r (0,).
@@ -242,22 +246,23 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns lambda_ (0,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     theta = float(y[0])  # angle from the downward vertical [rad]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "reactions")
-        # state
+        # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
         # the mass matrix is singular
@@ -270,7 +275,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns a scalar.
@@ -282,9 +287,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * l
-        # state
+        # from the state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         s1 = s_theta * s_theta * (phi_dot * phi_dot)
@@ -299,7 +304,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns rows (4, 4): d rhs_i / d y_j stands at [i][j].
@@ -311,13 +316,13 @@ def jacobian(
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "jacobian")
         k2 = g / l
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         # the mass matrix is singular
@@ -368,9 +373,9 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = m * l * l
-        # state
+        # from the state
         s_theta = math.sin(theta)
         out: list[float] = [
             # L_z 16:8

@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:ea2a7920c9198e21)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:75a449c2e3c4af49)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -40,11 +40,11 @@ const double suslov_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int suslov_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -59,7 +59,7 @@ static int suslov_finish(int count, const double *values)
     return SUSLOV_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int suslov_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : SUSLOV_NOT_FINITE;
@@ -131,7 +131,7 @@ static inline suslov_bits suslov_misses(suslov_lanes value, suslov_lanes bound)
     return ~(suslov_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline suslov_lanes suslov_mark(suslov_lanes value, suslov_bits bad)
 {
     return (suslov_lanes)((suslov_bits)value | bad);
@@ -141,7 +141,7 @@ static inline suslov_lanes suslov_size(suslov_lanes x)
 {
     return (suslov_lanes)((suslov_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int suslov_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -212,11 +212,11 @@ int suslov_rhs(double t, const double *y, const double *p, double *dydt)
     const double I13 = p[3]; /* [kg*m^2] */
     const double I23 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = -1.0 / I11;
     const double k2 = 1.0 / I22;
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / s_theta;
     const double z2 = (c_psi * w2 + s_psi * w1) * z1;
     const double z3 = I13 * w1 + I23 * w2;
@@ -261,7 +261,7 @@ int suslov_velocities(double t, const double *y, const double *p, double *qdot)
     const double w1 = y[3];
     const double w2 = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / s_theta;
     const double z2 = (c_psi * w2 + s_psi * w1) * z1;
     /* (I.2.4) */
@@ -297,11 +297,11 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     const double I13 = p[3]; /* [kg*m^2] */
     const double I23 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / I11;
     const double k2 = 1.0 / I22;
 
-    /* state */
+    /* from the state */
     const double z1 = c_psi * w2 + s_psi * w1;
     const double z2 = 1.0 / s_theta;
     const double z3 = s_theta * c_psi;
@@ -357,7 +357,7 @@ int suslov_state(double t, const double *q, const double *qdot, const double *p,
     const double phi_dot = qdot[0];
     const double theta_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     const double z1 = phi_dot * s_theta;
     y[0] = phi;
     y[1] = theta;
@@ -379,7 +379,7 @@ int suslov_residuals(double t, const double *q, const double *qdot, const double
     const double phi_dot = qdot[0];
     const double psi_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     const double c_theta = cos(theta);
     /* (I.1.1) 22:5 */
     r[0] = psi_dot + phi_dot * c_theta; /* no_spin = 0 */
@@ -401,12 +401,12 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     const double I13 = p[3]; /* [kg*m^2] */
     const double I23 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I11 - I22;
     const double k2 = I13 / I11;
     const double k3 = I23 / I22;
 
-    /* state */
+    /* from the state */
     const double s_theta = sin(theta);
     const double z1 = I13 * w1 + I23 * w2;
     /* (I.4.1) 22:5 */
@@ -439,7 +439,7 @@ double suslov_energy(double t, const double *y, const double *p)
     const double I11 = p[0]; /* [kg*m^2] */
     const double I22 = p[1]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     return 0.5 * (I11 * (w1 * w1) + I22 * (w2 * w2));
 }
 
@@ -462,13 +462,13 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     const double I13 = p[3]; /* [kg*m^2] */
     const double I23 = p[4]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = 1.0 / I11;
     const double k2 = 1.0 / I22;
     const double k3 = -I13 * k1;
     const double k4 = I23 * k2;
 
-    /* state */
+    /* from the state */
     const double z1 = c_psi * w2 + s_psi * w1;
     const double z2 = 1.0 / s_theta;
     const double z3 = c_theta * (z2 * z2);
@@ -525,7 +525,7 @@ int suslov_outputs(double t, const double *y, const double *p, double *out)
     const double I13 = p[3]; /* [kg*m^2] */
     const double I23 = p[4]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double s_theta = sin(theta);
     /* 28:7 */
     out[0] = I13 * w1 + I23 * w2; /* M3 */

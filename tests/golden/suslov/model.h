@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:3dec5b29430ce7eb)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:60a6aaf17ae1432a)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,7 +36,14 @@
  * jacobian: 6 +-, 23 *, 3 /, 4 calls
  * outputs: 1 +-, 2 *, 0 /, 1 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has SUSLOV_NY entries and p SUSLOV_NP; suslov_parameter_defaults can be p.
+ *     suslov_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: SUSLOV_OK (0) where the result is good; after any other code the output is not to be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_SUSLOV_H
 #define NHC_SUSLOV_H
@@ -94,33 +101,33 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
 int suslov_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int suslov_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int suslov_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double suslov_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.15)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
  * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
  */
 int suslov_jacobian(double t, const double *y, const double *p, double *J);
 
 /*
  * the spec's outputs
- * out: 1 entries
+ * out: 1 entry
  */
 int suslov_outputs(double t, const double *y, const double *p, double *out);
 

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:60f69b6e50b8c495).
+"""suslov, emitted by nhc 0.1.0 (nhc:2c2e69231d1fb00d).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -37,6 +37,10 @@ jacobian: 6 +-, 23 *, 3 /, 4 calls
 outputs: 1 +-, 2 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -115,10 +119,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "rhs")
-        # parameters only
+        # from the parameters alone
         k1 = -1.0 / I11
         k2 = 1.0 / I22
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -161,7 +165,7 @@ def velocities(
     w1 = float(y[3])
     w2 = float(y[4])
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -209,10 +213,10 @@ def accelerations(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "accelerations")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / I11
         k2 = 1.0 / I22
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -268,7 +272,7 @@ def state(
     phi_dot = float(qdot[0])
     theta_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         s_theta = math.sin(theta)
@@ -291,7 +295,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (5,).
     Returns r (1,).
@@ -300,7 +304,7 @@ def residuals(
     phi_dot = float(qdot[0])
     psi_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         r: list[float] = [
             # no_spin = 0 (I.1.1) 22:5
@@ -316,11 +320,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     theta = float(y[1])  # nutation [rad]
     w1 = float(y[3])
@@ -336,11 +341,11 @@ def reactions(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = I11 - I22
         k2 = I13 / I11
         k3 = I23 / I22
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -356,7 +361,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns a scalar.
@@ -366,7 +371,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I11 = float(p[0])  # [kg*m^2]
     I22 = float(p[1])  # [kg*m^2]
     try:
-        # state
+        # from the state
         value1 = 0.5 * (I11 * (w1 * w1) + I22 * (w2 * w2))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -378,7 +383,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -398,12 +403,12 @@ def jacobian(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "jacobian")
-        # parameters only
+        # from the parameters alone
         k1 = 1.0 / I11
         k2 = 1.0 / I22
         k3 = -I13 * k1
         k4 = I23 * k2
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -482,7 +487,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:

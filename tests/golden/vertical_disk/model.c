@@ -40,11 +40,11 @@ const double vertical_disk_parameter_defaults[] = {
 };
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int vertical_disk_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -59,7 +59,7 @@ static int vertical_disk_finish(int count, const double *values)
     return VERTICAL_DISK_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int vertical_disk_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : VERTICAL_DISK_NOT_FINITE;
@@ -125,12 +125,12 @@ static int vertical_disk_one_by_one(size_t count, size_t first, size_t number, c
 
 typedef unsigned long long vertical_disk_bits __attribute__((vector_size(8 * VERTICAL_DISK_LANES)));
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline vertical_disk_lanes vertical_disk_mark(vertical_disk_lanes value, vertical_disk_bits bad)
 {
     return (vertical_disk_lanes)((vertical_disk_bits)value | bad);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int vertical_disk_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -198,7 +198,7 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt)
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double v1_x = theta_dot * R;
     /* (III.3) */
     dydt[0] = c_phi * v1_x; /* x' */
@@ -235,7 +235,7 @@ int vertical_disk_velocities(double t, const double *y, const double *p, double 
     const double theta_dot = y[5];
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double v1_x = theta_dot * R;
     /* (I.2.4) */
     qdot[0] = c_phi * v1_x; /* x' */
@@ -264,7 +264,7 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = R * (phi_dot * theta_dot);
     /* (III.3) */
     qddot[0] = -s_phi * z1; /* x'' */
@@ -297,7 +297,7 @@ int vertical_disk_state(double t, const double *q, const double *qdot, const dou
     const double phi_dot = qdot[2];
     const double theta_dot = qdot[3];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -324,7 +324,7 @@ int vertical_disk_residuals(double t, const double *q, const double *qdot, const
     const double theta_dot = qdot[3];
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     const double v1_x = theta_dot * R;
     /* (I.1.1) 18:5 */
     r[0] = x_dot - c_phi * v1_x; /* roll_x = 0 */
@@ -352,7 +352,7 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = m * R;
 
     /* state */
@@ -386,10 +386,10 @@ double vertical_disk_energy(double t, const double *y, const double *p)
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I + m * (R * R);
 
-    /* state */
+    /* from the state */
     return 0.5 * (J * (phi_dot * phi_dot) + theta_dot * theta_dot * k1);
 }
 
@@ -408,7 +408,7 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
     const double J_2 = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = R * s_phi;
     const double z2 = R * c_phi;
     /* (III.3) */
@@ -439,7 +439,7 @@ int vertical_disk_outputs(double t, const double *y, const double *p, double *ou
     const double theta_dot = y[5];
     const double R = p[1]; /* radius [m] */
 
-    /* state */
+    /* from the state */
     /* 22:10 */
     out[0] = theta_dot * R; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -39,6 +39,10 @@ jacobian: 1 +-, 6 *, 0 /, 2 calls
 outputs: 0 +-, 1 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -117,7 +121,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "rhs")
-        # state
+        # from the state
         c_phi = math.cos(phi)
         v1_x = theta_dot * R
         s_phi = math.sin(phi)
@@ -155,7 +159,7 @@ def velocities(
     theta_dot = float(y[5])
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         c_phi = math.cos(phi)
         v1_x = theta_dot * R
         s_phi = math.sin(phi)
@@ -199,7 +203,7 @@ def accelerations(
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "accelerations")
-        # state
+        # from the state
         s_phi = math.sin(phi)
         z1 = R * (phi_dot * theta_dot)
         c_phi = math.cos(phi)
@@ -236,7 +240,7 @@ def state(
     phi_dot = float(qdot[2])
     theta_dot = float(qdot[3])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, phi, theta, phi_dot, theta_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -249,7 +253,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (4,), qdot (4,), p (4,).
     Returns r (2,).
@@ -260,7 +264,7 @@ def residuals(
     theta_dot = float(qdot[3])
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         c_phi = math.cos(phi)
         v1_x = theta_dot * R
         s_phi = math.sin(phi)
@@ -280,11 +284,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns lambda_ (2,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     phi = float(y[2])  # heading [rad]
     phi_dot = float(y[4])
@@ -297,12 +302,12 @@ def reactions(
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "reactions")
-        # parameters only
+        # from the parameters alone
         k1 = m * R
         # the mass matrix is singular
         if not abs(I + R * k1) > 0.0:
             raise _refuse(abs(I + R * k1), 0.0, 2, "reactions")
-        # state
+        # from the state
         s_phi = math.sin(phi)
         z1 = k1 * (phi_dot * theta_dot)
         c_phi = math.cos(phi)
@@ -318,7 +323,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns a scalar.
@@ -330,9 +335,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
     J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = I + m * (R * R)
-        # state
+        # from the state
         value1 = 0.5 * (J * (phi_dot * phi_dot) + theta_dot * theta_dot * k1)
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -344,7 +349,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
@@ -363,7 +368,7 @@ def jacobian(
         # the mass matrix is singular
         if not abs(J_2) > 0.0:
             raise _refuse(abs(J_2), 0.0, 2, "jacobian")
-        # state
+        # from the state
         s_phi = math.sin(phi)
         z1 = R * s_phi
         c_phi = math.cos(phi)
@@ -427,7 +432,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     theta_dot = float(y[5])
     R = float(p[1])  # radius [m]
     try:
-        # state
+        # from the state
         out: list[float] = [
             # speed 22:10
             theta_dot * R,

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:89ee3abf68f9abca)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:2610d3698c79f4c0)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -43,11 +43,11 @@ const double veselova_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int veselova_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -62,7 +62,7 @@ static int veselova_finish(int count, const double *values)
     return VESELOVA_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int veselova_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : VESELOVA_NOT_FINITE;
@@ -134,7 +134,7 @@ static inline veselova_bits veselova_misses(veselova_lanes value, veselova_lanes
     return ~(veselova_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline veselova_lanes veselova_mark(veselova_lanes value, veselova_bits bad)
 {
     return (veselova_lanes)((veselova_bits)value | bad);
@@ -144,7 +144,7 @@ static inline veselova_lanes veselova_size(veselova_lanes x)
 {
     return (veselova_lanes)((veselova_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int veselova_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -217,11 +217,11 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 - I2;
     const double k2 = I2 - I3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_psi * s_psi;
     const double z2 = 1.0 - z1;
     const double z3 = I1 * z2 + I2 * z1;
@@ -287,7 +287,7 @@ int veselova_velocities(double t, const double *y, const double *p, double *qdot
     const double w_x = y[3];
     const double w_y = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / s_theta;
     const double z2 = z1 * (s_phi * w_x - c_phi * w_y);
     /* (I.2.4) */
@@ -326,11 +326,11 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 - I2;
     const double k2 = I2 - I3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_psi * s_psi;
     const double z2 = 1.0 - z1;
     const double z3 = I1 * z2 + I2 * z1;
@@ -404,7 +404,7 @@ int veselova_state(double t, const double *q, const double *qdot, const double *
     const double theta_dot = qdot[1];
     const double psi_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     const double z1 = psi_dot * s_theta;
     y[0] = phi;
     y[1] = theta;
@@ -426,7 +426,7 @@ int veselova_residuals(double t, const double *q, const double *qdot, const doub
     const double phi_dot = qdot[0];
     const double psi_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     const double c_theta = cos(theta);
     /* (I.1.1) 26:5 */
     r[0] = phi_dot + psi_dot * c_theta; /* no_turn = 0 */
@@ -458,11 +458,11 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 - I2;
     const double k2 = I2 - I3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_psi * s_psi;
     const double z2 = 1.0 - z1;
     const double z3 = I1 * z2 + I2 * z1;
@@ -540,7 +540,7 @@ double veselova_energy(double t, const double *y, const double *p)
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / s_theta;
     const double z2 = z1 * (s_phi * w_x - c_phi * w_y);
     const double z3 = c_theta * z2;
@@ -576,11 +576,11 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* parameters only */
+    /* from the parameters alone */
     const double k1 = I1 - I2;
     const double k2 = I2 - I3;
 
-    /* state */
+    /* from the state */
     const double z1 = s_psi * s_psi;
     const double z2 = 1.0 - z1;
     const double z3 = I1 * z2 + I2 * z1;
@@ -734,7 +734,7 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
-    /* state */
+    /* from the state */
     const double z1 = 1.0 / s_theta;
     const double z2 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1;
     const double z3 = z1 * (s_phi * w_x - c_phi * w_y);

@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:71cbed502ca6c1b7)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:a7731d61b8789aba)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -35,7 +35,14 @@
  * jacobian: 96 +-, 196 *, 3 /, 6 calls
  * outputs: 10 +-, 28 *, 1 /, 6 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has VESELOVA_NY entries and p VESELOVA_NP; veselova_parameter_defaults can be p.
+ *     veselova_state makes y from coordinates and velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Units are in brackets, and nothing is converted.
+ * Return codes: VESELOVA_OK (0) where the result is good; after any other code the output is not to be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_VESELOVA_H
 #define NHC_VESELOVA_H
@@ -93,26 +100,26 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
 int veselova_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int veselova_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int veselova_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double veselova_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.2.15)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
  * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
  */
 int veselova_jacobian(double t, const double *y, const double *p, double *J);

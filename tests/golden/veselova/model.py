@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:9aa825af080661a9).
+"""veselova, emitted by nhc 0.1.0 (nhc:271070bae3392ae3).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -36,6 +36,10 @@ jacobian: 96 +-, 196 *, 3 /, 6 calls
 outputs: 10 +-, 28 *, 1 /, 6 calls
 
 A singular point raises SingularModelError.
+Units are in brackets, and nothing is converted.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -108,10 +112,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = I1 - I2
         k2 = I2 - I3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -183,7 +187,7 @@ def velocities(
     w_x = float(y[3])
     w_y = float(y[4])
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -225,10 +229,10 @@ def accelerations(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = I1 - I2
         k2 = I2 - I3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -310,7 +314,7 @@ def state(
     theta_dot = float(qdot[1])
     psi_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
         s_theta = math.sin(theta)
@@ -333,7 +337,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (1,).
@@ -342,7 +346,7 @@ def residuals(
     phi_dot = float(qdot[0])
     psi_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_theta = math.cos(theta)
         r: list[float] = [
             # no_turn = 0 (I.1.1) 26:5
@@ -358,11 +362,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     phi = float(y[0])  # precession [rad]
     theta = float(y[1])  # nutation [rad]
@@ -373,10 +378,10 @@ def reactions(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = I1 - I2
         k2 = I2 - I3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -442,7 +447,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns a scalar.
@@ -456,7 +461,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         z1 = 1.0 / s_theta
         s_phi = math.sin(phi)
@@ -483,7 +488,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -497,10 +502,10 @@ def jacobian(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
+        # from the parameters alone
         k1 = I1 - I2
         k2 = I2 - I3
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
@@ -682,7 +687,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # state
+        # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:e866bdfd57b81c09)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:454439b8f8ebf03e)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -42,11 +42,11 @@ const double voronec_particle_parameter_defaults[] = {
 #endif
 
 #if defined(__GNUC__)
-__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+__attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
 #endif
 static int voronec_particle_finish(int count, const double *values)
 {
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    double sum = 0.0; /* not finite if any of the values is not */
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
@@ -61,7 +61,7 @@ static int voronec_particle_finish(int count, const double *values)
     return VORONEC_PARTICLE_OK;
 }
 
-/* the status of a block that does not exceed its bound: it is singular, or no number */
+/* the status where a pivot or determinant is not above its bound: singular, or not finite where one is a NaN */
 static int voronec_particle_refuse(double value, double bound, int singular)
 {
     return value <= bound && bound <= DBL_MAX ? singular : VORONEC_PARTICLE_NOT_FINITE;
@@ -133,7 +133,7 @@ static inline voronec_particle_bits voronec_particle_misses(voronec_particle_lan
     return ~(voronec_particle_bits)(value > bound);
 }
 
-/* no number where a bit is set */
+/* makes a NaN of each lane whose bits are set */
 static inline voronec_particle_lanes voronec_particle_mark(voronec_particle_lanes value, voronec_particle_bits bad)
 {
     return (voronec_particle_lanes)((voronec_particle_bits)value | bad);
@@ -143,7 +143,7 @@ static inline voronec_particle_lanes voronec_particle_size(voronec_particle_lane
 {
     return (voronec_particle_lanes)((voronec_particle_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
 static inline int voronec_particle_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -210,7 +210,7 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *dyd
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * c_z;
     const double z2 = c_z * z1;
     const double z3 = 1.0 + x * x;
@@ -267,7 +267,7 @@ int voronec_particle_velocities(double t, const double *y, const double *p, doub
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double c_z = cos(z);
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
@@ -294,7 +294,7 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * c_z;
     const double z2 = c_z * z1;
     const double z3 = 1.0 + x * x;
@@ -355,7 +355,7 @@ int voronec_particle_state(double t, const double *q, const double *qdot, const 
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
-    /* state */
+    /* from the state */
     y[0] = x;
     y[1] = y_2;
     y[2] = z;
@@ -379,7 +379,7 @@ int voronec_particle_residuals(double t, const double *q, const double *qdot, co
     const double y_dot = qdot[1];
     const double z_dot = qdot[2];
 
-    /* state */
+    /* from the state */
     const double c_z = cos(z);
     /* (I.1.1) 10:5 */
     r[0] = z_dot - (x_dot * (y * c_z) + 0.5 * (y_dot * (x * z))); /* contact = 0 */
@@ -404,7 +404,7 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * c_z;
     const double z2 = c_z * z1;
     const double z3 = 1.0 + x * x;
@@ -469,7 +469,7 @@ double voronec_particle_energy(double t, const double *y, const double *p)
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = z * z;
     const double z2 = x * x;
     const double z3 = x_dot * c_z;
@@ -502,7 +502,7 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
     const double x_dot = y[3];
     const double y_dot = y[4];
 
-    /* state */
+    /* from the state */
     const double z1 = y_2 * c_z;
     const double z2 = c_z * z1;
     const double z3 = 1.0 + x * x;

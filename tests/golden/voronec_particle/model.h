@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:77db72de1c560a42)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:6195ac81b8f89779)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -29,7 +29,15 @@
  * jacobian: 125 +-, 254 *, 2 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ * Calls: t is the time, y has VORONEC_PARTICLE_NY entries and p VORONEC_PARTICLE_NP;
+ *     voronec_particle_parameter_defaults can be p. voronec_particle_state makes y from coordinates and
+ *     velocities.
+ * All arrays are the caller's; an output must not overlap an input.
+ * Return codes: VORONEC_PARTICLE_OK (0) where the result is good; after any other code the output is not to
+ *     be used.
+ * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
+ *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
 #ifndef NHC_VORONEC_PARTICLE_H
 #define NHC_VORONEC_PARTICLE_H
@@ -86,26 +94,26 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
 int voronec_particle_state(double t, const double *q, const double *qdot, const double *p, double *y);
 
 /*
- * left sides of the constraints, zero on every motion (I.1.1)
- * r: 1 entries
+ * left minus right side of each constraint, zero on every motion (I.1.1)
+ * r: 1 entry
  */
 int voronec_particle_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
 
 /*
- * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
- * lambda: 1 entries
- * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ * reactions lambda of the constraints (I.4.1)
+ * lambda: 1 entry
+ * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
  */
 int voronec_particle_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V
- * not finite where the model is singular
+ * energy T + V
+ * infinite or NaN where the model is singular
  */
 double voronec_particle_energy(double t, const double *y, const double *p);
 
 /*
- * d rhs_i / d y_j, row-major (I.4.9)
+ * Jacobian matrix of rhs, d rhs_i / d y_j (I.4.9)
  * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
  */
 int voronec_particle_jacobian(double t, const double *y, const double *p, double *J);

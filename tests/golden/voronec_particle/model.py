@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:1fb1051a29b6c2b9).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:9b0db98d92cadd71).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Caplygin's hypotheses fail.
@@ -30,6 +30,9 @@ jacobian: 125 +-, 254 *, 2 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
+Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en
+    mecanique des systemes non holonomes, Namur 1977; 17:4 beside a statement is
+    line:column of the spec.
 """
 
 from __future__ import annotations
@@ -99,7 +102,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         c_z = math.cos(z)
         z1 = y_2 * c_z
         z2 = c_z * z1
@@ -170,7 +173,7 @@ def velocities(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         c_z = math.cos(z)
         qdot: list[float] = [
             # x' (I.2.4)
@@ -201,7 +204,7 @@ def accelerations(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         c_z = math.cos(z)
         z1 = y_2 * c_z
         z2 = c_z * z1
@@ -272,7 +275,7 @@ def state(
     x_dot = float(qdot[0])
     y_dot = float(qdot[1])
     try:
-        # state
+        # from the state
         y: list[float] = [x, y_2, z, x_dot, y_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -285,7 +288,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left sides of the constraints, zero on every motion (I.1.1)
+    """left minus right side of each constraint, zero on every motion (I.1.1)
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns r (1,).
@@ -297,7 +300,7 @@ def residuals(
     y_dot = float(qdot[1])
     z_dot = float(qdot[2])
     try:
-        # state
+        # from the state
         c_z = math.cos(z)
         r: list[float] = [
             # contact = 0 (I.1.1) 10:5
@@ -313,11 +316,12 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+    """reactions lambda of the constraints (I.4.1)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
-    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
+        for each a.
     """
     x = float(y[0])
     y_2 = float(y[1])
@@ -325,7 +329,7 @@ def reactions(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         c_z = math.cos(z)
         z1 = y_2 * c_z
         z2 = c_z * z1
@@ -380,7 +384,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V
+    """energy T + V
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.
@@ -391,7 +395,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         z1 = z * z
         z2 = x * x
         s_z = math.sin(z)
@@ -413,7 +417,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """d rhs_i / d y_j, row-major (I.4.9)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.4.9)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -424,7 +428,7 @@ def jacobian(
     x_dot = float(y[3])
     y_dot = float(y[4])
     try:
-        # state
+        # from the state
         c_z = math.cos(z)
         z1 = y_2 * c_z
         z2 = c_z * z1
