@@ -13,9 +13,10 @@ from nhc.algebra.polynomial import normalise
 from nhc.exterior import Form
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
-from nhc.mechanics.rotation import name_entries, rows_in_base
+from nhc.mechanics.rotation import name_entries
 from nhc.mechanics.system import Form as VelocityForm
 from nhc.mechanics.system import System
+from nhc.mechanics.turning import rows_in_base
 from nhc.program.sheets.model import LATIN, OTHER, Formula, Mark, Prose, Table
 from nhc.records import record
 
