@@ -11,7 +11,7 @@ import pytest
 
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.program.model import build_program
