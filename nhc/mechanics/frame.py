@@ -17,6 +17,7 @@ from nhc.algebra.solving.linear import is_clearly_regular, solve_rows
 from nhc.mechanics import turning
 from nhc.mechanics.regular.regularity import pivot_weakness
 from nhc.mechanics.rotation import Rotation
+from nhc.mechanics.row_factors import strip_factor
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import Direction, along, from_base, moving
 from nhc.thesis import equation
@@ -182,9 +183,11 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
     values = substitute(g, [form_value(g, form, system.v) for form in forms], renamed)
 
     def solve(everything: bool) -> tuple[Sequence[Node], Sequence[tuple[Node, Node]]]:
-        first = 0 if everything else system.l
-        rows = [g.sub(x, w) if j >= first else x for j, (x, w) in enumerate(zip(values, omega, strict=True))]
-        return solve_rows(g, rows, unknowns, pivot_weakness(system))
+        bare = [] if everything else [strip_factor(g, x, g.mask(system.p)) for x in values[: system.l]]
+        rows = [own.row for own in bare]
+        rows += [g.sub(x, w) for x, w in zip(values[len(bare) :], omega[len(bare) :], strict=True)]
+        found, guards = solve_rows(g, rows, unknowns, pivot_weakness(system))
+        return found, [*((divisor, divisor) for own in bare for divisor in own.divisors), *guards]
 
     frame = Frame(system, forms, omega, omega, solve, turned)
     if not is_clearly_regular(g, values, unknowns):

@@ -22,6 +22,7 @@ from nhc.mechanics.kinetic import kinetic_structure
 from nhc.mechanics.moving.move import move
 from nhc.mechanics.moving.vectors import Reader
 from nhc.mechanics.resolve import resolve
+from nhc.mechanics.row_factors import strip_factor
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Turn, add_spin, change_axes, cross
 from nhc.pipeline import Options, emit
@@ -152,6 +153,73 @@ def test_the_order_and_the_signs_of_rows_are_all_the_same(name: str, way: str) -
     system = system_of(rewritten(name, way))
     assert cost(system, moving=True) <= 1.03 * cost(system_of(spec_path(name).read_text()), moving=True)
     assert assert_same(system) > 0
+
+
+FACTORS = {"doubled": "2*({})", "by a parameter": "K*({})", "over a length": "({})/K", "by a sum": "(K + 1)*({})"}
+
+
+def with_factor(name: str, way: str, *, every: int = 1) -> str:
+    """A gallery system whose rows have a factor in front, or each ``every``-th of them."""
+    data = yaml.safe_load(spec_path(name).read_text())
+    data = {key: x for key, x in data.items() if key not in ("outputs", "scenes", "draw", "source")}
+    data["parameters"] |= {"K": 1.5}
+    for row in data["constraints"][::every]:
+        row |= {label: FACTORS[way].format(text.replace(" = 0", "")) + " = 0" for label, text in row.items()}
+    return yaml.safe_dump(data, sort_keys=False)
+
+
+@pytest.mark.parametrize("name", ["bicycle", "rattleback", "roller_racer", "n_trailer3", "n_snake3"])
+@pytest.mark.parametrize("way", FACTORS)
+def test_a_factor_of_a_row_is_all_the_same(name: str, way: str) -> None:
+    plain = system_of(spec_path(name).read_text())
+    for every in (1, 2):
+        system = system_of(with_factor(name, way, every=every))
+        assert cost(system, moving=True) <= cost(plain, moving=True) + 2  # the parameter itself
+        assert assert_same(system) > 0
+
+
+def test_factors_of_rows_are_taken_off() -> None:
+    """Numbers, parameters, denominators; not what may vanish somewhere on the motion's way, and nothing from part of a row."""
+    g = Graph()
+    x, y, a, k, n, m = (g.symbol(name) for name in ("x'", "y'", "a", "k", "n", "m"))
+    s, c, constants = g.function("sin", a), g.function("cos", a), g.mask([k, n, m])
+    row = g.sub(g.mul(c, y), g.mul(s, x))
+
+    def stripped(written: Node) -> Node:
+        bare = strip_factor(g, written, constants, (x, y))
+        assert are_equal(g, [written], [g.mul(bare.factor, bare.row)])
+        return bare.row
+
+    by_k = [g.product((k, turn, v)) for turn, v in ((c, y), (g.neg(s), x))]
+    writings = [
+        g.mul(g.number(2), row),
+        g.product((k, n, row)),
+        g.div(row, g.mul(n, g.number(3))),
+        g.mul(g.add(k, n), row),
+        g.sum(by_k),
+        g.div(g.sum(by_k), m),
+        g.sub(y, g.mul(g.div(s, c), x)),
+        g.sub(g.div(y, s), g.div(x, c)),
+    ]
+    for written in writings:
+        assert are_equal(g, [stripped(written)], [row]) or are_equal(g, [stripped(written)], [g.neg(row)])
+    for written in (row, g.mul(x, row), g.add(row, g.product((k, n, x))), g.sub(y, g.product((k, g.div(s, c), x)))):
+        assert strip_factor(g, written, constants, (x, y)).factor == g.one
+    with_k = strip_factor(g, g.div(g.mul(k, row), n), constants, (x, y))
+    assert with_k.divisors == (k,)  # where k is zero there is no constraint, and 1/n is never zero
+
+
+@pytest.mark.parametrize("name", ["n_trailer3", "roller_racer"])
+def test_a_row_whose_factor_is_zero_is_refused(name: str) -> None:
+    """There is no such constraint then: results would be those of another system."""
+    (text,) = emit(
+        Source(f"{name}.yaml", with_factor(name, "by a parameter")), "python", Options(only=("rhs",))
+    ).values()
+    made = python_model(text, name)
+    state = [0.3] * len(made.STATE)
+    made.rhs(0.0, state, made.DEFAULTS)
+    with pytest.raises(made.SingularModelError):
+        made.rhs(0.0, state, (*made.DEFAULTS[:-1], 0.0))
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -23,6 +23,7 @@ from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import choose_dependent, coframe_weakness, intervals, relative_determinant
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
+from nhc.mechanics.row_factors import without_common
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import rows_in_base
 
@@ -95,10 +96,11 @@ def _minor_form(
 ) -> tuple[Form, tuple[int, ...], bool] | None:
     """The row of signed minors on the best k + 1 columns, under that name; the rows must not reach outside them."""
     g, size = system.graph, len(rows)
-    known = intervals(system)
+    known, constants = intervals(system), g.mask(system.p)
+    own = {r: without_common(g, system.constraints[r].coefficients, constants) for r in rows}
     found: list[tuple[bool, int, tuple[int, ...], list[Node], Node]] = []
     for subset in combinations(columns, size + 1):
-        block = [[system.constraints[r].coefficients[j] for j in subset] for r in rows]
+        block = [[own[r][j] for j in subset] for r in rows]
         if rank(g, block) < size:
             continue
         minors = []

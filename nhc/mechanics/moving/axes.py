@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import Derivation
 from nhc.algebra.graph import Graph, Node
@@ -19,6 +20,9 @@ from nhc.mechanics.moving.vectors import Chained, Part, Reader
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Path, Turn, Vector, add_spin, add_vectors, change_axes, climb, cross
 from nhc.records import record
+
+if TYPE_CHECKING:
+    from nhc.mechanics.row_factors import Bare
 
 
 @record
@@ -47,6 +51,7 @@ class Scene:
     forms: dict[tuple[int, ...], Node]  # signature of a form or of its negative -> held symbol, signed
     positions: Reader
     velocities: Reader
+    bare: tuple[Bare, ...]  # the constraints' rows, which the held symbols stand for, with the factors that they had
     equations: dict[Vector, tuple[Path, Vector]] = field(default_factory=dict)
     homes: dict[tuple[bool, Vector], Home] = field(default_factory=dict)
     paths: list[Path] = field(default_factory=list)
@@ -69,6 +74,20 @@ class Scene:
     @property
     def graph(self) -> Graph:
         return self.system.graph
+
+    @cached_property
+    def symbols(self) -> tuple[Node, ...]:
+        """One for each form as the spec wrote it: the held one, where that stands for it."""
+        return (*(self._symbol(j) for j in range(len(self.bare))), *self.held[len(self.bare) :])
+
+    def _symbol(self, j: int) -> Node:
+        return self.held[j] if self.bare[j].factor == self.graph.one else self.graph.symbol(f"written_{j}", "quasi")
+
+    @cached_property
+    def as_written(self) -> dict[Node, Node]:
+        """Held symbols of rows that had factors, in terms of ``symbols``."""
+        g, pairs = self.graph, zip(self.held, self.symbols, self.bare, strict=False)
+        return {x: g.div(symbol, own.factor) for x, symbol, own in pairs if x != symbol}
 
     def spin(self, path: Path) -> Vector:
         """Angular velocity of the axes, on themselves."""

@@ -32,6 +32,7 @@ from nhc.mechanics.moving.signatures import Signatures
 from nhc.mechanics.moving.spin import Spin, find_turning, recognise, spatial_paths, spin_weights
 from nhc.mechanics.moving.vectors import Chained, Reader
 from nhc.mechanics.regular.regularity import pivot_weakness
+from nhc.mechanics.row_factors import strip_factor
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Turn, change_axes
 
@@ -48,7 +49,9 @@ def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...]
     if not groups:
         return None
     held = tuple(g.symbol(f"held_{j}", "quasi") for j in range(system.n))
-    values = [form_value(g, form, system.v) for form in frame.forms]
+    written = [form_value(g, form, system.v) for form in frame.forms]
+    bare = [strip_factor(g, row, g.mask(system.p), system.v) for row in written[: system.l]]
+    values = [*(own.row for own in bare), *written[system.l :]]
     try:
         marks = Signatures(g, [*values, *kinetic.atoms])
     except Unlucky:
@@ -60,7 +63,9 @@ def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...]
         forms.setdefault(signature, symbol)
         forms.setdefault(marks.negative(signature), g.neg(symbol))
     moving = g.mask((*system.q, system.t))
-    scene = Scene(system, held, tuple(values), marks, forms, Reader(g, moving), Reader(g, moving), backs=backs)
+    scene = Scene(
+        system, held, tuple(values), marks, forms, Reader(g, moving), Reader(g, moving), tuple(bare), backs=backs
+    )
     vectors: list[Placed] = []
     for group in order_roots(scene, kinetic, groups):
         vectors.append(read_group(scene, kinetic, group))
@@ -153,13 +158,13 @@ def _finish(
     size, count = system.n, len(moved)
     _name(scene, bodies, done[size : size + count])
     return Moved(
-        frame=Frame(system, frame.forms, frame.omega, scene.held, solve),
+        frame=Frame(system, frame.forms, frame.omega, scene.symbols, solve),
         velocities=tuple(done[:size]),
         kinetic=bodies.kinetic,
         u=tuple(done[size : size + count]),
         drift=tuple(done[size + count :]),
         weights=_weigh(solution, general, turning, scene.held[system.l :]),
-        weigh=lambda: _weigh(*whole(), turning, scene.held[: system.l]),
+        weigh=lambda: _weigh(*whole(), turning, scene.symbols[: system.l]),
         spread=lambda: _spread(*whole()),
         carried=tuple(carried),
         inertial=tuple(inertial),
@@ -199,7 +204,7 @@ def _solve(
 ) -> tuple[Solution, Sequence[tuple[Node, Node]]]:
     """The velocities from the rows, the constraints' forms being zero unless ``everything`` is asked for."""
     system, g = scene.system, scene.graph
-    still = {} if everything else dict.fromkeys(scene.held[: system.l], g.zero)
+    still = scene.as_written if everything else dict.fromkeys(scene.held[: system.l], g.zero)
     full = [g.sub(row, x) for j, (row, x) in enumerate(zip(rows, scene.held, strict=True)) if j not in scene.dropped]
     full = substitute(g, substitute(g, full, scene.given), still)  # rows may hold one another's symbols
     unknowns = [*(v for v in system.v if v not in scene.given), *scene.unknown]
@@ -212,7 +217,12 @@ def _solve(
     known = dict(zip(unknowns, found, strict=True))
     given = substitute(g, list(scene.given.values()), known)
     known.update(zip(scene.given, given, strict=True))
-    known = {**scene.meaning, **dict(zip(known, tidy(list(known.values())), strict=True))}
+    meaning = {**scene.meaning, **scene.as_written} if everything else scene.meaning
+    turned = dict(
+        zip(meaning, substitute(g, list(meaning.values()), scene.as_written if everything else {}), strict=True)
+    )
+    known = {**turned, **dict(zip(known, tidy(list(known.values())), strict=True))}
+    guards = [*((divisor, divisor) for own in scene.bare for divisor in own.divisors), *guards]
     return Solution(scene, known, tuple(block.mapped(tidy) for block in blocks)), guards
 
 
@@ -235,7 +245,7 @@ def _turn(rates: Rates, own: Spin, held: dict[Node, Node]) -> Turning:
 
 
 def _spread(solution: Solution, forms: Sequence[Node]) -> Spread:
-    system, held = solution.scene.system, solution.scene.held
+    system, held = solution.scene.system, solution.scene.symbols
     return Spread(tuple(forms), tuple(solution.found[v] for v in system.v), held[: system.l])
 
 
