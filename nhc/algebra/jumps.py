@@ -174,7 +174,7 @@ def _touch(value: Value, left: float, right: float, height: float) -> float | No
 def _differs(value: Value, place: float) -> bool:
     """Whether both sides have limits that differ: their distance is the same on three scales, and they do not run away.
 
-    On two scales it may be by chance: near a place where nothing has a limit (a quaternion of length zero) it rises and falls again.
+    On two scales it may be by chance: near a place where nothing has a limit (a quaternion of length zero) it rises and falls.
     """
     sizes, distances = [], []
     for aside in _ASIDE:
