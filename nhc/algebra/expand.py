@@ -25,11 +25,12 @@ class Expander:
     """Expands nodes once each, to :data:`Packed` polynomials: the exponent of atom k stands in bits 16k to 16k + 15 (where it is
     less than zero, the next field lends), so that a product of monomials is a sum of integers.
 
-    ``memo`` holds what is known; None for what has too many terms.
+    ``memo`` holds what is known; None for what has too many terms.  With ``closed``, a sum of parameters (a length b - a) is not
+    multiplied out but an atom.
     """
 
-    def __init__(self, graph: Graph, limit: int, circle: bool) -> None:
-        self.graph, self.limit, self.circle = graph, limit, circle
+    def __init__(self, graph: Graph, limit: int, circle: bool, closed: bool = False) -> None:
+        self.graph, self.limit, self.circle, self.closed = graph, limit, circle, closed
         self.memo: dict[Node, Packed | None] = {}
         self._atoms: list[Node] = []
         self._index: dict[Node, int] = {}
@@ -73,7 +74,7 @@ class Expander:
         seen, stack = {root}, [root]
         while stack:
             node = stack.pop()
-            if self.graph.op[node] not in _EXPANDED:
+            if self.graph.op[node] not in _EXPANDED or (self.closed and is_length(self.graph, node)):
                 continue
             for child in kids[node]:
                 if child in memo:
@@ -92,7 +93,7 @@ class Expander:
             height[node] = 0
             value = g.coefficient[node]
             return {0: value} if value else {}
-        if op == ADD:
+        if op == ADD and not (self.closed and is_length(g, node)):
             p, q = memo[a], memo[b]
             assert p is not None and q is not None
             height[node] = max(height[a], height[b])
@@ -210,6 +211,12 @@ class Expander:
             factors.append((self._atoms[k], e))
             m, k = m - e >> 16, k + 1
         return tuple(sorted(factors))
+
+
+def is_length(graph: Graph, node: Node) -> bool:
+    """Whether the node is a sum of parameters alone."""
+    deps = graph.deps[node]
+    return graph.op[node] == ADD and deps != 0 and not deps & ~graph.parameters
 
 
 def _sum(p: Packed, q: Packed) -> Packed:

@@ -58,6 +58,7 @@ class NodeStore:
         self.core: list[Node] = []
         self.symbols: list[Symbol] = []
         self.moving = 0  # the mask of the symbols that are no parameters, coordinates or the time
+        self.parameters = 0  # the mask of the parameters
         self.labels: dict[Node, str] = {}  # names that the user gave, printed as such
         self.rate_of: dict[Node, Node] = {}  # what a node is the rate of, where the user differentiated it
         self.memory: dict[str, Any] = {}  # what passes know of these nodes, under the passes' names
@@ -97,6 +98,8 @@ class NodeStore:
             self.symbols.append(Symbol(name, kind))
             if kind in _MOVING:
                 self.moving |= bit
+            elif kind == "parameter":
+                self.parameters |= bit
             node = self._append(SYM, len(self.symbols) - 1, 0, bit, ())
             self._symbol_nodes.append(node)
             self._symbol_index[name, kind] = node

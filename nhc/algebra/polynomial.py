@@ -8,11 +8,12 @@ terms: what would grow past it raises :class:`TooLarge` and the caller keeps the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from math import gcd, lcm
 
-from nhc.algebra.calculus import reachable
-from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge
+from nhc.algebra.calculus import count, reachable
+from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge, is_length
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 
 ONE: Monomial = ()
@@ -174,12 +175,12 @@ def normalise(graph: Graph, node: Node, limit: int = 300) -> Node:
     return normalise_all(graph, [node], limit)[0]
 
 
-def _expander(graph: Graph, limit: int) -> Expander:
+def _expander(graph: Graph, limit: int, closed: bool = False) -> Expander:
     """One that knows what was expanded before, unless its monomials have become long."""
-    name = f"expander to {limit}"
+    name = f"{'closed ' if closed else ''}expander to {limit}"
     found: Expander | None = graph.memory.get(name)
     if found is None or found.width > _WIDEST:
-        found = graph.memory[name] = Expander(graph, limit, True)
+        found = graph.memory[name] = Expander(graph, limit, True, closed)
     return found
 
 
@@ -199,10 +200,35 @@ def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300, swollen
         try:
             if sizes.get(node, 0) > swollen:
                 raise TooLarge
-            made[node] = known[node] = to_node(graph, _expander(graph, limit).expand([node])[0])
+            made[node] = known[node] = _shorter(graph, node, limit)
         except TooLarge:
             made[node] = node
     return [made[node] for node in nodes]
+
+
+def _shorter(graph: Graph, node: Node, limit: int) -> Node:
+    """The canonical form with all sums multiplied out, or with those of parameters left as they are: the shorter one.
+
+    (b - a)^2/(b - a) is not seen to be b - a when it is multiplied out, nor (a + b)^2 - (a - b)^2 to be 4 a b when it is not.
+
+    Raises:
+        TooLarge: both have too many terms.
+    """
+    if not any(is_length(graph, inner) for inner in reachable(graph, [node], graph.parameters)):
+        return to_node(graph, _expander(graph, limit).expand([node])[0])
+    forms = []
+    for closed in (False, True):
+        with suppress(TooLarge):
+            forms.append(to_node(graph, _expander(graph, limit, closed).expand([node])[0]))
+    if not forms:
+        raise TooLarge
+    return min(forms, key=lambda form: _cost(graph, form))
+
+
+def _cost(graph: Graph, node: Node) -> int:
+    """Operations, where a division counts as eight."""
+    divisions = sum(graph.op[x] == POW and graph.b[x] < 0 for x in reachable(graph, [node]))
+    return count(graph, [node]) + 7 * divisions
 
 
 def _count_terms(graph: Graph, nodes: Sequence[Node]) -> dict[Node, int]:

@@ -32,6 +32,24 @@ KEYS: dict[str, tuple[str, str]] = {
     **dict.fromkeys(("initial", "initial_conditions", "ic", "time", "tspan", "need", "tolerance"), ("", _SCENE)),
 }
 
+# formulation as others call it -> this language's word
+METHODS: dict[str, str] = {
+    **dict.fromkeys(
+        ("hamel", "boltzmann-hamel", "poincare", "euler-poincare", "kane", "maggi", "appell"), "euler-lagrange"
+    ),
+    **dict.fromkeys(("dalembert", "lagrange-dalembert", "index-1", "dae", "reactions"), "multipliers"),
+    **dict.fromkeys(("caplygin", "tchaplygin"), "chaplygin"),
+    **dict.fromkeys(("voronets", "woronetz"), "voronec"),
+    "newton-euler": "newton",
+}
+
+
+def meant_method(name: str) -> str:
+    """The formulation that a word stands for elsewhere, or nothing."""
+    spelled = unicodedata.normalize("NFD", name.casefold())
+    plain = re.sub("[^a-z0-9-]", "", spelled.replace("_", "-").replace(" ", "-"))
+    return METHODS.get(plain, "")
+
 
 def meant_key(name: str, present: Collection[str]) -> tuple[str, str]:
     """The key of a spec that a word stands for elsewhere, and what to do about it.

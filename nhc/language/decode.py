@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 
-from .advice import meant_key
+from .advice import meant_key, meant_method
 from .drawing import decode_drawing
 from .extend import merge_bases
 from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
@@ -144,7 +144,8 @@ class _Decoder:
         if text is None:
             return "auto"
         if text.value not in FORMULATIONS:
-            help = suggest(text.value, FORMULATIONS, f"one of {quote(FORMULATIONS)}")
+            meant = meant_method(text.value)
+            help = f"write `{meant}`" if meant else suggest(text.value, FORMULATIONS, f"one of {quote(FORMULATIONS)}")
             self.bag.error("E0312", f"unknown formulation `{text.value}`", text.span, help=(help,))
         return text.value
 

@@ -46,6 +46,7 @@ SPELLINGS: dict[str, str] = {
     "csc": "1/sin(x)",
     "cbrt": "sign(x)*abs(x)^(1/3)",
     "hypot": "sqrt(x^2 + y^2)",
+    **dict.fromkeys(("diff", "der", "deriv", "derivative", "ddt"), "dot(x)"),
     "log10": "log(x)/log(10)",
     "log2": "log(x)/log(2)",
     "heaviside": "(1 + sign(x))/2",

@@ -87,12 +87,12 @@ class _SceneReader:
             return
         near = nearest(name, known)
         rate = meant_rate(name, [other for other in self.scope.of_kind("coordinate") if f"{other}'" in known])
-        defined = self.scope.kind(name) in ("define", "entry")
+        defined = self.scope.kind(name) in ("define", "entry", "output")
         if defined and known[-1:] == _OWN_NEEDS[-1:]:
             help = f"show it under `outputs`: `{name}: {name}`"
         elif defined:
             help = f"`{name}` follows from others: give the values of these"
-            if self.scope.kind(name) == "define" and what != "parameter":
+            if self.scope.kind(name) != "entry" and what != "parameter":
                 help += ", or move it to `quasi_velocities` where it is a velocity"
         elif rate:
             help = rate

@@ -210,6 +210,29 @@ def test_rows_that_are_integrable_for_the_values_given_only(values: str, row: st
     assert [d.message for d in bag.diagnostics if d.code == "W0410"] == ([said] if integral else [])
 
 
+def test_what_is_declared_holonomic_is_not_in_disguise() -> None:
+    """The length of a quaternion and a `holonomic:` equation are integrable by the user's own word; x' = 2 y' is not."""
+    text = """
+nhc: 1
+system: declared
+coordinates: [x, y, z]
+rotation: {R: {velocities: [u, v, w]}}
+T: (x'^2 + y'^2 + z'^2 + u^2 + 2*v^2 + 3*w^2)/2
+constraints: [ROW u + R_z1*w = 0]
+holonomic: [z = sqrt(2*R_z1^2 + 3*R_z2^2 + R_z3^2)*(R_z1 + R_z2*R_z3) + R_x1*R_x2]
+"""
+    said = []
+    for row in ("", "x' = 2*y', "):
+        system = resolve(decode(Source("declared.yaml", text.replace("ROW ", row))))
+        lines = describe(system, formulate(system), Bag(system.spec.origin)).lines
+        said += [line for line in lines if line.startswith("integrability")]
+        assert "that of h1, as declared" in next(line for line in lines if line.startswith("integrals"))
+    assert said == [
+        "integrability: 2 of 3 constraints integrable (as declared), the others truly nonholonomic",
+        "integrability: 3 of 4 constraints integrable (2 as declared, 1 holonomic in disguise), the others truly nonholonomic",
+    ]
+
+
 # --- singular sets ----------------------------------------------------------------------------------------
 
 

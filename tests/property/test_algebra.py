@@ -195,6 +195,20 @@ def test_canonical_form_is_equal(tree: Tree) -> None:
     assert is_zero(g, g.sub(node, normalise(g, node)))
 
 
+def test_a_length_that_is_a_difference_of_parameters_cancels_as_one_letter_would() -> None:
+    """(b - a)^2 s c/((b - a) s) is (b - a) c; multiplied out, the fraction would stay."""
+    g = Graph()
+    a, b = (g.symbol(name, "parameter") for name in "ab")
+    q = g.symbol("q", "coordinate")
+    s, c, length = g.function("sin", q), g.function("cos", q), g.sub(b, a)
+    area = g.sum([g.power(a, 2), g.power(b, 2), g.mul_number(-2, g.mul(a, b))])
+    top = g.add(g.mul(g.power(length, 2), g.mul(s, c)), g.mul(g.mul(length, s), g.mul(length, c)))
+    assert normalise(g, g.div(top, g.mul(length, s))) == g.mul_number(2, g.mul(length, c))
+    squares = g.sub(g.power(g.add(a, b), 2), g.power(length, 2))
+    assert normalise(g, g.mul(squares, c)) == normalise(g, g.mul_number(4, g.mul(g.mul(a, b), c)))
+    assert is_zero(g, g.sub(normalise(g, g.sub(area, g.power(length, 2))), g.zero))
+
+
 @QUIET
 @given(rational_trees, rational_trees, rational_trees)
 def test_linear_forms_are_read_off(a: Tree, b: Tree, c: Tree) -> None:

@@ -39,6 +39,10 @@ SLIPS = [
     ("θ: 0.1", "θ: nan", "E0313", "write a finite number", "θ: 0"),
     ("x': 1", "dx: 1", "E0419", "the velocity is written `x'`", "x': 1"),
     ("x': 1", "dtheta_dt: 1", "E0419", "the velocity is written `theta'`", "theta': 1"),
+    ("+ x'^2", "+ diff(x, t)^2", "E0206", "write `dot(x)`", "+ dot(x)^2"),
+    ("V: -m*g*l*cos(θ)", "formulation: Hamel", "E0312", "write `euler-lagrange`", "formulation: euler-lagrange"),
+    ("V: -m*g*l*cos(θ)", "formulation: d'Alembert", "E0312", "write `multipliers`", "formulation: multipliers"),
+    ("V: -m*g*l*cos(θ)", "formulation: Voronets", "E0312", "write `voronec`", "formulation: auto"),
     ("x': 1", "X: 1", "E0419", "`X` follows from others", "x: 1"),
     ("need: [x, θ']", "need: [x, theta_dot]", "E0419", "the velocity is written `theta'`", "need: [x, theta']"),
     ("time: [0, 10]", "time: 10", "E0301", "write `[0, 10]`", "time: [0, 10]"),
@@ -102,6 +106,13 @@ def test_a_name_that_is_unknown_at_many_places_is_one_mistake() -> None:
     many = SPEC + "outputs: {" + ", ".join(f"o{k}: zz + zz" for k in range(9)) + "}\n"
     (found,) = find(many)
     assert (len(found.labels), found.notes) == (4, ("and at 14 more places",))
+
+
+def test_an_output_is_no_start() -> None:
+    outputs = SPEC + "outputs: {speed: sqrt(x'^2)}\n"
+    (found,) = find(outputs.replace("x': 1", "speed: 1"))
+    assert found.code == "E0419"
+    assert found.help[0].startswith("`speed` follows from others: give the values of these")
 
 
 def test_quotients_that_are_no_derivatives() -> None:

@@ -140,7 +140,11 @@ def _count_hidden(system: System, found: Integrability) -> str:
     if found.hidden == system.l:
         return "all constraints are integrable: the system is holonomic"
     if found.hidden:
-        return f"{found.hidden} of {system.l} constraints integrable (holonomic in disguise), the others truly nonholonomic"
+        declared = sum(form.equation is not None for form in system.constraints)
+        parts = [(declared, "as declared"), (found.hidden - declared, "holonomic in disguise")]
+        kinds = [(count, word) for count, word in parts if count]
+        ways = ", ".join(f"{count} {word}" if len(kinds) > 1 else word for count, word in kinds)
+        return f"{found.hidden} of {system.l} constraints integrable ({ways}), the others truly nonholonomic"
     return "no combination of the constraints is integrable: truly nonholonomic"
 
 
@@ -164,7 +168,13 @@ def _integrals(system: System, found: Integrability, facts: Facts, given: str = 
     integrals = find_position_integrals(system, frame, found.hidden, found.closed)
     data = [{"integral": i.text, "constraints": list(i.names)} for i in integrals]
     lost = found.hidden - len(integrals)
-    lines = [f"${i.text} = const$ (from {' and '.join(f'`{name}`' for name in i.names)})" for i in integrals]
+    declared = {form.name for form in system.constraints if form.equation is not None}
+    lines = [
+        f"that of `{i.names[0]}`, as declared"  # too long to be shown, and the spec has it in the user's words
+        if i.text.endswith("…") and len(i.names) == 1 and i.names[0] in declared
+        else f"${i.text} = const$ (from {' and '.join(f'`{name}`' for name in i.names)})"
+        for i in integrals
+    ]
     if lost:
         lines.append(f"{lost} not found in elementary functions")
     where = " with the parameters' values in the spec" if given else ""
