@@ -36,6 +36,7 @@ def to_data(made: Comparison) -> dict[str, Any]:
         "specs": list(made.names),
         "systems": [pairing.first.name, pairing.second.name],
         "agree": made.agrees,
+        "open": made.is_open,
         "coordinates": [pairing.first.q_names[i] for i in pairing.common],
         "left_out": [list(names) for names in _alone(made)],
         "values_of_one_spec": [list(values) for values in pairing.fixed],
@@ -83,6 +84,8 @@ def _verdict(made: Comparison) -> str:
         return "they DIFFER in the velocities that the constraints allow"
     if not found.same_places:
         return "they DIFFER in the positions that they allow"
+    if made.is_open:
+        return "not shown to be the same: exact arithmetic tells them apart, double precision does not"
     if not all(found.equal):
         return f"they DIFFER in {_join([x for x, same in zip(names, found.equal, strict=True) if not same])}"
     return "exactly the same, but double precision differs"
@@ -124,10 +127,12 @@ def _accelerations(made: Comparison) -> list[str]:
     names, worst, states = _rates(made), made.measured.worst, _count(made.measured.states, "state")
     width, lines = max(len(name) for name in names), []
     for k, (name, equal, off) in enumerate(zip(names, made.found.equal, _differences(made), strict=False)):
-        word = "equal" if equal else "equal at the states" if made.by_states else "DIFFERENT"
+        word = (
+            "equal" if equal else "equal at the states" if made.by_states else "open" if made.is_open else "DIFFERENT"
+        )
         if worst is None:
             far = "not tried in doubles: no state was found with a motion in both"
-        elif equal or made.by_states:
+        elif equal or made.by_states or made.is_open:
             far = f"in doubles within {power_of_ten(off)} at {states}"
         elif off <= _SEEN:
             far = f"but not seen in doubles at {states}"
@@ -153,7 +158,11 @@ def _differences(made: Comparison) -> tuple[float, ...]:
 def _clue(made: Comparison) -> list[str]:
     """Where to look."""
     lines = []
-    if not made.by_states and made.bare is not None and made.bare.agrees:
+    if made.is_open:
+        lines.append(
+            "either they differ by very little, or by an identity that nhc does not know, as log(x*y) = log(x) + log(y)"
+        )
+    elif not made.by_states and made.bare is not None and made.bare.agrees:
         lines.append("without potential and forces they agree: look at `U`, `V` and `forces`")
     elif not made.by_states and made.bare is not None:
         where = "`T`" if made.pairing.is_plain else "`T`, and at what `--map` says"
@@ -172,6 +181,10 @@ def _left_out(made: Comparison) -> list[str]:
             lines.append(f"left out: {_quoted(names)}, which only {spec} has, at any value")
         if values:
             lines.append(f"parameters that only {spec} has, at their values there: {', '.join(values)}")
+    if made.pairing.open_parameters:
+        lines.append(
+            f"parameters that only one spec has, and without a value, at any: {_quoted(made.pairing.open_parameters)}"
+        )
     return lines
 
 

@@ -8,7 +8,7 @@ more points: a sign stays the same at every second change, and others may hide i
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
 from nhc.algebra.calculus import reachable
@@ -83,12 +83,16 @@ def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
         zero = [z and not value for z, value in zip(zero, values, strict=True)]
         others = base.values.keys() - planned  # what the point needed besides: factors of arguments in canonical form
         for j, change in enumerate(changes):
-            if change is None or (compared[j] and all(depends[k][j] for k in change.open)):
+            if change is None or (compared[j] and not change.signs and all(depends[k][j] for k in change.open)):
                 continue  # nothing is left to be found
             changed = change.compare(base, others, random.Random(1_000_003 * seed + j), values)
             compared[j] = compared[j] or bool(changed)
             for row, differs in zip(depends, changed, strict=bool(changed)):
                 row[j] = row[j] or differs
+            for found in change.cross(base, others) if index < _POINTS else ():
+                zero = [z and not value for z, value in zip(zero, found, strict=True)]
+                for row, x, y in zip(depends, found, values, strict=True):
+                    row[j] = row[j] or x != y
     for j in range(size):
         if not compared[j]:  # no other regular value was found: nothing is known
             for row in depends:
@@ -167,6 +171,10 @@ class _Change:
         rows = [*flow.velocities, *flow.unknowns[: flow.kept], *needs]
         self.open = [k for k, node in enumerate(rows) if g.deps[node] & self._mask]
         self._dependent = _Evaluation(flow, needs, self._entry)
+        held = reachable(g, _roots(flow, needs), g.deps[self._entry])
+        free = [g.a[node] for node in held if g.op[node] == "sign" and not g.deps[node] & g.mask(flow.unknowns)]
+        self.signs = [(x, reachable(g, [x], g.deps[self._entry])) for x in dict.fromkeys(free)]
+        """Arguments of signs, each with what it is made of and depends on the entry."""
 
     def compare(
         self, base: FieldPoint, others: Iterable[Node], rng: random.Random, values: Sequence[int]
@@ -186,3 +194,24 @@ class _Change:
                 continue
             return [x != y for x, y in zip(found, values, strict=True)]
         return []
+
+    def cross(self, base: FieldPoint, others: Iterable[Node]) -> Iterator[list[int]]:
+        """All rates and needs where the entry has a value for which the argument of a sign is zero, and its sign with it."""
+        deps, p = base.graph.deps, base.prime
+        stale = [node for node in others if deps[node] & self._mask]
+        for argument, nodes in self.signs:
+            point = base.beside(stale)
+            x, y = point.values[self._entry], point.values[argument]
+            try:
+                slope = (self._fill(point, nodes, argument, x + 1) - y) % p
+                if not slope or self._fill(point, nodes, argument, x - y * pow(slope, -1, p)):
+                    continue  # it is not linear in the entry
+                yield self._dependent.values_at(point)
+            except Unlucky:
+                continue
+
+    def _fill(self, point: FieldPoint, nodes: Sequence[Node], argument: Node, value: int) -> int:
+        """An argument's value where the entry has another one."""
+        point.values[self._entry] = value % point.prime
+        point.fill(node for node in nodes if node != self._entry)
+        return point.values[argument]

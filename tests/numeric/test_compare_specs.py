@@ -298,6 +298,40 @@ def test_specs_that_cannot_be_compared() -> None:
     assert compare("coordinates: [q]\nT: (1 + (3*q^2 + 1)^2)*q'^2/2\n", closed).agrees
 
 
+def test_identities_that_the_field_does_not_know() -> None:
+    """Nobody is told that two specs differ where double precision finds them equal."""
+    first = "coordinates: [x, y]\nT: x'^2/2 + y'^2/2\nforces: {x: log((1 + x^2)*(1 + y^2))}\n"
+    made = compare(first, changed(first, ("log((1 + x^2)*(1 + y^2))", "log(1 + x^2) + log(1 + y^2)")))
+    assert made.is_open and not made.agrees
+    assert not compare(first, changed(first, ("(1 + y^2)", "(2 + y^2)"))).is_open
+
+
+def test_parameters_without_a_value() -> None:
+    """One that no default fixes stands for any value."""
+    first = "coordinates: [x]\nT: x'^2/2\nV: x^2\n"
+    other = "coordinates: [x]\nparameters: [m]\nT: m*x'^2/2\nV: m*x^2\n"
+    for made in (compare(first, other), compare(other, first)):
+        assert made.agrees
+        assert made.pairing.open_parameters == ("m",)
+    assert not compare(first, changed(other, ("m*x^2", "x^2"))).agrees
+
+
+def test_many_signs() -> None:
+    first = "coordinates: [x, y]\nT: x'^2/2 + y'^2/2\nforces: {x: abs(x)*abs(y)*sign(x + y)*sign(x - y)*abs(x')}\n"
+    same = changed(first, ("sign(x + y)*sign(x - y)", "sign(x^2 - y^2)"), ("abs(x)*abs(y)", "abs(x*y)"))
+    assert compare(first, same).agrees
+    assert not compare(first, changed(same, ("x^2 - y^2", "y^2 - x^2"))).agrees
+    assert not compare(first, changed(same, ("abs(x*y)", "x*abs(y)"))).agrees
+
+
+def test_another_rotation_of_the_same_kind() -> None:
+    text = spec_path("free_rigid_body_quaternion").read_text()
+    first, second = (resolve(decode(Source("s.yaml", t))) for t in (text, text.replace("R_", "S_").replace("R:", "S:")))
+    assert compare_systems(first, second, ("R_0=S_0, R_1=S_1", "R_2=S_2, R_3=S_3"), ("A", "B")).agrees
+    first, second = (resolve(decode(Source("s.yaml", t))) for t in (text, text.replace("R_", "S_").replace("R:", "S:")))
+    assert not compare_systems(first, second, ("R_0=S_0, R_1=S_1", "R_2=S_3, R_3=S_2"), ("A", "B")).agrees
+
+
 def test_exit_codes_and_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for name, text in (("a", SLEIGH), ("b", changed(SLEIGH, ("I/2", "I")))):
         (tmp_path / f"{name}.yaml").write_text(f"nhc: 1\nsystem: {name}\n{text}")

@@ -225,6 +225,31 @@ def test_a_sign_is_a_dependence_though_its_slope_is_zero() -> None:
     assert made.reduction.state == ("y", "y'")
 
 
+@pytest.mark.parametrize(
+    ("force", "need", "state"),
+    [
+        ("y*sign(x)*sign(x)", "y", ("y", "x", "y'", "x'")),
+        ("y*sign(x - 2*y)^2", "y", ("y", "x", "y'", "x'")),
+        ("sign(x')^2", "y'", ("x", "y'", "x'")),
+        ("y*abs(x)/(abs(x) + 1) + y/(1 + abs(x))", "y", ("y", "y'")),
+        ("y*(sign(x)*abs(x) - x + 1)", "y", ("y", "y'")),
+    ],
+)
+def test_a_sign_is_zero_where_a_motion_may_stay(force: str, need: str, state: tuple[str, ...]) -> None:
+    """x starts at 0 at rest and stays there: sign(x)^2 is 0 all the time, though it is 1 everywhere else."""
+    text = (
+        "nhc: 1\nsystem: still\ncoordinates: [y, x]\nT: (x'^2 + y'^2)/2\nV: x^2/2\n"
+        f'forces: {{y: "{force}"}}\nscenes: {{s: {{initial: {{y: 1}}, time: [0, 1], need: ["{need}"]}}}}\n'
+    )
+    source = Source("still.yaml", text)
+    made = reduce_scene(source, Options(scene="s"))
+    assert made.reduction.state == state
+    full = run(open_scene(source, "s", "multipliers", whole=True), Settings("dop853", 1e-10))
+    small = run(open_scene(source, "s"), Settings("dop853", 1e-10))
+    column = full.headings.index(need)
+    assert [row[column] for row in full.rows] == pytest.approx([row[small.headings.index(need)] for row in small.rows])
+
+
 SWITCH = """nhc: 1
 system: switch
 coordinates: [{a}, {b}]
