@@ -21,9 +21,11 @@ _LOOSE = 1.30
 _HEAD = """\
 # Performance
 
-Written by `make bench` (`python -m benchmarks`), which holds every peer and every hand-written reference; nothing here is
-typed in.  Each row's ratio comes from one run, nhc and peer interleaved or counted the same way.  Targets that are missed
-say so.  Times are medians; instruction counts are callgrind's and repeat to within a percent.
+nhc's speed beside that of other tools (the *peers*) and of hand-written C: of deriving equations, of starting, of the
+emitted code, and of simulations.  `make bench` (`python -m benchmarks`) measures all of it and writes this page.  In
+each row nhc and the peer were measured in the same run, in turn, or counted in the same way.  Times are medians;
+instructions are counted by callgrind and repeat to within a percent.  Targets were set beforehand, and those that are
+missed say so.
 
 Machine: {machine}.
 """
@@ -31,23 +33,23 @@ Machine: {machine}.
 _DERIVATION = """\
 ## From spec to program
 
-nhc from the decoded spec in memory, and from the YAML text, to the program of the right-hand side that the emitters print
-(solved for the velocities' rates); SymPy from frames and points in memory through `KanesMethod` to `cse` of mass matrix and
-forcing (not solved; its import not counted), with the speeds its users choose, in the same process.  A peer that takes longer
-than {cap:.0f} s is stopped there.  The ratio is peer / nhc.  SymPy's bicycle leaves out the wheels' places and turns, nhc's
-keeps them.
+nhc: from the decoded spec in memory, and from the YAML text, to the program of the right-hand side, solved for the
+rates of the velocities.  The peer is SymPy: from frames and points in memory through `KanesMethod` to `cse` of mass
+matrix and forcing, not solved, without its import, with the speeds that its users choose, in the same process.  It is
+stopped after {cap:.0f} s.  The ratio is peer / nhc. SymPy's bicycle leaves out the wheels' positions and angles,
+nhc's keeps them.
 """
 
 _SCALING = """\
-Time against size, from the specs in positions ([chart](derivation.svg)); the exponent is the slope of a line
-through all points in log-log, 1 is linear.
+Time against the number of bodies, for specs that give positions ([chart](derivation.svg)).  The exponent is the slope
+of a line through all points in logarithmic scales; 1 is linear growth.
 """
 
 _PROCESS = """\
 ## Whole processes
 
 Wall time of a command from start to end, against `python -c "{command}"`, run in turn, both with compiled bytecode as
-an installed package has it.  Derived: with `--anew`, as for a spec that nhc has not seen; again: what was emitted before is kept
+an installed package has it.  Derived: with `--anew`, as for a spec that nhc has not seen; again: from the cache
 ([decision 14](decisions/0014-answers-are-kept.md)).
 """
 
@@ -66,19 +68,18 @@ without quasi-velocities (nhc chooses; the state is then another one).
 """
 
 _GALLERY = """\
-The gallery, {alike} of {all} systems at most 0.8 of CasADi: T, U, forces and rows as the spec writes them, derivatives
-by CasADi, the rates by elimination that takes constant pivots first, its LDL^T and cse, in nhc's own state.  The values
-agree to 1e-9, which is a derivation by other hands.  Above 0.8 are systems where sines, cosines and the closing test
-for infinities, which CasADi's C does not have, are nearly all there is, and those without structure: a T of arbitrary
-functions.
+The gallery, {alike} of {all} systems at most 0.8 of CasADi: T, U, forces and rows as the spec writes them,
+derivatives by CasADi, the rates by elimination that takes constant pivots first, its LDL^T and cse, in nhc's own
+state.  The values agree to 1e-9, so that the derivation is confirmed independently.  Ratios above 0.8 occur where
+nearly all the work is sines, cosines and the final test for infinities, which CasADi's C does not have, and in
+systems without structure, with a T of arbitrary functions.
 """
 
 _BATCH = """\
 ## Batches
 
-`rhs_batch` with `--trig inline`, per state (`{flags}`), against the
-scalar `rhs` (`-O3`) with libm's sine and cosine, and below it with the inlined ones; one C program, interleaved, the quickest of
-many short rounds.
+`rhs_batch` with `--trig inline`, per state (`{flags}`), against the scalar `rhs` (`-O3`) with libm's sine and cosine,
+and below it with the inlined ones; one C program, interleaved, the quickest of many short rounds.
 """
 
 _COMPILE = """\

@@ -24,6 +24,7 @@ TEMPLATE = "latex/derivation.tex.jinja"
 _LINE = 440.0  # points between the margins, less a little
 _TAG = 52.0  # a tag and the space before it
 _HANGING = 24.0
+_ZERO = 24.0  # the end "= 0" of a row
 _MOST_ROWS = 40  # of a table on one page
 _LONG_NOTE, _LONG_PHRASE = 100.0, 320.0  # points of a name or a sentence beside a formula
 _PARAGRAPH = 40  # characters that may make another line of a cell
@@ -235,6 +236,8 @@ class _Printer:
         if len(lines) == 1 and len(after) == 1 and total(left) + total(right) + 24.0 <= space:
             return [f"{rows[0]} {relation} {after[0].strip()}{tail}"]
         rows[0] += tail
+        if not statement.right and len(lines) > 1 and estimate(lines[-1]) + _ZERO <= _LINE - _TAG - _HANGING:
+            return [*rows[:-1], f"{rows[-1]} {relation} {after[0].strip()}"]
         return [*rows, rf"&\quad {relation} {after[0].strip()}", *(rf"&\qquad {line.strip()}" for line in after[1:])]
 
 
