@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:657a4e8be0cd667b)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:8b3c401604982b68)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -660,20 +660,21 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
     /* from the parameters alone */
-    const double k1 = m * a;
-    const double k2 = m * a * a;
-    const double k3 = k * k2;
-    const double k4 = 1.0 + k;
-    const double k5 = k2 * k4;
+    const double k1 = a * a;
+    const double I = m * k * k1;
+    const double k2 = m * a;
+    const double k3 = m * k1;
+    const double k4 = k * k3;
+    const double k5 = 1.0 + k;
     const double k6 = 2.0 * Omega0;
     const double k7 = Omega0 * Omega0;
-    const double k8 = 1.0 / k3;
+    const double k8 = 1.0 / k4;
     const double k9 = 1.0 / k5;
-    const double k10 = k1 * k9;
+    const double k10 = 1.0 / (a * k5);
 
     /* from the state */
-    const double z1 = k2 * (k + s_theta * s_theta);
-    const double z2 = z1 - c_theta * c_theta * k3;
+    const double z1 = k3 * (k + s_theta * s_theta);
+    const double z2 = z1 - c_theta * c_theta * k4;
     const double z4 = Omega1 * s1;
     const double Omega = Omega0 + z4;
     const double z5 = s_theta * s_phi;
@@ -681,7 +682,7 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double z7 = a * c_phi;
     const double z8 = a * s_phi;
     const double z9 = c_phi * s_theta;
-    const double z10 = s_theta * k1;
+    const double z10 = s_theta * k2;
     const double z11 = 1.0 / z2;
     const double z12 = c_theta * z11;
     const double z13 = z10 * z12;
@@ -700,24 +701,23 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double z26 = z16 * z19;
     const double z27 = Omega1 * (s1 * (z14 * z20 - (z25 - z14 * z21)) - z26);
     const double z28 = z22 * k7;
-    const double z29 = phi_dot * k4;
-    const double z30 = z6 * k4;
+    const double z29 = phi_dot * k5;
+    const double z30 = z6 * k5;
     const double z31 = z27 + (z28 - z25 * (z29 + (Omega0 - z30)));
     const double z32 = z10 * z11;
     const double z33 = z31 * z32;
-    const double z34 = s_theta * k3;
-    const double z35 = k3 * (c_theta * z24) - z33 * z34;
+    const double z34 = s_theta * k4;
+    const double z35 = I * (c_theta * z24) - z33 * z34;
     const double z36 = z25 * z10;
-    const double z37 = s_theta * k2;
-    const double z38 = s_theta * (psi_dot * z36 + (z24 + k1 * (z31 * z12)) * z34) - c_theta * (k1 * (z27 -
+    const double z37 = s_theta * k3;
+    const double z38 = s_theta * (psi_dot * z36 + (z24 + k2 * (z31 * z12)) * z34) - c_theta * (k2 * (z27 -
         (z25 * (z29 + (Omega0 - z6)) - z28)) - 2.0 * (z33 * z37));
     const double z39 = z11 * (z38 - c_theta * z35);
-    const double z40 = k4 * z36;
+    const double z40 = k5 * z36;
     const double z41 = z40 * z12;
     const double z42 = z29 + (Omega - z30);
     const double z43 = z11 * z40;
-    const double z44 = Omega + z29;
-    const double z45 = k9 * (psi_dot * k2);
+    const double z44 = phi_dot + Omega * k9;
     /* (III.3) */
     J[1] = -Omega;
     J[2] = a * (theta_dot * c_phi + psi_dot * z5);
@@ -734,35 +734,36 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     J[39] = 1.0;
     J[40] = z13 * z17;
     J[41] = z13 * z18;
-    J[42] = -z13 * z23;
+    J[42] = -z23 * z13;
     J[43] = k8 * z35 - c_theta * z39;
     J[45] = -z41;
-    J[46] = s_theta * (psi_dot - k2 * (z42 * z12));
+    J[46] = s_theta * (psi_dot - k3 * (z42 * z12));
     J[47] = z43;
     J[48] = k10 * z18;
     J[49] = -k10 * z17;
     J[50] = k10 * (z28 - Omega1 * (z26 - z22 * z15));
-    J[51] = -z44 * (c_theta * z45);
-    J[53] = -k4 * (s_theta * z45);
-    J[55] = -k9 * (z44 * z37);
+    J[51] = -z6 * z44;
+    J[53] = -psi_dot * s_theta;
+    J[55] = -s_theta * z44;
     J[56] = -z32 * z17;
     J[57] = -z32 * z18;
     J[58] = z32 * z23;
     J[59] = z39;
     J[61] = z43;
-    J[62] = z37 * (z11 * z42);
+    J[62] = z42 * (z11 * z37);
     J[63] = -z41;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[3] + J[7] + J[10] + J[11] + J[15] + J[40] + J[41] + J[42] + J[43] + J[46] + J[47] +
-        J[48] + J[49] + J[50] + J[51] + J[53] + J[55] + J[56] + J[57] + J[58] + J[62] + J[63]) <= DBL_MAX
+        J[48] + J[49] + J[50] + J[51] + J[55] + J[56] + J[57] + J[58] + J[62] + J[63]) <= DBL_MAX
+        && fabs(k3 * k5) > 0.0
         && fabs(z2) > 1e-13 * z1)) {
         /* the mass matrix is singular */
-        if (!(fabs(k3) > 0.0)) {
-            return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        if (!(fabs(k4) > 0.0)) {
+            return ball_on_table_refuse(fabs(k4), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(k5) > 0.0)) {
-            return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        if (!(fabs(k3 * k5) > 0.0)) {
+            return ball_on_table_refuse(fabs(k3 * k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 1e-13 * z1)) {

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:2736502023603247)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:ff09b9c0ed53dcdd)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -48,7 +48,7 @@
  * residuals: 7 +-, 11 *, 0 /, 4 calls
  * reactions: 36 +-, 69 *, 2 /, 6 calls
  * energy: 10 +-, 23 *, 0 /, 5 calls
- * jacobian: 39 +-, 110 *, 3 /, 6 calls
+ * jacobian: 39 +-, 108 *, 4 /, 6 calls
  * outputs: 14 +-, 28 *, 0 /, 3 calls
  *
  * Calls: t is the time, y has BALL_ON_TABLE_NY entries and p BALL_ON_TABLE_NP;

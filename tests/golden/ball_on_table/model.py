@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:f98f5e60e6dcf5a4).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:94feeaf7bd25405d).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -49,7 +49,7 @@ state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 7 +-, 11 *, 0 /, 4 calls
 reactions: 36 +-, 69 *, 2 /, 6 calls
 energy: 10 +-, 23 *, 0 /, 5 calls
-jacobian: 39 +-, 110 *, 3 /, 6 calls
+jacobian: 39 +-, 108 *, 4 /, 6 calls
 outputs: 14 +-, 28 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
@@ -591,27 +591,28 @@ def jacobian(
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # from the parameters alone
-        k1 = m * a
-        k2 = m * a * a
-        k3 = k * k2
+        k1 = a * a
+        I = m * k * k1
+        k2 = m * a
+        k3 = m * k1
+        k4 = k * k3
         # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise _refuse(abs(k3), 0.0, 2, "jacobian")
-        k4 = 1.0 + k
-        k5 = k2 * k4
+        if not abs(k4) > 0.0:
+            raise _refuse(abs(k4), 0.0, 2, "jacobian")
+        k5 = 1.0 + k
         # the mass matrix is singular
-        if not abs(k5) > 0.0:
-            raise _refuse(abs(k5), 0.0, 2, "jacobian")
+        if not abs(k3 * k5) > 0.0:
+            raise _refuse(abs(k3 * k5), 0.0, 2, "jacobian")
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
-        k8 = 1.0 / k3
+        k8 = 1.0 / k4
         k9 = 1.0 / k5
-        k10 = k1 * k9
+        k10 = 1.0 / (a * k5)
         # from the state
         s_theta = math.sin(theta)
-        z1 = k2 * (k + s_theta * s_theta)
+        z1 = k3 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
-        z2 = z1 - c_theta * c_theta * k3
+        z2 = z1 - c_theta * c_theta * k4
         # the mass matrix is singular
         if not abs(z2) > 1e-13 * z1:
             raise _refuse(abs(z2), 1e-13 * z1, 2, "jacobian")
@@ -626,7 +627,7 @@ def jacobian(
         z7 = a * c_phi
         z8 = a * s_phi
         z9 = c_phi * s_theta
-        z10 = s_theta * k1
+        z10 = s_theta * k2
         z11 = 1.0 / z2
         z12 = c_theta * z11
         z13 = z10 * z12
@@ -646,25 +647,24 @@ def jacobian(
         z26 = z16 * z19
         z27 = Omega1 * (s1 * (z14 * z20 - (z25 - z14 * z21)) - z26)
         z28 = z22 * k7
-        z29 = phi_dot * k4
-        z30 = z6 * k4
+        z29 = phi_dot * k5
+        z30 = z6 * k5
         z31 = z27 + (z28 - z25 * (z29 + (Omega0 - z30)))
         z32 = z10 * z11
         z33 = z31 * z32
-        z34 = s_theta * k3
-        z35 = k3 * (c_theta * z24) - z33 * z34
+        z34 = s_theta * k4
+        z35 = I * (c_theta * z24) - z33 * z34
         z36 = z25 * z10
-        z37 = s_theta * k2
-        s2 = k1 * (z27 - (z25 * (z29 + (Omega0 - z6)) - z28))
-        s3 = s_theta * (psi_dot * z36 + (z24 + k1 * (z31 * z12)) * z34)
+        z37 = s_theta * k3
+        s2 = k2 * (z27 - (z25 * (z29 + (Omega0 - z6)) - z28))
+        s3 = s_theta * (psi_dot * z36 + (z24 + k2 * (z31 * z12)) * z34)
         z38 = s3 - c_theta * (s2 - 2.0 * (z33 * z37))
         z39 = z11 * (z38 - c_theta * z35)
-        z40 = k4 * z36
+        z40 = k5 * z36
         z41 = z40 * z12
         z42 = z29 + (Omega - z30)
         z43 = z11 * z40
-        z44 = Omega + z29
-        z45 = k9 * (psi_dot * k2)
+        z44 = phi_dot + Omega * k9
         J: list[float] = [
             0.0,
             # (III.3)
@@ -724,14 +724,14 @@ def jacobian(
             # (III.3)
             z13 * z18,
             # (III.3)
-            -z13 * z23,
+            -z23 * z13,
             # (III.3)
             k8 * z35 - c_theta * z39,
             0.0,
             # (III.3)
             -z41,
             # (III.3)
-            s_theta * (psi_dot - k2 * (z42 * z12)),
+            s_theta * (psi_dot - k3 * (z42 * z12)),
             # (III.3)
             z43,
             # (III.3)
@@ -741,13 +741,13 @@ def jacobian(
             # (III.3)
             k10 * (z28 - Omega1 * (z26 - z22 * z15)),
             # (III.3)
-            -z44 * (c_theta * z45),
+            -z6 * z44,
             0.0,
             # (III.3)
-            -k4 * (s_theta * z45),
+            -psi_dot * s_theta,
             0.0,
             # (III.3)
-            -k9 * (z44 * z37),
+            -s_theta * z44,
             # (III.3)
             -z32 * z17,
             # (III.3)
@@ -760,7 +760,7 @@ def jacobian(
             # (III.3)
             z43,
             # (III.3)
-            z37 * (z11 * z42),
+            z42 * (z11 * z37),
             # (III.3)
             -z41,
         ]

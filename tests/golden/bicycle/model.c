@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:d974405ffa10969d)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:031d5ab1c234e6a8)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -346,13 +346,13 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double k7 = R_xx + B_xx;
     const double k8 = R_xx + B_zz;
     const double k9 = z_H * s_lam + c_lam * k3;
-    const double k10 = c_lam * k2 - r_R * s_lam;
-    const double k11 = c_lam * k1 + x_B * s_lam;
-    const double k12 = x_B * c_lam - s_lam * k1;
-    const double k13 = r_R * c_lam;
-    const double k14 = s_lam * k2;
-    const double k15 = z_H * c_lam - s_lam * k3 + k13 + k14;
-    const double k16 = k14 - (r_F * c_lam + c * s_lam - k13);
+    const double k10 = r_R * s_lam - c_lam * k2;
+    const double k11 = r_R * c_lam;
+    const double k12 = s_lam * k2;
+    const double k13 = x_B * s_lam + c_lam * k1;
+    const double k14 = x_B * c_lam - s_lam * k1;
+    const double k15 = k11 + (z_H * c_lam - s_lam * k3 + k12);
+    const double k16 = k11 - (r_F * c_lam + c * s_lam - k12);
     const double k17 = fabs(r_R);
     const double k18 = fabs(r_F);
     const double k19 = fabs(w);
@@ -363,16 +363,16 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double k24 = 13.0 * k20 + (14.0 * k18 + k23);
     const double k25 = 10.0 * k20 + (k21 + k23);
     const double k26 = m_R + m_B;
-    const double k27 = m_B * k11;
-    const double k28 = m_B * k12;
+    const double k27 = m_B * k13;
+    const double k28 = m_B * k14;
     const double k29 = B_xz * c_lam;
     const double k30 = s_lam * k8 - k29;
     const double k31 = B_xz * s_lam;
     const double k32 = c_lam * k7 - k31;
-    const double k33 = k11 * k27;
+    const double k33 = k13 * k27;
     const double k34 = s_lam * k30 + c_lam * k32 + k33;
-    const double k35 = c_lam * k30 - s_lam * k32 + k12 * k27;
-    const double k36 = k12 * k28;
+    const double k35 = c_lam * k30 - s_lam * k32 + k14 * k27;
+    const double k36 = k14 * k28;
     const double k37 = k33 + (B_yy + k36);
     const double k38 = k36 + (c_lam * (k31 + c_lam * k8) + s_lam * (k29 + s_lam * k7));
     const double k39 = m_F * k16;
@@ -398,8 +398,8 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double k59 = g * m_H;
     const double k60 = g * m_B;
     const double k61 = g * k26;
-    const double k62 = k12 * k60;
-    const double k63 = k11 * k60;
+    const double k62 = k14 * k60;
+    const double k63 = k13 * k60;
     const double k64 = g * k40;
     const double k65 = k15 * k59 + k16 * k58;
     const double k66 = k9 * k59 - k4 * k58;
@@ -409,14 +409,14 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z3 = c_roll * s1;
     const double z4 = r_R * z3;
     const double z5 = z1 * z4;
-    const double z6 = k10 + z5;
+    const double z6 = k10 - z5;
     const double z7 = c_roll * c1;
     const double z8 = e2z * s_steer - c_steer * z3;
     const double z9 = 1.0 / sqrt(z7 * z7 + z8 * z8);
     const double z10 = r_F * z8;
     const double z11 = z9 * z10;
     const double z12 = k4 + z11;
-    const double z13 = z6 + c_steer * z12;
+    const double z13 = z6 - c_steer * z12;
     const double z14 = r_R * z7;
     const double z15 = z1 * z14;
     const double z16 = c_steer * z15;
@@ -425,52 +425,52 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z19 = k16 + z18;
     const double z20 = c_steer * z19;
     const double z21 = c_steer * k10;
-    const double z22 = z21 + z12;
-    const double z23 = s1 * z20 + c1 * z22;
+    const double z22 = z21 - z12;
+    const double z23 = s1 * z20 - c1 * z22;
     const double z24 = z15 - z19;
     const double z25 = s_steer * z24;
     const double z26 = c_roll * z23 + e2z * z25;
     const double z27 = s_steer * z19;
     const double z28 = s_steer * k10;
-    const double z29 = s1 * z27 + c1 * z28;
+    const double z29 = s1 * z27 - c1 * z28;
     const double z30 = c_steer * z24;
     const double z31 = c_roll * z29 - e2z * z30;
     const double z32 = s_steer * z15;
     const double z33 = z16 * z26 + z31 * z32;
     const double z34 = z30 * z26 + z31 * z25;
-    const double z35 = z13 * z33 - z5 * z34;
+    const double z35 = z13 * z33 + z5 * z34;
     const double z36 = k17 * (9.0 + fabs(z1));
     const double z37 = r_R * z1;
     const double z38 = c_roll * z37;
     const double z39 = 1.0 / z35;
-    const double z40 = k10 * s1 + z38;
-    const double z41 = s1 * z12 + (c_steer * z40 - c1 * z20);
+    const double z40 = k10 * s1 - z38;
+    const double z41 = s1 * z12 - (c_steer * z40 + c1 * z20);
     const double z42 = s_steer * c1;
-    const double z43 = z19 * z42 - s_steer * z40;
+    const double z43 = z19 * z42 + s_steer * z40;
     const double z44 = z16 * z41 - z32 * z43;
-    const double z45 = z39 * (z13 * z44 - z5 * (z30 * z41 - z25 * z43));
+    const double z45 = z39 * (z13 * z44 + z5 * (z30 * z41 - z25 * z43));
     const double z46 = c_roll * z45;
     const double z47 = s1 - c1 * z46;
     const double z48 = c1 + s1 * z46;
     const double z49 = s_steer * z12;
     const double z50 = s1 * z49;
-    const double z51 = c_roll * z50 + e2z * z13;
-    const double z52 = z39 * (z42 * (z12 * z33) + z51 * z44 + z5 * (z26 * z43 + z31 * z41)) - e2z * z45;
-    const double z53 = c_steer * z52 - s_steer * z48;
+    const double z51 = c_roll * z50 - e2z * z13;
+    const double z52 = z39 * (z42 * (z12 * z33) + z51 * z44 + z5 * (z26 * z43 + z31 * z41)) + e2z * z45;
+    const double z53 = c_steer * z52 + s_steer * z48;
     const double z54 = z15 * z52;
-    const double z55 = z38 + k10 * z47;
-    const double z56 = c_steer * z54 - s_steer * z55;
+    const double z55 = z38 - k10 * z47;
+    const double z56 = c_steer * z54 + s_steer * z55;
     const double z57 = z6 * z52;
-    const double z58 = k56 * z53 - (k42 * z56 - k45 * z57);
+    const double z58 = k56 * z53 - (k42 * z56 + k45 * z57);
     const double z59 = F_yy * z53;
     const double z60 = k38 * z47 + (k28 * z38 - k35 * z48);
-    const double z61 = c_steer * z55 + s_steer * z54;
-    const double z62 = s_steer * z52 + c_steer * z48;
-    const double z63 = k57 * z47 + (k45 * z61 - k53 * z62);
+    const double z61 = c_steer * z55 - s_steer * z54;
+    const double z62 = s_steer * z52 - c_steer * z48;
+    const double z63 = k57 * z47 + (k45 * z61 + k53 * z62);
     const double z64 = z60 + z63;
-    const double z65 = k53 * z47 + (k42 * z61 - k52 * z62);
-    const double z66 = k40 * z57 + k45 * z53;
-    const double z67 = k45 * z47 + (k40 * z61 - k42 * z62);
+    const double z65 = k53 * z47 + (k42 * z61 + k52 * z62);
+    const double z66 = k40 * z57 - k45 * z53;
+    const double z67 = k45 * z47 + (k40 * z61 + k42 * z62);
     const double z68 = k40 * z56 - k42 * z53;
     const double z69 = z5 * z52;
     const double z70 = k37 * z52 - (k27 * z54 - k28 * z69);
@@ -478,23 +478,23 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z72 = k26 * z54 - k27 * z52;
     const double z73 = k35 * z47 + (k27 * z38 - k34 * z48);
     const double z74 = z56 * z68 + (z52 * z70 + (z69 * z71 + (z54 * z72 - (z48 * z73 - R_yy * (z52 * z52)))));
-    const double z75 = z53 * (z58 + z59) + (z47 * z64 - (z62 * z65 - (z57 * z66 + (z61 * z67 + z74))));
+    const double z75 = z53 * (z58 + z59) + (z47 * z64 + (z62 * z65 + (z57 * z66 + (z61 * z67 + z74))));
     const double z76 = z38 * (k28 * z47 + (k26 * z38 - k27 * z48)) + z75;
     const double z77 = z16 * z12;
     const double z78 = z30 * z12;
-    const double z79 = (z13 * z77 - z5 * z78) * z39;
+    const double z79 = (z13 * z77 + z5 * z78) * z39;
     const double z80 = c_roll * z79;
     const double z81 = c1 * z80;
     const double z82 = 1.0 - z81;
     const double z83 = z31 * z12;
-    const double z84 = (z51 * z77 + z5 * z83) * z39 - e2z * z79;
+    const double z84 = (z51 * z77 + z5 * z83) * z39 + e2z * z79;
     const double z85 = s1 * z80;
-    const double z86 = s_steer * z84 + c_steer * z85;
-    const double z87 = (z51 * z78 + z13 * z83) * z39 - z84;
+    const double z86 = s_steer * z84 - c_steer * z85;
+    const double z87 = (z51 * z78 - z13 * z83) * z39 - z84;
     const double z88 = z15 * z87;
     const double z89 = s_steer * z88 + z21 * z81;
-    const double z90 = k57 * z82 - (k53 * z86 + k45 * z89);
-    const double z91 = k53 * z82 - (k52 * z86 + k42 * z89);
+    const double z90 = k57 * z82 + (k53 * z86 + k45 * z89);
+    const double z91 = k53 * z82 + (k52 * z86 + k42 * z89);
     const double z92 = k35 * z85 + k38 * z81;
     const double z93 = z5 * z87;
     const double z94 = k37 * z84 + (k27 * z88 - k28 * z93);
@@ -502,49 +502,49 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z96 = k26 * z88 + k27 * z84;
     const double z97 = k26 * z93 - k28 * z84;
     const double z98 = z81 * z92 + (z84 * z94 + (z85 * z95 + (z88 * z96 + (z93 * z97 + R_yy * (z87 * z87)))));
-    const double z99 = k45 * z82 - (k42 * z86 + k40 * z89);
-    const double z100 = z82 * z90 - (z86 * z91 - (z98 - z89 * z99));
+    const double z99 = k45 * z82 + (k42 * z86 + k40 * z89);
+    const double z100 = z82 * z90 + (z86 * z91 + (z98 + z89 * z99));
     const double z101 = z81 * z60 - (z84 * z70 - (z85 * z73 + (z88 * z72 + (z93 * z71 + R_yy * (z87 *
         z52)))));
-    const double z102 = z82 * z63 - (z86 * z65 + (z89 * z67 + z101));
+    const double z102 = z82 * z63 + (z86 * z65 + (z89 * z67 - z101));
     const double z103 = 1.0 / z76;
     const double z104 = z102 * z103;
     const double z105 = z100 - z102 * z104;
     const double z106 = z18 * z25;
     const double z107 = z18 * z13;
-    const double z108 = z39 * (z5 * z106 - z32 * z107);
+    const double z108 = z39 * (z5 * z106 + z32 * z107);
     const double z109 = c_roll * z108;
     const double z110 = c1 * z109;
     const double z111 = k10 * z110;
     const double z112 = e2z * z108;
-    const double z113 = z39 * (z11 * z34 - (z51 * z106 - z26 * z107)) + z112;
+    const double z113 = z39 * (z11 * z34 - (z51 * z106 + z26 * z107)) + z112;
     const double z114 = z15 * z113;
-    const double z115 = c_steer * z111 + s_steer * z114;
+    const double z115 = c_steer * z111 - s_steer * z114;
     const double z116 = s1 * z109;
     const double z117 = s_steer * z112 - c_steer * z116;
     const double z118 = c_steer * z112 + s_steer * z116;
-    const double z119 = c_steer * z114 - s_steer * z111;
+    const double z119 = c_steer * z114 + s_steer * z111;
     const double z120 = z5 * z113;
-    const double z121 = z120 + k10 * z112;
+    const double z121 = z120 - k10 * z112;
     const double z122 = z116 * (k34 * z116 + k35 * z110) + (z114 * (k26 * z114 - k27 * z112) + z120 * (k26 *
         z120 + k28 * z112));
     const double z123 = z110 * (k35 * z116 + k38 * z110) + (z112 * (k37 * z112 - (k27 * z114 - k28 * z120)) +
         z122);
-    const double z124 = z115 * (k45 * z110 + (k40 * z115 - k42 * z117)) + (z119 * (k40 * z119 - k42 * z118) +
+    const double z124 = z115 * (k45 * z110 - (k40 * z115 + k42 * z117)) - (z119 * (k40 * z119 - k42 * z118) +
         z123);
-    const double z125 = z117 * (k53 * z110 + (k42 * z115 - k52 * z117)) - (z121 * (k40 * z121 + k45 * z118) +
+    const double z125 = z117 * (k53 * z110 - (k42 * z115 + k52 * z117)) - (z121 * (k40 * z121 + k45 * z118) -
         z124);
-    const double z126 = z110 * (k57 * z110 + (k45 * z115 - k53 * z117)) + (z118 * (k56 * z118 - (k42 * z119 -
+    const double z126 = z110 * (k57 * z110 - (k45 * z115 + k53 * z117)) + (z118 * (k56 * z118 - (k42 * z119 -
         k45 * z121)) - z125);
-    const double z127 = 1.0 + z118;
+    const double z127 = 1.0 - z118;
     const double z128 = z126 + R_yy * (z113 * z113) + F_yy * (z127 * z127);
     const double z129 = R_yy * z113;
-    const double z130 = z112 * z70 + (z116 * z73 + (z114 * z72 + (z120 * z71 + (z129 * z52 + z127 * z59))));
-    const double z131 = z110 * z64 + (z118 * z58 - (z117 * z65 - (z121 * z66 + (z115 * z67 + (z119 * z68 +
+    const double z130 = z112 * z70 - (z116 * z73 - (z114 * z72 + (z120 * z71 + (z129 * z52 - z127 * z59))));
+    const double z131 = z110 * z64 - (z118 * z58 + (z117 * z65 - (z121 * z66 - (z115 * z67 + (z119 * z68 +
         z130)))));
     const double z132 = z131 * z103;
-    const double z133 = z94 * z112 - (z95 * z116 + (z96 * z114 + (z97 * z120 + (z102 * z132 + z87 * z129))));
-    const double z134 = z110 * (z92 - z90) + (z117 * z91 - (z115 * z99 + z133));
+    const double z133 = z94 * z112 + (z95 * z116 - (z96 * z114 + (z97 * z120 - (z102 * z132 - z87 * z129))));
+    const double z134 = z110 * (z92 - z90) + (z117 * z91 + (z115 * z99 + z133));
     const double z135 = 1.0 / z105;
     const double z136 = z134 * z135;
     const double z137 = z128 - z131 * z132 - z134 * z136;
@@ -554,155 +554,154 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z141 = k4 * z139 - z11 * z140;
     const double z142 = roll_dot * s1;
     const double v2_x = roll_dot * z38;
-    const double z143 = k10 * z142 + v2_x;
-    const double z144 = z18 * z140 - (k16 * z139 - s_steer * z143);
+    const double z143 = k10 * z142 - v2_x;
+    const double z144 = z18 * z140 - (k16 * z139 + s_steer * z143);
     const double z145 = steer_dot + z142;
     const double z146 = c_steer * z138;
-    const double z147 = z145 * z12 - (z19 * z146 - c_steer * z143);
+    const double z147 = z145 * z12 - (z19 * z146 + c_steer * z143);
     const double z148 = z25 * z144 + z30 * z147;
     const double z149 = z26 * z144 - z31 * z147;
-    const double z150 = z39 * (z34 * z141 + (z51 * z148 - z13 * z149));
+    const double z150 = z39 * (z34 * z141 + (z51 * z148 + z13 * z149));
     const double z151 = z32 * z144 + z16 * z147;
     const double z152 = z39 * (z33 * z141 + z51 * z151 - z5 * z149);
-    const double z153 = z39 * (z13 * z151 - z5 * z148);
-    const double w2 = z152 - e2z * z153;
-    const double z154 = z150 - w2;
-    const double z155 = z5 * z154;
-    const double z156 = z15 * z154;
-    const double z157 = s1 * z155 + c1 * z156;
-    const double z158 = c_roll * v2_x;
-    const double z159 = c1 * z152;
-    const double z160 = roll_dot * z159;
-    const double z161 = c_roll * z153;
-    const double z162 = s1 * z152;
-    const double z163 = roll_dot * e2z;
-    const double z164 = steer_dot * s_steer;
-    const double z165 = z163 * c1 + c_roll * z162;
-    const double z166 = roll_dot * c_roll;
-    const double z167 = steer_dot * c_steer;
-    const double z168 = z163 * s1 - c_roll * z159;
-    const double z169 = s_steer * z166 + e2z * z167 + (z164 * z3 + c_steer * z168);
-    const double z170 = (z7 * z165 - z8 * z169) * (z9 * (z9 * z9));
-    const double z171 = r_F * z9;
-    const double z172 = z17 * z170 - z171 * z165;
-    const double z173 = z10 * z170 + z171 * z169;
-    const double z174 = s1 * (z164 * z19 - c_steer * z172) + (c1 * (z164 * k10 - z173) - (z20 * z159 - z22 *
-        z162));
-    const double z175 = z1 * (c_roll * z163) * (z1 * z1);
-    const double z176 = z14 * z175 - z37 * z165;
-    const double z177 = z176 - z172;
-    const double z178 = z167 * z24 + s_steer * z177;
-    const double z179 = roll_dot * z162;
-    const double z180 = k10 * z160;
-    const double z181 = z19 * (z164 * z138 + c_steer * z179) - (z146 * z172 + (z164 * z143 - (z145 * z173 +
-        (c_steer * z180 + z152 * z178))));
-    const double z182 = z153 * (c_roll * z174 + (z163 * z23 - (z166 * z25 + e2z * z178))) - (z150 * (z167 *
-        z15 + s_steer * z176) - (z12 * z160 + z181));
-    const double z183 = s1 * (z167 * z19 + s_steer * z172) + (z27 * z159 + (k10 * (z167 * c1) - z28 * z162));
-    const double z184 = z164 * z24 - c_steer * z177;
-    const double z185 = z167 * z138 - s_steer * z179;
-    const double z186 = z150 * (z164 * z15 - c_steer * z176) + (z19 * z185 - (z140 * z172 + (z167 * z143 +
-        (s_steer * z180 + z152 * z184))));
-    const double z187 = z153 * (c_roll * z183 - (z163 * z29 + (z166 * z30 - e2z * z184))) + z186;
-    const double z188 = z16 * z182 - z32 * z187;
-    const double z189 = z30 * z182 - z25 * z187;
-    const double z190 = z39 * (z13 * z188 - z5 * z189);
-    const double z191 = z163 * z153 - c_roll * z190;
-    const double z192 = z160 + (z161 * z162 + c1 * z191);
-    const double z193 = z142 - c1 * z161;
-    const double z194 = z138 + s1 * z161;
-    const double z195 = z156 * z193 - z155 * z194;
-    const double z196 = z179 - (z161 * z159 - s1 * z191);
-    const double z197 = k27 * w2;
-    const double z198 = k28 * w2;
-    const double z199 = k28 * z192 + (k26 * z195 + (k27 * z196 + (z193 * z197 - (e2z * k61 - z194 * z198))));
-    const double z200 = z4 * z175 - z37 * z168;
-    const double z201 = z200 - (z164 * z12 - c_steer * z173);
-    const double z202 = c_roll * (z49 * z159 + s1 * (z167 * z12 + s_steer * z173)) - (z163 * z50 - (z166 *
-        z13 + e2z * z201));
-    const double z203 = z153 * z202 + (z12 * z185 + (z150 * z200 - (z140 * z173 + z152 * z201)));
-    const double z204 = z26 * z187 + z31 * z182;
-    const double z205 = z39 * (z51 * z188 + z33 * z203 + z5 * z204) - (z166 * z153 + e2z * z190);
-    const double z206 = z164 * w2 - c_steer * z205 + (z167 * z194 - s_steer * z196);
-    const double z207 = z39 * (z51 * z189 + z13 * z204 + z34 * z203) - z205;
-    const double z208 = z154 * z176 + z15 * z207 + (w2 * z155 - v2_x * z193);
-    const double z209 = k10 * w2;
-    const double z210 = k10 * z193;
-    const double z211 = z208 - (w2 * z209 + z193 * z210);
-    const double z212 = z195 + (k10 * z192 + z209 * z194);
-    const double z213 = c_steer * z211 + s_steer * z212;
-    const double z214 = z154 * z200 + z5 * z207 + (v2_x * z194 - w2 * z156);
-    const double z215 = z214 - (k10 * z205 - z194 * z210);
-    const double w3_steer = steer_dot + z193;
-    const double z216 = s_steer * w2 + c_steer * z194;
-    const double z217 = k52 * z216 - k53 * w3_steer;
-    const double z218 = k53 * z216 - k57 * w3_steer;
-    const double z219 = z8 * k65 + (k56 * z206 - (k42 * z213 - (k45 * z215 - (w3_steer * z217 + z216 *
-        z218))));
-    const double z220 = z7 * k66 + z219;
-    const double z221 = F_yy * z206;
-    const double z222 = R_yy * z154 - k37 * w2;
-    const double z223 = k34 * z194 - k35 * z193;
-    const double z224 = e2z * k62 - (k38 * z192 + (k28 * z195 + k35 * z196) - (z194 * z222 + w2 * z223));
+    const double z153 = z39 * (z13 * z151 + z5 * z148);
+    const double z154 = z152 + e2z * z153;
+    const double z155 = z150 - z154;
+    const double z156 = z5 * z155;
+    const double z157 = z15 * z155;
+    const double z158 = s1 * z156 + c1 * z157;
+    const double z159 = c_roll * v2_x;
+    const double z160 = c1 * z152;
+    const double z161 = roll_dot * z160;
+    const double z162 = c_roll * z153;
+    const double z163 = s1 * z152;
+    const double z164 = roll_dot * e2z;
+    const double z165 = steer_dot * s_steer;
+    const double z166 = z164 * c1 - c_roll * z163;
+    const double z167 = roll_dot * c_roll;
+    const double z168 = steer_dot * c_steer;
+    const double z169 = z164 * s1 + c_roll * z160;
+    const double z170 = s_steer * z167 + e2z * z168 + (z165 * z3 + c_steer * z169);
+    const double z171 = (z7 * z166 - z8 * z170) * (z9 * (z9 * z9));
+    const double z172 = r_F * z9;
+    const double z173 = z17 * z171 - z172 * z166;
+    const double z174 = z10 * z171 + z172 * z170;
+    const double z175 = s1 * (z165 * z19 - c_steer * z173) - (c1 * (z165 * k10 + z174) - (z20 * z160 + z22 *
+        z163));
+    const double z176 = z1 * (c_roll * z164) * (z1 * z1);
+    const double z177 = z14 * z176 - z37 * z166;
+    const double z178 = z177 - z173;
+    const double z179 = z168 * z24 + s_steer * z178;
+    const double z180 = roll_dot * z163;
+    const double z181 = k10 * z161;
+    const double z182 = z19 * (z165 * z138 - c_steer * z180) - (z146 * z173 - (z165 * z143 + (z145 * z174 +
+        (c_steer * z181 - z152 * z179))));
+    const double z183 = z153 * (c_roll * z175 + (z164 * z23 - (z167 * z25 + e2z * z179))) + (z150 * (z168 *
+        z15 + s_steer * z177) - (z12 * z161 - z182));
+    const double z184 = s1 * (z168 * z19 + s_steer * z173) - (z27 * z160 + (k10 * (z168 * c1) + z28 * z163));
+    const double z185 = z165 * z24 - c_steer * z178;
+    const double z186 = z168 * z138 + s_steer * z180;
+    const double z187 = z150 * (z165 * z15 - c_steer * z177) - (z19 * z186 - (z140 * z173 - (z168 * z143 -
+        (s_steer * z181 - z152 * z185))));
+    const double z188 = z153 * (c_roll * z184 - (z164 * z29 + (z167 * z30 - e2z * z185))) - z187;
+    const double z189 = z16 * z183 - z32 * z188;
+    const double z190 = z30 * z183 - z25 * z188;
+    const double z191 = z39 * (z13 * z189 + z5 * z190);
+    const double z192 = z164 * z153 - c_roll * z191;
+    const double z193 = z161 + (z162 * z163 - c1 * z192);
+    const double z194 = z142 - c1 * z162;
+    const double z195 = z138 + s1 * z162;
+    const double z196 = z157 * z194 - z156 * z195;
+    const double z197 = z180 - (z162 * z160 + s1 * z192);
+    const double z198 = k27 * z154;
+    const double z199 = k28 * z154;
+    const double z200 = k28 * z193 + (k26 * z196 + (k27 * z197 + (z194 * z198 + (e2z * k61 + z195 * z199))));
+    const double z201 = z4 * z176 - z37 * z169;
+    const double z202 = z201 - (z165 * z12 - c_steer * z174);
+    const double z203 = c_roll * (z49 * z160 - s1 * (z168 * z12 + s_steer * z174)) + (z164 * z50 + (z167 *
+        z13 - e2z * z202));
+    const double z204 = z153 * z203 - (z12 * z186 - (z150 * z201 + (z140 * z174 - z152 * z202)));
+    const double z205 = z26 * z188 + z31 * z183;
+    const double z206 = z39 * (z51 * z189 - z33 * z204 + z5 * z205) + (z167 * z153 + e2z * z191);
+    const double z207 = z165 * z154 - c_steer * z206 - (z168 * z195 + s_steer * z197);
+    const double z208 = z39 * (z51 * z190 - z13 * z205 - z34 * z204) - z206;
+    const double z209 = z155 * z177 + z15 * z208 - (z154 * z156 - v2_x * z194);
+    const double z210 = k10 * z154;
+    const double z211 = k10 * z194;
+    const double z212 = z209 - (z154 * z210 + z194 * z211);
+    const double z213 = z196 - (k10 * z193 + z210 * z195);
+    const double z214 = c_steer * z212 + s_steer * z213;
+    const double z215 = z155 * z201 + z5 * z208 - (v2_x * z195 - z154 * z157);
+    const double z216 = z215 + (k10 * z206 + z195 * z211);
+    const double w3_steer = steer_dot + z194;
+    const double z217 = s_steer * z154 - c_steer * z195;
+    const double z218 = k52 * z217 + k53 * w3_steer;
+    const double z219 = k53 * z217 + k57 * w3_steer;
+    const double z220 = z8 * k65 - (k56 * z207 - (k42 * z214 - (k45 * z216 - (w3_steer * z218 - z217 *
+        z219))));
+    const double z221 = z7 * k66 + z220;
+    const double z222 = F_yy * z207;
+    const double z223 = R_yy * z155 - k37 * z154;
+    const double z224 = k34 * z195 - k35 * z194;
+    const double z225 = e2z * k62 + (k38 * z193 + (k28 * z196 + k35 * z197) - (z195 * z223 + z154 * z224));
     const double h2z = e2z * c_steer + s_steer * z3;
-    const double z225 = c_steer * z212 - s_steer * z211;
-    const double z226 = z167 * w2 + s_steer * z205 - (z164 * z194 + c_steer * z196);
-    const double z227 = c_steer * w2 - s_steer * z194;
-    const double z228 = F_yy * (thF_dot + z227) + k56 * z227;
-    const double z229 = h2z * k66 + (k57 * z192 + (k45 * z225 - k53 * z226) + (z216 * z228 - z227 * z217));
-    const double z230 = z224 - z229;
-    const double z231 = h2z * k65 - (k53 * z192 + (k42 * z225 - k52 * z226) + (z227 * z218 + w3_steer *
-        z228));
-    const double z232 = k42 * z216 - k45 * w3_steer;
-    const double z233 = k42 * z227;
-    const double z234 = z7 * k64 - (k40 * z215 + k45 * z206 - (z216 * z232 + z227 * z233));
-    const double z235 = k45 * z227;
-    const double z236 = h2z * k64 - (k45 * z192 + (k40 * z225 - k42 * z226) + (w3_steer * z233 + z216 *
-        z235));
-    const double z237 = z8 * k64 - (k40 * z213 - k42 * z206 - (z227 * z235 - w3_steer * z232));
-    const double z238 = k35 * z194 - k38 * z193;
-    const double z239 = z3 * k63 + z7 * k62 + (k37 * z205 + (k27 * z208 - k28 * z214) + (z193 * z223 + z194 *
-        z238));
-    const double z240 = e2z * k63 - (k35 * z192 + (k27 * z195 + k34 * z196) + (w2 * z238 - z193 * z222));
-    const double z241 = k27 * z194 - k28 * z193;
-    const double z242 = z7 * k61 - (k26 * z214 - k28 * z205 - (z194 * z241 + w2 * z197));
-    const double z243 = z3 * k61 + (k26 * z208 + k27 * z205 - (w2 * z198 - z193 * z241));
-    const double z244 = R_yy * z207;
-    const double z245 = z56 * z237 + (z52 * z239 + (z48 * z240 + (z69 * z242 - (z54 * z243 + z52 * z244))));
-    const double z246 = z53 * (z220 + z221) + (z47 * z230 - (z62 * z231 + (z57 * z234 - (z61 * z236 -
-        z245))));
-    const double z247 = z38 * z199 - z246;
-    const double z248 = z84 * z239 + (z85 * z240 + (z88 * z243 - (z93 * z242 + (z247 * z104 - z87 * z244))));
-    const double z249 = z82 * z229 + (z86 * z231 + (z89 * z236 + (z81 * z224 + z248)));
-    const double z250 = z114 * z243 - (z120 * z242 - (z247 * z132 - (z136 * z249 - (z113 * z244 + z127 *
-        z221))));
-    const double z251 = z117 * z231 + (z121 * z234 - (z115 * z236 - (z119 * z237 + (z112 * z239 - (z116 *
-        z240 + z250)))));
-    const double z252 = (z110 * z230 + (z118 * z220 - z251)) / z137;
-    const double z253 = z135 * z249 - z136 * z252;
+    const double z226 = c_steer * z213 - s_steer * z212;
+    const double z227 = z168 * z154 + s_steer * z206 + (z165 * z195 - c_steer * z197);
+    const double z228 = c_steer * z154 + s_steer * z195;
+    const double z229 = F_yy * (thF_dot - z228) - k56 * z228;
+    const double z230 = h2z * k66 - (k57 * z193 + (k45 * z226 - k53 * z227) + (z217 * z229 + z228 * z218));
+    const double z231 = z225 - z230;
+    const double z232 = h2z * k65 + (k53 * z193 + (k42 * z226 - k52 * z227) - (z228 * z219 + w3_steer *
+        z229));
+    const double z233 = k42 * z217 + k45 * w3_steer;
+    const double z234 = k42 * z228;
+    const double z235 = z7 * k64 + (k40 * z216 + k45 * z207 + (z217 * z233 + z228 * z234));
+    const double z236 = k45 * z228;
+    const double z237 = h2z * k64 + (k45 * z193 + (k40 * z226 - k42 * z227) + (w3_steer * z234 - z217 *
+        z236));
+    const double z238 = z8 * k64 + (k40 * z214 - k42 * z207 + (z228 * z236 + w3_steer * z233));
+    const double z239 = k35 * z195 - k38 * z194;
+    const double z240 = z3 * k63 + z7 * k62 - (k37 * z206 + (k27 * z209 - k28 * z215) - (z194 * z224 + z195 *
+        z239));
+    const double z241 = e2z * k63 + (k35 * z193 + (k27 * z196 + k34 * z197) + (z154 * z239 - z194 * z223));
+    const double z242 = k27 * z195 - k28 * z194;
+    const double z243 = z7 * k61 + (k26 * z215 - k28 * z206 + (z195 * z242 + z154 * z198));
+    const double z244 = z3 * k61 - (k26 * z209 + k27 * z206 + (z154 * z199 - z194 * z242));
+    const double z245 = R_yy * z208;
+    const double z246 = z56 * z238 + (z52 * z240 - (z48 * z241 - (z69 * z243 - (z54 * z244 - z52 * z245))));
+    const double z247 = z53 * (z221 - z222) - (z47 * z231 + (z62 * z232 - (z57 * z235 - (z61 * z237 +
+        z246))));
+    const double z248 = z38 * z200 - z247;
+    const double z249 = z84 * z240 - (z85 * z241 - (z88 * z244 - (z93 * z243 + (z248 * z104 + z87 * z245))));
+    const double z250 = z82 * z230 - (z86 * z232 + (z89 * z237 - (z81 * z225 - z249)));
+    const double z251 = z114 * z244 - (z120 * z243 + (z248 * z132 + (z136 * z250 + (z113 * z245 - z127 *
+        z222))));
+    const double z252 = z117 * z232 + (z121 * z235 + (z115 * z237 + (z119 * z238 + (z112 * z240 - (z116 *
+        z241 + z251)))));
+    const double z253 = (z110 * z231 + (z118 * z221 - z252)) / z137;
+    const double z254 = z135 * z250 - z136 * z253;
     /* (I.2.15) */
-    dydt[0] = c_yaw * z157 - s_yaw * z158; /* x' */
-    dydt[1] = s_yaw * z157 + c_yaw * z158; /* y' */
+    dydt[0] = -(c_yaw * z158 + s_yaw * z159); /* x' */
+    dydt[1] = c_yaw * z159 - s_yaw * z158; /* y' */
     dydt[2] = e2z * v2_x; /* z' */
     dydt[3] = -z153; /* yaw' */
     dydt[4] = roll_dot; /* roll' */
-    dydt[5] = z152; /* pitch' */
+    dydt[5] = -z152; /* pitch' */
     dydt[6] = steer_dot; /* steer' */
-    dydt[7] = -z150; /* thR' */
+    dydt[7] = z150; /* thR' */
     dydt[8] = thF_dot; /* thF' */
     /* (I.2.15) 112:4 */
-    dydt[9] = -(z247 * z103 - z104 * z253 + z132 * z252); /* roll'' */
-    dydt[10] = -z253; /* steer'' */
-    dydt[11] = z252; /* thF'' */
+    dydt[9] = z248 * z103 + z104 * z254 - z132 * z253; /* roll'' */
+    dydt[10] = -z254; /* steer'' */
+    dydt[11] = -z253; /* thF'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[9] + dydt[10]) <= DBL_MAX
-        && fabs(-z35) > 1e-12 * (k22 * ((z36 + k24) * (z36 + k25)))
+    if (!(fabs(dydt[0] + dydt[1] + dydt[9] + dydt[10] + dydt[11]) <= DBL_MAX
+        && fabs(z35) > 1e-12 * (k22 * ((z36 + k24) * (z36 + k25)))
         && fabs(z105) > 1e-13 * z100
         && fabs(z137) > 1e-13 * z128)) {
         /* the coframe is singular */
-        if (!(fabs(-z35) > 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))))) {
-            return bicycle_refuse(fabs(-z35), 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))),
-                BICYCLE_SINGULAR_1);
+        if (!(fabs(z35) > 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))))) {
+            return bicycle_refuse(fabs(z35), 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))), BICYCLE_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(z76) > 0.0)) {
@@ -754,8 +753,8 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double c_lam = cos(lam);
     const double k1 = w + c;
     const double k2 = r_F * s_lam - c * c_lam;
-    const double k3 = c_lam * k1 - r_R * s_lam;
-    const double k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam);
+    const double k3 = r_R * s_lam - c_lam * k1;
+    const double k4 = r_R * c_lam - (r_F * c_lam + c * s_lam - s_lam * k1);
     const double k5 = fabs(r_R);
     const double k6 = fabs(r_F);
     const double k7 = fabs(w);
@@ -776,7 +775,7 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double z8 = r_F / sqrt(z7 * z7 + z6 * z6);
     const double z9 = z6 * z8;
     const double z10 = k2 + z9;
-    const double z11 = k3 + z5 + c_steer * z10;
+    const double z11 = k3 - z5 - c_steer * z10;
     const double z12 = z7 * z4;
     const double z13 = c_steer * z12;
     const double z14 = z7 * z8;
@@ -784,52 +783,51 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double z16 = s1 * z15;
     const double z17 = z12 - z15;
     const double z18 = s_steer * z17;
-    const double z19 = c_roll * (c_steer * z16 + c1 * (c_steer * k3 + z10)) + e2z * z18;
+    const double z19 = c_roll * (c_steer * z16 - c1 * (c_steer * k3 - z10)) + e2z * z18;
     const double z20 = c_steer * z17;
-    const double z21 = c_roll * (s_steer * z16 + k3 * (s_steer * c1)) - e2z * z20;
+    const double z21 = c_roll * (s_steer * z16 - k3 * (s_steer * c1)) - e2z * z20;
     const double z22 = s_steer * z12;
     const double z23 = z13 * z19 + z21 * z22;
     const double z24 = z20 * z19 + z21 * z18;
-    const double z25 = z11 * z23 - z5 * z24;
+    const double z25 = z11 * z23 + z5 * z24;
     const double z26 = k5 * (9.0 + fabs(z3));
     const double v2_x = c_roll * (roll_dot * z4);
     const double z27 = c_roll * v2_x;
-    const double z28 = s_steer * z2 * z10 + e2z * z11;
+    const double z28 = s_steer * z2 * z10 - e2z * z11;
     const double z29 = roll_dot * s1;
     const double z30 = steer_dot + z29;
     const double z31 = roll_dot * c1;
     const double z32 = c_steer * z31;
-    const double z33 = k3 * z29 + v2_x;
-    const double z34 = z30 * z9 - z32 * z14 - (k4 * z32 - k2 * z30 - c_steer * z33);
+    const double z33 = k3 * z29 - v2_x;
+    const double z34 = z30 * z9 - z32 * z14 - (k4 * z32 - k2 * z30 + c_steer * z33);
     const double z35 = s_steer * z31;
     const double z36 = thF_dot - z35;
-    const double z37 = z36 * z14 - (k4 * z35 - s_steer * z33);
+    const double z37 = z36 * z14 - (k4 * z35 + s_steer * z33);
     const double z38 = z20 * z34 + z18 * z37;
     const double z39 = z19 * z37 - z21 * z34;
     const double z40 = k2 * z35 - z36 * z9;
     const double z41 = 1.0 / z25;
-    const double z42 = (z28 * z38 - z11 * z39 + z24 * z40) * z41;
+    const double z42 = (z28 * z38 + z11 * z39 + z24 * z40) * z41;
     const double z43 = z13 * z34 + z22 * z37;
     const double z44 = (z28 * z43 + z23 * z40 - z5 * z39) * z41;
-    const double z45 = z41 * (z11 * z43 - z5 * z38);
-    const double z46 = (z42 - (z44 - e2z * z45)) * (s1 * z5 + c1 * z12);
+    const double z45 = z41 * (z11 * z43 + z5 * z38);
+    const double z46 = (z42 - (z44 + e2z * z45)) * (s1 * z5 + c1 * z12);
     /* (I.2.4) */
-    qdot[0] = c_yaw * z46 - s_yaw * z27; /* x' */
-    qdot[1] = c_yaw * z27 + s_yaw * z46; /* y' */
+    qdot[0] = -(s_yaw * z27 + c_yaw * z46); /* x' */
+    qdot[1] = c_yaw * z27 - s_yaw * z46; /* y' */
     qdot[2] = e2z * v2_x; /* z' */
     qdot[3] = -z45; /* yaw' */
     qdot[4] = roll_dot; /* roll' */
-    qdot[5] = z44; /* pitch' */
+    qdot[5] = -z44; /* pitch' */
     qdot[6] = steer_dot; /* steer' */
-    qdot[7] = -z42; /* thR' */
+    qdot[7] = z42; /* thR' */
     qdot[8] = thF_dot; /* thF' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qdot[0] + qdot[1] + qdot[3] + qdot[7]) <= DBL_MAX
-        && fabs(-z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
+    if (!(fabs(qdot[0] + qdot[1] + qdot[3] + qdot[5]) <= DBL_MAX
+        && fabs(z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
         /* the coframe is singular */
-        if (!(fabs(-z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
-            return bicycle_refuse(fabs(-z25), 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))),
-                BICYCLE_SINGULAR_1);
+        if (!(fabs(z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
+            return bicycle_refuse(fabs(z25), 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))), BICYCLE_SINGULAR_1);
         }
         return bicycle_finish(9, qdot);
     }
@@ -877,8 +875,8 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double c_lam = cos(lam);
     const double k1 = w + c;
     const double k2 = r_F * s_lam - c * c_lam;
-    const double k3 = c_lam * k1 - r_R * s_lam;
-    const double k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam);
+    const double k3 = r_R * s_lam - c_lam * k1;
+    const double k4 = r_R * c_lam - (r_F * c_lam + c * s_lam - s_lam * k1);
 
     /* from the state */
     const double z1 = 1.0 / fabs(c_roll);
@@ -891,7 +889,7 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z9 = r_F * z7;
     const double z10 = z8 * z9;
     const double z11 = k2 + z10;
-    const double z12 = k3 + z5 + c_steer * z11;
+    const double z12 = k3 - z5 - c_steer * z11;
     const double z13 = r_R * z6;
     const double z14 = z1 * z13;
     const double z15 = c_steer * z14;
@@ -899,20 +897,20 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z17 = z8 * z16;
     const double z18 = k4 + z17;
     const double z19 = c_steer * z18;
-    const double z20 = c_steer * k3 + z11;
-    const double z21 = s1 * z19 + c1 * z20;
+    const double z20 = c_steer * k3 - z11;
+    const double z21 = s1 * z19 - c1 * z20;
     const double z22 = z14 - z18;
     const double z23 = s_steer * z22;
     const double z24 = c_roll * z21 + e2z * z23;
     const double z25 = s_steer * z18;
     const double z26 = s_steer * k3;
-    const double z27 = s1 * z25 + c1 * z26;
+    const double z27 = s1 * z25 - c1 * z26;
     const double z28 = c_steer * z22;
     const double z29 = c_roll * z27 - e2z * z28;
     const double z30 = s_steer * z14;
     const double z31 = z15 * z24 + z29 * z30;
     const double z32 = z28 * z24 + z29 * z23;
-    const double z33 = 1.0 / (z12 * z31 - z5 * z32);
+    const double z33 = 1.0 / (z12 * z31 + z5 * z32);
     const double z34 = roll_dot * s1;
     const double z35 = steer_dot + z34;
     const double z36 = roll_dot * c1;
@@ -920,25 +918,25 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z38 = roll_dot * r_R;
     const double z39 = c_roll * z38;
     const double v2_x = z1 * z39;
-    const double z40 = v2_x + k3 * z34;
+    const double z40 = v2_x - k3 * z34;
     const double z41 = z10 * z35 - z17 * z37 - (k4 * z37 - k2 * z35 - c_steer * z40);
     const double z42 = s_steer * z36;
     const double z43 = thF_dot - z42;
     const double z44 = z17 * z43 - (k4 * z42 - s_steer * z40);
     const double z45 = z15 * z41 + z30 * z44;
     const double z46 = z28 * z41 + z23 * z44;
-    const double z47 = z12 * z45 - z5 * z46;
+    const double z47 = z12 * z45 + z5 * z46;
     const double z48 = z33 * z47;
     const double z49 = s_yaw * z48;
     const double z50 = s_steer * z11;
     const double z51 = s1 * z50;
-    const double z52 = c_roll * z51 + e2z * z12;
+    const double z52 = c_roll * z51 - e2z * z12;
     const double z53 = z24 * z44 - z29 * z41;
     const double z54 = k2 * z42 - z10 * z43;
-    const double z55 = z52 * z46 - z12 * z53 + z32 * z54;
+    const double z55 = z52 * z46 + z12 * z53 + z32 * z54;
     const double z56 = z52 * z45 + z31 * z54 - z5 * z53;
     const double z57 = z56 * z33;
-    const double z58 = z55 * z33 - (z57 - e2z * z48);
+    const double z58 = z55 * z33 - (z57 + e2z * z48);
     const double z59 = z5 * z58;
     const double z60 = s1 * z59 + z58 * (c1 * z14);
     const double z61 = c1 * z57;
@@ -946,11 +944,11 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z63 = roll_dot * e2z;
     const double z64 = z1 * (c_roll * z63) * (z1 * z1);
     const double z65 = r_R * z1;
-    const double z66 = z63 * s1 - c_roll * z61;
+    const double z66 = z63 * s1 + c_roll * z61;
     const double z67 = z4 * z64 - z65 * z66;
     const double z68 = steer_dot * s_steer;
     const double z69 = s1 * z57;
-    const double z70 = z63 * c1 + c_roll * z69;
+    const double z70 = z63 * c1 - c_roll * z69;
     const double z71 = roll_dot * c_roll;
     const double z72 = steer_dot * c_steer;
     const double z73 = s_steer * z71 + e2z * z72 + (z68 * z3 + c_steer * z66);
@@ -961,49 +959,49 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z78 = z13 * z64 - z65 * z70;
     const double z79 = z68 * z14 - c_steer * z78;
     const double z80 = z16 * z74 - z75 * z70;
-    const double z81 = z19 * z61 - s1 * (z68 * z18 - c_steer * z80) - (z20 * z69 + c1 * (z68 * k3 - z76));
+    const double z81 = z19 * z61 + s1 * (z68 * z18 - c_steer * z80) + (z20 * z69 - c1 * (z68 * k3 + z76));
     const double z82 = z78 - z80;
     const double z83 = z72 * z22 + s_steer * z82;
-    const double z84 = z63 * z21 - c_roll * z81 - (z71 * z23 + e2z * z83);
-    const double z85 = z25 * z61 + s1 * (z72 * z18 + s_steer * z80) + (k3 * (z72 * c1) - z26 * z69);
+    const double z84 = z63 * z21 + c_roll * z81 - (z71 * z23 + e2z * z83);
+    const double z85 = z25 * z61 - s1 * (z72 * z18 + s_steer * z80) + (k3 * (z72 * c1) + z26 * z69);
     const double z86 = z68 * z22 - c_steer * z82;
-    const double z87 = z63 * z27 - c_roll * z85 + (z71 * z28 - e2z * z86);
+    const double z87 = z63 * z27 + c_roll * z85 + (z71 * z28 - e2z * z86);
     const double z88 = z72 * z14 + s_steer * z78;
     const double z89 = z24 * z79 + z15 * z84 + (z30 * z87 - z29 * z88);
     const double z90 = z24 * z86 + z28 * z84 + (z23 * z87 - z29 * z83);
-    const double z91 = z33 * z33 * (z31 * z77 - z12 * z89 - (z32 * z67 - z5 * z90));
-    const double z92 = z63 * z51 - c_roll * (z50 * z61 + s1 * (z72 * z11 + s_steer * z76)) - (z71 * z12 + e2z
+    const double z91 = z33 * z33 * (z31 * z77 + z12 * z89 - (z32 * z67 - z5 * z90));
+    const double z92 = z63 * z51 + c_roll * (z50 * z61 - s1 * (z72 * z11 + s_steer * z76)) + (z71 * z12 - e2z
         * z77);
-    const double z93 = s1 * roll_ddot + roll_dot * z61;
+    const double z93 = s1 * roll_ddot - roll_dot * z61;
     const double z94 = steer_ddot + z93;
-    const double z95 = c1 * roll_ddot - roll_dot * z69;
+    const double z95 = c1 * roll_ddot + roll_dot * z69;
     const double z96 = z68 * z36 - c_steer * z95;
     const double z97 = z39 * z64 - z1 * (z63 * z38 - r_R * (c_roll * roll_ddot));
-    const double z98 = k3 * z93 + z97;
-    const double z99 = z10 * z94 + z35 * z76 + (z17 * z96 - z37 * z80) + (k4 * z96 + k2 * z94 - (z68 * z40 -
+    const double z98 = k3 * z93 - z97;
+    const double z99 = z10 * z94 + z35 * z76 + (z17 * z96 - z37 * z80) + (k4 * z96 + k2 * z94 - (z68 * z40 +
         c_steer * z98));
     const double z100 = z72 * z36 + s_steer * z95;
     const double z101 = thF_ddot - z100;
-    const double z102 = z17 * z101 + z43 * z80 - (k4 * z100 - (z72 * z40 + s_steer * z98));
+    const double z102 = z17 * z101 + z43 * z80 - (k4 * z100 - (z72 * z40 - s_steer * z98));
     const double z103 = z41 * z86 - z28 * z99 - (z44 * z83 + z23 * z102);
     const double z104 = z44 * z84 - z24 * z102 - (z41 * z87 - z29 * z99);
     const double z105 = k2 * z100 - (z10 * z101 + z43 * z76);
-    const double z106 = z46 * z92 + z52 * z103 + (z53 * z77 - z12 * z104) + (z54 * z90 - z32 * z105);
-    const double z107 = z55 * z91 + z33 * z106;
+    const double z106 = z46 * z92 + z52 * z103 + (z53 * z77 + z12 * z104) + (z54 * z90 - z32 * z105);
+    const double z107 = z55 * z91 - z33 * z106;
     const double z108 = z41 * z79 - z15 * z99 - (z44 * z88 + z30 * z102);
     const double z109 = z45 * z92 + z52 * z108 + (z54 * z89 - z31 * z105) + (z53 * z67 - z5 * z104);
-    const double z110 = z56 * z91 + z33 * z109;
-    const double z111 = z47 * z91 - z33 * (z45 * z77 - z12 * z108 - (z46 * z67 - z5 * z103));
-    const double z112 = z107 - (z110 + (z71 * z48 - e2z * z111));
-    const double z113 = z62 + s1 * (z58 * z67 - z5 * z112) - (z62 - c1 * (z58 * z78 - z14 * z112));
+    const double z110 = z56 * z91 - z33 * z109;
+    const double z111 = z47 * z91 - z33 * (z45 * z77 + z12 * z108 - (z46 * z67 - z5 * z103));
+    const double z112 = z107 - (z110 + (z71 * z48 + e2z * z111));
+    const double z113 = z62 - s1 * (z58 * z67 + z5 * z112) - (z62 + c1 * (z58 * z78 + z14 * z112));
     const double z114 = c_roll * v2_x;
     const double z115 = c_yaw * z48;
     const double z116 = z63 * v2_x - c_roll * z97;
     /* (I.2.15) */
-    qddot[0] = z49 * z60 + c_yaw * z113 + (z114 * z115 + s_yaw * z116); /* x'' */
-    qddot[1] = z114 * z49 - c_yaw * z116 - (z115 * z60 - s_yaw * z113); /* y'' */
+    qddot[0] = z114 * z115 + s_yaw * z116 - (z49 * z60 - c_yaw * z113); /* x'' */
+    qddot[1] = z115 * z60 + s_yaw * z113 + (z114 * z49 - c_yaw * z116); /* y'' */
     qddot[2] = z71 * v2_x + e2z * z97; /* z'' */
-    qddot[3] = z111; /* yaw'' */
+    qddot[3] = -z111; /* yaw'' */
     qddot[4] = roll_ddot; /* roll'' */
     qddot[5] = -z110; /* pitch'' */
     qddot[6] = steer_ddot; /* steer'' */
@@ -1241,35 +1239,35 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double k8 = R_xx + B_zz;
     const double z_H = p[16]; /* [m] */
     const double k9 = z_H * s_lam + c_lam * k3;
-    const double k10 = c_lam * k2 - r_R * s_lam;
+    const double k10 = r_R * s_lam - c_lam * k2;
     kept[9] = k10;
+    const double k11 = r_R * c_lam;
+    const double k12 = s_lam * k2;
     const double x_B = p[8]; /* rear frame and rider, ahead of the rear contact [m] */
-    const double k11 = c_lam * k1 + x_B * s_lam;
-    const double k12 = x_B * c_lam - s_lam * k1;
-    const double k13 = r_R * c_lam;
-    const double k14 = s_lam * k2;
-    const double k15 = z_H * c_lam - s_lam * k3 + k13 + k14;
-    const double k16 = k14 - (r_F * c_lam + c * s_lam - k13);
+    const double k13 = x_B * s_lam + c_lam * k1;
+    const double k14 = x_B * c_lam - s_lam * k1;
+    const double k15 = k11 + (z_H * c_lam - s_lam * k3 + k12);
+    const double k16 = k11 - (r_F * c_lam + c * s_lam - k12);
     kept[10] = k16;
     const double m_R = p[5]; /* mass of the rear wheel [kg] */
     const double m_B = p[10]; /* [kg] */
     const double k17 = m_R + m_B;
     kept[11] = k17;
-    const double k18 = m_B * k11;
+    const double k18 = m_B * k13;
     kept[12] = k18;
-    const double k19 = m_B * k12;
+    const double k19 = m_B * k14;
     kept[13] = k19;
     const double B_xz = p[12]; /* [kg*m^2] */
     const double k20 = B_xz * c_lam;
     const double k21 = s_lam * k8 - k20;
     const double k22 = B_xz * s_lam;
     const double k23 = c_lam * k7 - k22;
-    const double k24 = k11 * k18;
+    const double k24 = k13 * k18;
     const double k25 = s_lam * k21 + c_lam * k23 + k24;
     kept[14] = k25;
-    const double k26 = c_lam * k21 - s_lam * k23 + k12 * k18;
+    const double k26 = c_lam * k21 - s_lam * k23 + k14 * k18;
     kept[15] = k26;
-    const double k27 = k12 * k19;
+    const double k27 = k14 * k19;
     const double B_yy = p[13]; /* [kg*m^2] */
     const double k28 = k24 + (B_yy + k27);
     kept[16] = k28;
@@ -1311,9 +1309,9 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double k51 = g * m_B;
     const double k52 = g * k17;
     kept[25] = k52;
-    const double k53 = k12 * k51;
+    const double k53 = k14 * k51;
     kept[26] = k53;
-    const double k54 = k11 * k51;
+    const double k54 = k13 * k51;
     kept[27] = k54;
     const double k55 = k9 * k50;
     kept[28] = k55;
@@ -1338,7 +1336,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[36] = z4;
     const double z5 = z3 * z4;
     kept[37] = z5;
-    const double z6 = k10 + z5;
+    const double z6 = k10 - z5;
     kept[38] = z6;
     const double z7 = c_roll * c1;
     kept[39] = z7;
@@ -1350,7 +1348,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[41] = z11;
     const double z12 = k4 + z11;
     kept[42] = z12;
-    const double z13 = z6 + c_steer * z12;
+    const double z13 = z6 - c_steer * z12;
     kept[43] = z13;
     const double z14 = r_R * z7;
     const double z15 = z3 * z14;
@@ -1365,8 +1363,8 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double z20 = c_steer * z19;
     const double z21 = c_steer * k10;
     kept[48] = z21;
-    const double z22 = z21 + z12;
-    const double z23 = s1 * z20 + c1 * z22;
+    const double z22 = z21 - z12;
+    const double z23 = s1 * z20 - c1 * z22;
     kept[49] = z23;
     const double z24 = z15 - z19;
     kept[50] = z24;
@@ -1378,7 +1376,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[53] = z27;
     const double z28 = s_steer * k10;
     kept[54] = z28;
-    const double z29 = s1 * z27 + c1 * z28;
+    const double z29 = s1 * z27 - c1 * z28;
     kept[55] = z29;
     const double z30 = c_steer * z24;
     kept[56] = z30;
@@ -1390,7 +1388,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[59] = z33;
     const double z34 = z30 * z26 + z31 * z25;
     kept[60] = z34;
-    const double z35 = 1.0 / (z13 * z33 - z5 * z34);
+    const double z35 = 1.0 / (z13 * z33 + z5 * z34);
     kept[61] = z35;
     const double roll_dot = y[9];
     const double z36 = roll_dot * c1;
@@ -1404,7 +1402,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[64] = z40;
     const double z41 = s1 * z40;
     kept[65] = z41;
-    const double z42 = c_roll * z41 + e2z * z13;
+    const double z42 = c_roll * z41 - e2z * z13;
     kept[66] = z42;
     const double z43 = roll_dot * s1;
     kept[67] = z43;
@@ -1414,68 +1412,68 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[69] = z45;
     const double v2_x = roll_dot * z45;
     kept[70] = v2_x;
-    const double z46 = k10 * z43 + v2_x;
+    const double z46 = k10 * z43 - v2_x;
     kept[71] = z46;
-    const double z47 = z18 * z38 - (k16 * z37 - s_steer * z46);
+    const double z47 = z18 * z38 - (k16 * z37 + s_steer * z46);
     const double steer_dot = y[10];
     const double z48 = steer_dot + z43;
     const double z49 = c_steer * z36;
-    const double z50 = z11 * z48 - z18 * z49 - (k16 * z49 - k4 * z48 - c_steer * z46);
+    const double z50 = z11 * z48 - z18 * z49 - (k16 * z49 - k4 * z48 + c_steer * z46);
     const double z51 = z25 * z47 + z30 * z50;
     const double z52 = z26 * z47 - z31 * z50;
-    const double z53 = z35 * (z34 * z39 + (z42 * z51 - z13 * z52));
+    const double z53 = z35 * (z34 * z39 + (z42 * z51 + z13 * z52));
     kept[72] = z53;
     const double z54 = z32 * z47 + z16 * z50;
     const double z55 = z35 * (z33 * z39 + z42 * z54 - z5 * z52);
     kept[73] = z55;
-    const double z56 = z35 * (z13 * z54 - z5 * z51);
+    const double z56 = z35 * (z13 * z54 + z5 * z51);
     kept[74] = z56;
-    const double w2 = z55 - e2z * z56;
-    kept[75] = w2;
-    const double z57 = z53 - w2;
-    kept[76] = z57;
-    const double z58 = roll_dot * e2z;
-    kept[77] = z58;
-    const double z59 = z3 * (c_roll * z58) * (z3 * z3);
-    kept[78] = z59;
-    const double z60 = s1 * z55;
-    kept[79] = z60;
-    const double z61 = z58 * c1 + c_roll * z60;
-    const double z62 = z14 * z59 - z44 * z61;
-    kept[80] = z62;
-    const double z63 = roll_dot * c_roll;
-    kept[81] = z63;
-    const double z64 = steer_dot * c_steer;
-    kept[82] = z64;
-    const double z65 = steer_dot * s_steer;
-    kept[83] = z65;
-    const double z66 = c1 * z55;
-    kept[84] = z66;
-    const double z67 = z58 * s1 - c_roll * z66;
-    kept[85] = z67;
-    const double z68 = s_steer * z63 + e2z * z64 + (z65 * z2 + c_steer * z67);
-    const double z69 = z9 * (z9 * z9) * (z7 * z61 - z8 * z68);
-    const double z70 = r_F * z9;
-    const double z71 = z10 * z69 + z70 * z68;
-    kept[86] = z71;
-    const double z72 = roll_dot * z66;
-    kept[87] = z72;
-    const double z73 = z17 * z69 - z70 * z61;
-    kept[88] = z73;
-    const double z74 = roll_dot * z60;
-    kept[89] = z74;
-    const double z75 = z65 * z36 + c_steer * z74;
-    const double z76 = k10 * z72;
-    kept[90] = z76;
-    const double z77 = z48 * z71 + z11 * z72 - (z49 * z73 - z18 * z75) + (k16 * z75 + k4 * z72 - (z65 * z46 -
-        c_steer * z76));
-    kept[91] = z77;
-    const double z78 = z20 * z66 - s1 * (z65 * z19 - c_steer * z73) - (z22 * z60 + c1 * (z65 * k10 - z71));
-    kept[92] = z78;
-    const double z79 = z62 - z73;
-    kept[93] = z79;
-    const double z80 = z64 * z24 + s_steer * z79;
-    kept[94] = z80;
+    const double z57 = z55 + e2z * z56;
+    kept[75] = z57;
+    const double z58 = z53 - z57;
+    kept[76] = z58;
+    const double z59 = roll_dot * e2z;
+    kept[77] = z59;
+    const double z60 = z3 * (c_roll * z59) * (z3 * z3);
+    kept[78] = z60;
+    const double z61 = s1 * z55;
+    kept[79] = z61;
+    const double z62 = z59 * c1 - c_roll * z61;
+    const double z63 = z14 * z60 - z44 * z62;
+    kept[80] = z63;
+    const double z64 = roll_dot * c_roll;
+    kept[81] = z64;
+    const double z65 = steer_dot * c_steer;
+    kept[82] = z65;
+    const double z66 = steer_dot * s_steer;
+    kept[83] = z66;
+    const double z67 = c1 * z55;
+    kept[84] = z67;
+    const double z68 = z59 * s1 + c_roll * z67;
+    kept[85] = z68;
+    const double z69 = s_steer * z64 + e2z * z65 + (z66 * z2 + c_steer * z68);
+    const double z70 = z9 * (z9 * z9) * (z7 * z62 - z8 * z69);
+    const double z71 = r_F * z9;
+    const double z72 = z10 * z70 + z71 * z69;
+    kept[86] = z72;
+    const double z73 = roll_dot * z67;
+    kept[87] = z73;
+    const double z74 = z17 * z70 - z71 * z62;
+    kept[88] = z74;
+    const double z75 = roll_dot * z61;
+    kept[89] = z75;
+    const double z76 = z66 * z36 - c_steer * z75;
+    const double z77 = k10 * z73;
+    kept[90] = z77;
+    const double z78 = z48 * z72 - z11 * z73 - (z49 * z74 - z18 * z76) + (k16 * z76 - k4 * z73 + (z66 * z46 +
+        c_steer * z77));
+    kept[91] = z78;
+    const double z79 = z20 * z67 + s1 * (z66 * z19 - c_steer * z74) + (z22 * z61 - c1 * (z66 * k10 + z72));
+    kept[92] = z79;
+    const double z80 = z63 - z74;
+    kept[93] = z80;
+    const double z81 = z65 * z24 + s_steer * z80;
+    kept[94] = z81;
     return BICYCLE_OK;
 }
 
@@ -1492,279 +1490,279 @@ BICYCLE_SLOW static int bicycle_reactions_part2(double t, const double *y, const
     const double z53 = kept[72];
     const double z55 = kept[73];
     const double z56 = kept[74];
-    const double z58 = kept[77];
-    const double z62 = kept[80];
-    const double z63 = kept[81];
-    const double z64 = kept[82];
-    const double z78 = kept[92];
-    const double z80 = kept[94];
-    const double z81 = z53 * (z64 * z15 + s_steer * z62) - (z56 * (z58 * z23 - c_roll * z78 - (z63 * z25 +
-        e2z * z80)) + z55 * z80);
-    const double z77 = kept[91];
-    const double z82 = z77 - z81;
+    const double z59 = kept[77];
+    const double z63 = kept[80];
+    const double z64 = kept[81];
+    const double z65 = kept[82];
+    const double z79 = kept[92];
+    const double z81 = kept[94];
+    const double z82 = z53 * (z65 * z15 + s_steer * z63) + (z56 * (z59 * z23 + c_roll * z79 - (z64 * z25 +
+        e2z * z81)) - z55 * z81);
+    const double z78 = kept[91];
+    const double z83 = z78 + z82;
     const double z36 = kept[62];
-    const double z74 = kept[89];
-    const double z83 = z64 * z36 - s_steer * z74;
+    const double z75 = kept[89];
+    const double z84 = z65 * z36 + s_steer * z75;
     const double s1 = kept[4];
     const double c1 = kept[5];
     const double k10 = kept[9];
     const double z19 = kept[47];
     const double z27 = kept[53];
     const double z28 = kept[54];
-    const double z60 = kept[79];
-    const double z66 = kept[84];
-    const double z73 = kept[88];
-    const double z84 = z27 * z66 + s1 * (z64 * z19 + s_steer * z73) + (k10 * (z64 * c1) - z28 * z60);
+    const double z61 = kept[79];
+    const double z67 = kept[84];
+    const double z74 = kept[88];
+    const double z85 = z27 * z67 - s1 * (z65 * z19 + s_steer * z74) + (k10 * (z65 * c1) + z28 * z61);
     const double c_steer = kept[6];
     const double z24 = kept[50];
-    const double z65 = kept[83];
-    const double z79 = kept[93];
-    const double z85 = z65 * z24 - c_steer * z79;
+    const double z66 = kept[83];
+    const double z80 = kept[93];
+    const double z86 = z66 * z24 - c_steer * z80;
     const double z29 = kept[55];
     const double z30 = kept[56];
-    const double z86 = z53 * (z65 * z15 - c_steer * z62) - (z56 * (z58 * z29 - c_roll * z84 + (z63 * z30 -
-        e2z * z85)) + z55 * z85);
+    const double z87 = z53 * (z66 * z15 - c_steer * z63) + (z56 * (z59 * z29 + c_roll * z85 + (z64 * z30 -
+        e2z * z86)) - z55 * z86);
     const double k16 = kept[10];
     const double z18 = kept[46];
     const double z38 = kept[63];
     const double z46 = kept[71];
-    const double z76 = kept[90];
-    const double z87 = z38 * z73 - z18 * z83 - (k16 * z83 - (z64 * z46 + s_steer * z76)) - z86;
-    const double z88 = z30 * z82 + z25 * z87;
+    const double z77 = kept[90];
+    const double z88 = z38 * z74 - z18 * z84 - (k16 * z84 + (z65 * z46 - s_steer * z77)) + z87;
+    const double z89 = z30 * z83 + z25 * z88;
     const double z26 = kept[52];
     const double z31 = kept[57];
-    const double z89 = z26 * z87 - z31 * z82;
+    const double z90 = z26 * z88 - z31 * z83;
     const double z4 = kept[36];
     const double z44 = kept[68];
-    const double z59 = kept[78];
-    const double z67 = kept[85];
-    const double z90 = z4 * z59 - z44 * z67;
+    const double z60 = kept[78];
+    const double z68 = kept[85];
+    const double z91 = z4 * z60 - z44 * z68;
     const double z12 = kept[42];
-    const double z71 = kept[86];
-    const double z91 = z90 - (z65 * z12 - c_steer * z71);
+    const double z72 = kept[86];
+    const double z92 = z91 - (z66 * z12 - c_steer * z72);
     const double z13 = kept[43];
     const double z40 = kept[64];
     const double z41 = kept[65];
-    const double z92 = z58 * z41 - c_roll * (z40 * z66 + s1 * (z64 * z12 + s_steer * z71)) - (z63 * z13 + e2z
-        * z91);
+    const double z93 = z59 * z41 + c_roll * (z40 * z67 - s1 * (z65 * z12 + s_steer * z72)) + (z64 * z13 - e2z
+        * z92);
     const double k4 = kept[8];
     const double z11 = kept[41];
-    const double z93 = k4 * z83 - (z38 * z71 - z11 * z83) + (z53 * z90 - (z56 * z92 + z55 * z91));
+    const double z94 = k4 * z84 - (z38 * z72 - z11 * z84) - (z53 * z91 + (z56 * z93 - z55 * z92));
     const double z16 = kept[45];
     const double z32 = kept[58];
-    const double z94 = z16 * z82 + z32 * z87;
+    const double z95 = z16 * z83 + z32 * z88;
     const double z5 = kept[37];
     const double z35 = kept[61];
-    const double z95 = z35 * (z13 * z94 - z5 * z88);
+    const double z96 = z35 * (z13 * z95 + z5 * z89);
     const double z33 = kept[59];
     const double z42 = kept[66];
-    const double z96 = z35 * (z42 * z94 + z33 * z93 - z5 * z89) - (z63 * z56 + e2z * z95);
+    const double z97 = z35 * (z42 * z95 + z33 * z94 - z5 * z90) + (z64 * z56 + e2z * z96);
     const double z34 = kept[60];
-    const double z97 = z35 * (z42 * z88 - z13 * z89 + z34 * z93) - z96;
-    const double z57 = kept[76];
-    const double z98 = z5 * z57;
-    const double z99 = c_roll * z56;
+    const double z98 = z35 * (z42 * z89 + z13 * z90 + z34 * z94) - z97;
+    const double z58 = kept[76];
+    const double z99 = z5 * z58;
+    const double z100 = c_roll * z56;
     const double z43 = kept[67];
-    const double z100 = z43 - c1 * z99;
+    const double z101 = z43 - c1 * z100;
     const double v2_x = kept[70];
-    const double w2 = kept[75];
-    const double z101 = z57 * z62 + z15 * z97 + (w2 * z98 - v2_x * z100);
+    const double z57 = kept[75];
+    const double z102 = z58 * z63 + z15 * z98 - (z57 * z99 - v2_x * z101);
     const double k19 = kept[13];
-    const double z102 = k19 * w2;
-    const double z103 = z36 + s1 * z99;
+    const double z103 = k19 * z57;
+    const double z104 = z36 + s1 * z100;
     const double k18 = kept[12];
-    const double z104 = k18 * z103 - k19 * z100;
-    const double z105 = z18 * z25;
-    const double z106 = z18 * z13;
-    const double z107 = z35 * (z5 * z105 - z32 * z106);
-    const double z108 = e2z * z107;
-    const double z109 = z35 * (z11 * z34 - (z42 * z105 - z26 * z106)) + z108;
-    const double z110 = z15 * z109;
-    const double z111 = z30 * z12;
-    const double z112 = z31 * z12;
-    const double z113 = z16 * z12;
-    const double z114 = (z13 * z113 - z5 * z111) * z35;
-    const double z115 = (z42 * z113 + z5 * z112) * z35 - e2z * z114;
-    const double z116 = (z42 * z111 + z13 * z112) * z35 - z115;
-    const double z117 = z15 * z116;
-    const double z118 = s_steer * c1;
-    const double z119 = c_steer * c1;
+    const double z105 = k18 * z104 - k19 * z101;
+    const double z106 = z18 * z25;
+    const double z107 = z18 * z13;
+    const double z108 = z35 * (z5 * z106 + z32 * z107);
+    const double z109 = e2z * z108;
+    const double z110 = z35 * (z11 * z34 - (z42 * z106 + z26 * z107)) + z109;
+    const double z111 = z15 * z110;
+    const double z112 = z30 * z12;
+    const double z113 = z31 * z12;
+    const double z114 = z16 * z12;
+    const double z115 = (z13 * z114 + z5 * z112) * z35;
+    const double z116 = (z42 * z114 + z5 * z113) * z35 + e2z * z115;
+    const double z117 = (z42 * z112 - z13 * z113) * z35 - z116;
+    const double z118 = z15 * z117;
+    const double z119 = s_steer * c1;
+    const double z120 = c_steer * c1;
     const double z45 = kept[69];
-    const double z120 = k10 * s1 + z45;
-    const double z121 = s1 * z11 - z18 * z119 - (k16 * z119 - k4 * s1 - c_steer * z120);
-    const double z122 = z18 * z118 + (k16 * z118 - s_steer * z120);
-    const double z123 = z16 * z121 - z32 * z122;
-    const double z124 = z35 * (z13 * z123 - z5 * (z30 * z121 - z25 * z122));
-    const double z125 = z35 * (z118 * (z12 * z33) + z42 * z123 + z5 * (z26 * z122 + z31 * z121)) - e2z * z124;
-    const double z126 = z15 * z125;
+    const double z121 = k10 * s1 - z45;
+    const double z122 = s1 * z11 - z18 * z120 - (k16 * z120 - k4 * s1 + c_steer * z121);
+    const double z123 = z18 * z119 + (k16 * z119 + s_steer * z121);
+    const double z124 = z16 * z122 - z32 * z123;
+    const double z125 = z35 * (z13 * z124 + z5 * (z30 * z122 - z25 * z123));
+    const double z126 = z35 * (z119 * (z12 * z33) + z42 * z124 + z5 * (z26 * z123 + z31 * z122)) + e2z * z125;
+    const double z127 = z15 * z126;
     const double roll_ddot = dydt[9]; /* roll'' */
     const double steer_ddot = dydt[10]; /* steer'' */
     const double thF_ddot = dydt[11]; /* thF'' */
-    const double z127 = thF_ddot * z110 - (steer_ddot * z117 - roll_ddot * z126);
-    const double z128 = roll_ddot * z125;
-    const double z129 = thF_ddot * z108 + (steer_ddot * z115 + z128);
+    const double z128 = thF_ddot * z111 - (steer_ddot * z118 - roll_ddot * z127);
+    const double z129 = roll_ddot * z126;
+    const double z130 = thF_ddot * z109 + (steer_ddot * z116 + z129);
     const double k17 = kept[11];
     const double k52 = kept[25];
     const double z2 = kept[35];
-    const double z130 = z2 * k52 + (k17 * z101 + k18 * z96 - (w2 * z102 - z100 * z104)) - (k17 * z127 - k18 *
-        z129);
+    const double z131 = z2 * k52 - (k17 * z102 + k18 * z97 + (z57 * z103 - z101 * z105)) + (k17 * z128 - k18
+        * z130);
     const double h2z = e2z * c_steer + s_steer * z2;
-    const double z131 = z58 * z56 - c_roll * z95;
-    const double z72 = kept[87];
-    const double z132 = z72 + (z60 * z99 + c1 * z131);
-    const double z133 = z15 * z57;
-    const double z134 = z133 * z100 - z98 * z103;
-    const double z135 = k10 * w2;
-    const double z136 = z134 + (k10 * z132 + z135 * z103);
-    const double z137 = k10 * z100;
-    const double z138 = z101 - (w2 * z135 + z100 * z137);
-    const double z139 = c_steer * z136 - s_steer * z138;
-    const double z140 = z74 - (z66 * z99 - s1 * z131);
-    const double z141 = z64 * w2 + s_steer * z96 - (z65 * z103 + c_steer * z140);
+    const double z132 = z59 * z56 - c_roll * z96;
+    const double z73 = kept[87];
+    const double z133 = z73 + (z61 * z100 - c1 * z132);
+    const double z134 = z15 * z58;
+    const double z135 = z134 * z101 - z99 * z104;
+    const double z136 = k10 * z57;
+    const double z137 = z135 - (k10 * z133 + z136 * z104);
+    const double z138 = k10 * z101;
+    const double z139 = z102 - (z57 * z136 + z101 * z138);
+    const double z140 = c_steer * z137 - s_steer * z139;
+    const double z141 = z75 - (z67 * z100 + s1 * z132);
+    const double z142 = z65 * z57 + s_steer * z97 + (z66 * z104 - c_steer * z141);
     const double steer_dot = y[10];
-    const double w3_steer = steer_dot + z100;
-    const double z142 = c_steer * w2 - s_steer * z103;
+    const double w3_steer = steer_dot + z101;
+    const double z143 = c_steer * z57 + s_steer * z104;
     const double k33 = kept[19];
-    const double z143 = k33 * z142;
-    const double z144 = s_steer * w2 + c_steer * z103;
+    const double z144 = k33 * z143;
+    const double z145 = s_steer * z57 - c_steer * z104;
     const double k36 = kept[20];
-    const double z145 = k36 * z142;
+    const double z146 = k36 * z143;
     const double k31 = kept[18];
     const double k57 = kept[30];
-    const double z146 = h2z * k57 - (k36 * z132 + (k31 * z139 - k33 * z141) + (w3_steer * z143 + z144 *
-        z145));
-    const double z147 = c_roll * z107;
-    const double z148 = c1 * z147;
-    const double z149 = thF_ddot * z148;
-    const double z150 = c_roll * z114;
-    const double z151 = c1 * z150;
-    const double z152 = c_roll * z124;
-    const double z153 = s1 - c1 * z152;
-    const double z154 = roll_ddot * z153;
-    const double z155 = z149 + (steer_ddot * (1.0 - z151) + z154);
-    const double z156 = k10 * z148;
-    const double z157 = z45 + k10 * z153;
+    const double z147 = h2z * k57 + (k36 * z133 + (k31 * z140 - k33 * z142) + (w3_steer * z144 - z145 *
+        z146));
+    const double z148 = c_roll * z108;
+    const double z149 = c1 * z148;
+    const double z150 = thF_ddot * z149;
+    const double z151 = c_roll * z115;
+    const double z152 = c1 * z151;
+    const double z153 = c_roll * z125;
+    const double z154 = s1 - c1 * z153;
+    const double z155 = roll_ddot * z154;
+    const double z156 = z150 - (steer_ddot * (1.0 - z152) + z155);
+    const double z157 = k10 * z149;
+    const double z158 = z45 - k10 * z154;
     const double z21 = kept[48];
-    const double z158 = thF_ddot * (c_steer * z156 + s_steer * z110) + (roll_ddot * (c_steer * z157 + s_steer
-        * z126) - steer_ddot * (s_steer * z117 + z21 * z151));
-    const double z159 = s1 * z147;
-    const double z160 = s1 * z150;
-    const double z161 = c1 + s1 * z152;
-    const double z162 = thF_ddot * (s_steer * z108 - c_steer * z159) + (steer_ddot * (s_steer * z115 +
-        c_steer * z160) + roll_ddot * (s_steer * z125 + c_steer * z161));
-    const double z163 = z146 - (k36 * z155 + (k31 * z158 - k33 * z162));
-    const double z164 = c_steer * z138 + s_steer * z136;
-    const double z165 = z65 * w2 - c_steer * z96 + (z64 * z103 - s_steer * z140);
-    const double z166 = k33 * z144 - k36 * w3_steer;
-    const double z167 = roll_ddot * (c_steer * z126 - s_steer * z157) + thF_ddot * (c_steer * z110 - s_steer
-        * z156);
-    const double z168 = roll_ddot * (c_steer * z125 - s_steer * z161);
-    const double z169 = c_steer * z108 + s_steer * z159;
-    const double z170 = z168 + thF_ddot * z169;
+    const double z159 = thF_ddot * (c_steer * z157 - s_steer * z111) + (roll_ddot * (c_steer * z158 - s_steer
+        * z127) + steer_ddot * (s_steer * z118 + z21 * z152));
+    const double z160 = s1 * z148;
+    const double z161 = s1 * z151;
+    const double z162 = c1 + s1 * z153;
+    const double z163 = thF_ddot * (s_steer * z109 - c_steer * z160) + (steer_ddot * (s_steer * z116 -
+        c_steer * z161) + roll_ddot * (s_steer * z126 - c_steer * z162));
+    const double z164 = z147 + (k36 * z156 - (k31 * z159 + k33 * z163));
+    const double z165 = c_steer * z139 + s_steer * z137;
+    const double z166 = z66 * z57 - c_steer * z97 - (z65 * z104 + s_steer * z141);
+    const double z167 = k33 * z145 + k36 * w3_steer;
+    const double z168 = roll_ddot * (c_steer * z127 + s_steer * z158) + thF_ddot * (c_steer * z111 + s_steer
+        * z157);
+    const double z169 = roll_ddot * (c_steer * z126 + s_steer * z162);
+    const double z170 = c_steer * z109 + s_steer * z160;
+    const double z171 = z169 + thF_ddot * z170;
     const double z8 = kept[40];
-    const double z171 = z8 * k57 - (k31 * z164 - k33 * z165 - (z142 * z145 - w3_steer * z166)) + (k31 * z167
-        - k33 * z170);
-    const double z172 = z130 + s_steer * z163 - c_steer * z171;
-    const double z173 = steer_ddot * z116 - z128;
-    const double z174 = z57 * z90 + z5 * z97 + (v2_x * z103 - w2 * z133);
-    const double z175 = k18 * w2;
-    const double z176 = z5 * z109;
-    const double z177 = thF_ddot * z176 - z5 * z173;
+    const double z172 = z8 * k57 + (k31 * z165 - k33 * z166 + (z143 * z146 + w3_steer * z167)) - (k31 * z168
+        - k33 * z171);
+    const double z173 = z131 + s_steer * z164 - c_steer * z172;
+    const double z174 = steer_ddot * z117 - z129;
+    const double z175 = z58 * z91 + z5 * z98 - (v2_x * z104 - z57 * z134);
+    const double z176 = k18 * z57;
+    const double z177 = z5 * z110;
+    const double z178 = thF_ddot * z177 - z5 * z174;
     const double z7 = kept[39];
-    const double z178 = z7 * k52 - (k17 * z174 - k19 * z96 - (z103 * z104 + w2 * z175)) + (k17 * z177 + k19 *
-        z129);
-    const double z179 = z174 - (k10 * z96 - z103 * z137);
+    const double z179 = z7 * k52 + (k17 * z175 - k19 * z97 + (z104 * z105 + z57 * z176)) - (k17 * z178 + k19
+        * z130);
+    const double z180 = z175 + (k10 * z97 + z104 * z138);
     const double z6 = kept[38];
-    const double z180 = z6 * z128 + thF_ddot * (z176 + k10 * z108);
-    const double z181 = z7 * k57 - (k31 * z179 + k36 * z165 - (z144 * z166 + z142 * z143)) + (k31 * z180 +
-        k36 * z170);
-    const double z182 = z178 + z181;
+    const double z181 = z6 * z129 - thF_ddot * (z177 - k10 * z109);
+    const double z182 = z7 * k57 + (k31 * z180 + k36 * z166 + (z145 * z167 + z143 * z144)) + (k31 * z181 -
+        k36 * z171);
+    const double z183 = z179 + z182;
     const double R_yy = p[7]; /* rear wheel, about the axle [kg*m^2] */
-    const double z183 = R_yy * (z97 + (z173 - thF_ddot * z109)) - z5 * z182 + z15 * z172;
-    const double z184 = z35 * z183;
+    const double z184 = R_yy * (z98 + (z174 - thF_ddot * z110)) + z5 * z183 - z15 * z173;
+    const double z185 = z35 * z184;
     const double k25 = kept[14];
     const double k26 = kept[15];
-    const double z185 = k25 * z103 - k26 * z100;
+    const double z186 = k25 * z104 - k26 * z101;
     const double k29 = kept[17];
-    const double z186 = k26 * z103 - k29 * z100;
+    const double z187 = k26 * z104 - k29 * z101;
     const double k28 = kept[16];
     const double k53 = kept[26];
     const double k54 = kept[27];
-    const double z187 = z2 * k54 + z7 * k53 + (k28 * z96 + (k18 * z101 - k19 * z174) + (z100 * z185 + z103 *
-        z186));
+    const double z188 = z2 * k54 + z7 * k53 - (k28 * z97 + (k18 * z102 - k19 * z175) - (z101 * z186 + z104 *
+        z187));
     const double k43 = kept[21];
     const double k44 = kept[22];
-    const double z188 = k43 * z144 - k44 * w3_steer;
+    const double z189 = k43 * z145 + k44 * w3_steer;
     const double k48 = kept[24];
-    const double z189 = k44 * z144 - k48 * w3_steer;
+    const double z190 = k44 * z145 + k48 * w3_steer;
     const double k47 = kept[23];
     const double k55 = kept[28];
     const double k56 = kept[29];
     const double k58 = kept[31];
     const double k59 = kept[32];
-    const double z190 = z8 * k56 + z7 * k55 + (z8 * k59 - z7 * k58) + (k47 * z165 - (k33 * z164 - k36 * z179)
-        - (w3_steer * z188 + z144 * z189));
+    const double z191 = z8 * k56 + z7 * k55 + (z8 * k59 - z7 * k58) - (k47 * z166 - (k33 * z165 - k36 * z180)
+        - (w3_steer * z189 - z145 * z190));
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
-    const double z191 = z190 - (k47 * z170 - (k33 * z167 - k36 * z180)) + F_yy * (z165 - (z168 + thF_ddot *
-        (1.0 + z169)));
+    const double z192 = z191 + (k47 * z171 - (k33 * z168 + k36 * z181)) - F_yy * (z166 - (z169 - thF_ddot *
+        (1.0 - z170)));
     const double thF_dot = y[11];
-    const double z192 = F_yy * (thF_dot + z142) + k47 * z142;
+    const double z193 = F_yy * (thF_dot - z143) - k47 * z143;
     const double k60 = kept[33];
-    const double z193 = h2z * k60 - (k44 * z132 + (k33 * z139 - k43 * z141) + (z142 * z189 + w3_steer *
-        z192));
-    const double z194 = z193 - (k44 * z155 + (k33 * z158 - k43 * z162));
-    const double z195 = z187 + (k28 * z129 - (k18 * z127 - k19 * z177)) + k10 * z181 - c_steer * z191 +
-        s_steer * z194;
-    const double z196 = z195 - z183;
-    const double z197 = z35 * z196;
-    const double z198 = z13 * z184 + z5 * z197;
-    const double z199 = R_yy * z57 - k28 * w2;
-    const double z200 = e2z * k54 - (k26 * z132 + (k18 * z134 + k25 * z140) + (w2 * z186 - z100 * z199));
-    const double z201 = z149 - (steer_ddot * z151 - z154);
-    const double z202 = roll_ddot * z45;
-    const double z203 = thF_ddot * z159 - (steer_ddot * z160 + roll_ddot * z161);
-    const double z204 = s1 * (z200 - (k26 * z201 + (k18 * z202 + k25 * z203)) + s_steer * z191 + c_steer *
-        z194);
+    const double z194 = h2z * k60 + (k44 * z133 + (k33 * z140 - k43 * z142) - (z143 * z190 + w3_steer *
+        z193));
+    const double z195 = z194 + (k44 * z156 - (k33 * z159 + k43 * z163));
+    const double z196 = z188 - (k28 * z130 - (k18 * z128 - k19 * z178)) - k10 * z182 - c_steer * z192 +
+        s_steer * z195;
+    const double z197 = z196 + z184;
+    const double z198 = z35 * z197;
+    const double z199 = z13 * z185 + z5 * z198;
+    const double z200 = R_yy * z58 - k28 * z57;
+    const double z201 = e2z * k54 + (k26 * z133 + (k18 * z135 + k25 * z141) + (z57 * z187 - z101 * z200));
+    const double z202 = z150 + (steer_ddot * z152 - z155);
+    const double z203 = roll_ddot * z45;
+    const double z204 = thF_ddot * z160 + (steer_ddot * z161 + roll_ddot * z162);
+    const double z205 = s1 * (z201 + (k26 * z202 - (k18 * z203 - k25 * z204)) + s_steer * z192 + c_steer *
+        z195);
     const double k61 = kept[34];
-    const double z205 = h2z * k61 + (k48 * z132 + (k36 * z139 - k44 * z141) + (z144 * z192 - z142 * z188));
-    const double z206 = e2z * k53 - (k29 * z132 + (k19 * z134 + k26 * z140) - (z103 * z199 + w2 * z185));
-    const double z207 = c_steer * z163 + s_steer * z171;
-    const double z208 = z205 + (k48 * z155 + (k36 * z158 - k44 * z162)) - (z206 - (k29 * z201 + (k19 * z202 +
-        k26 * z203)) + k10 * z207);
-    const double z209 = z35 * (c_roll * (z204 - c1 * z208) - e2z * z196);
-    const double z210 = z42 * z184 - z5 * z209;
-    const double z211 = z42 * z197 + z13 * z209;
-    const double z212 = z26 * z198 - z25 * z210 - z32 * z211;
-    const double z213 = c_steer * z212;
-    const double z214 = z31 * z198 + z30 * z210 + z16 * z211;
-    const double z215 = s_steer * z214;
-    const double z216 = z172 - z213 - z215;
-    const double z217 = z34 * z184 + z33 * z197;
-    const double z218 = z182 - z217;
-    const double z219 = s1 * z216 + c1 * z218;
-    const double z220 = e2z * k52 - (k19 * z132 + (k17 * z134 + k18 * z140) + (z100 * z175 + z103 * z102));
-    const double z221 = s_steer * z212 - c_steer * z214;
-    const double z222 = z220 - (k19 * z201 + (k17 * z202 + k18 * z203)) + z207 + z221;
-    const double z223 = e2z * z219 - c_roll * z222;
-    const double z224 = c1 * z216 - s1 * z218;
+    const double z206 = h2z * k61 - (k48 * z133 + (k36 * z140 - k44 * z142) + (z145 * z193 + z143 * z189));
+    const double z207 = e2z * k53 + (k29 * z133 + (k19 * z135 + k26 * z141) - (z104 * z200 + z57 * z186));
+    const double z208 = c_steer * z164 + s_steer * z172;
+    const double z209 = z206 - (k48 * z156 - (k36 * z159 + k44 * z163)) - (z207 + (k29 * z202 - (k19 * z203 -
+        k26 * z204)) - k10 * z208);
+    const double z210 = z35 * (c_roll * (z205 - c1 * z209) - e2z * z197);
+    const double z211 = z42 * z185 + z5 * z210;
+    const double z212 = z42 * z198 - z13 * z210;
+    const double z213 = z26 * z199 + z25 * z211 - z32 * z212;
+    const double z214 = c_steer * z213;
+    const double z215 = z31 * z199 - z30 * z211 + z16 * z212;
+    const double z216 = s_steer * z215;
+    const double z217 = z173 + z214 + z216;
+    const double z218 = z34 * z185 - z33 * z198;
+    const double z219 = z183 - z218;
+    const double z220 = s1 * z217 + c1 * z219;
+    const double z221 = e2z * k52 + (k19 * z133 + (k17 * z135 + k18 * z141) + (z101 * z176 + z104 * z103));
+    const double z222 = s_steer * z213 - c_steer * z215;
+    const double z223 = z221 + (k19 * z202 - (k17 * z203 - k18 * z204)) + z208 - z222;
+    const double z224 = e2z * z220 - c_roll * z223;
+    const double z225 = c1 * z217 - s1 * z219;
     const double s_yaw = kept[0];
     const double c_yaw = kept[1];
     /* (I.4.1) 115:5 */
-    lambda[0] = c_yaw * z224 - s_yaw * z223; /* reaction of rear_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = c_yaw * z225 - s_yaw * z224; /* reaction of rear_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 116:5 */
-    lambda[1] = c_yaw * z223 + s_yaw * z224; /* reaction of rear_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = c_yaw * z224 + s_yaw * z225; /* reaction of rear_y: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 117:5 */
-    lambda[2] = -(c_roll * z219 + e2z * z222); /* reaction of rear_z: Q_i gains lambda_3 a_3i */
-    const double z225 = z213 + z215;
-    const double z226 = s1 * z225 + c1 * z217;
-    const double z227 = e2z * z226 + c_roll * z221;
-    const double z228 = c1 * z225 - s1 * z217;
+    lambda[2] = -(c_roll * z220 + e2z * z223); /* reaction of rear_z: Q_i gains lambda_3 a_3i */
+    const double z226 = z214 + z216;
+    const double z227 = s1 * z226 - c1 * z218;
+    const double z228 = e2z * z227 + c_roll * z222;
+    const double z229 = c1 * z226 + s1 * z218;
     /* (I.4.1) 118:5 */
-    lambda[3] = c_yaw * z228 - s_yaw * z227; /* reaction of front_x: Q_i gains lambda_4 a_4i */
+    lambda[3] = s_yaw * z228 - c_yaw * z229; /* reaction of front_x: Q_i gains lambda_4 a_4i */
     /* (I.4.1) 119:5 */
-    lambda[4] = c_yaw * z227 + s_yaw * z228; /* reaction of front_y: Q_i gains lambda_5 a_5i */
+    lambda[4] = -(c_yaw * z228 + s_yaw * z229); /* reaction of front_y: Q_i gains lambda_5 a_5i */
     /* (I.4.1) 120:5 */
-    lambda[5] = e2z * z221 - c_roll * z226; /* reaction of front_z: Q_i gains lambda_6 a_6i */
+    lambda[5] = c_roll * z227 - e2z * z222; /* reaction of front_z: Q_i gains lambda_6 a_6i */
     return BICYCLE_OK;
 }
 
@@ -1843,8 +1841,8 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double k2 = w + c;
     const double k3 = c + (w - x_H);
     const double k4 = r_F * s_lam - c * c_lam;
-    const double k5 = c_lam * k2 - r_R * s_lam;
-    const double k6 = s_lam * k2 - (r_F * c_lam + c * s_lam - r_R * c_lam);
+    const double k5 = r_R * s_lam - c_lam * k2;
+    const double k6 = r_R * c_lam - (r_F * c_lam + c * s_lam - s_lam * k2);
 
     /* from the state */
     const double z1 = s_pitch * c_roll;
@@ -1866,8 +1864,8 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double z14 = z4 * z13;
     const double z15 = k4 + z14;
     const double z16 = z3 * z11;
-    const double z17 = k5 + z16 + c_steer * z15;
-    const double z18 = z15 * (s_steer * z3) + e2z * z17;
+    const double z17 = k5 - z16 - c_steer * z15;
+    const double z18 = z15 * (s_steer * z3) - e2z * z17;
     const double z19 = z6 * z11;
     const double z20 = z6 * z13;
     const double z21 = k6 + z20;
@@ -1877,100 +1875,100 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double z25 = steer_dot + z24;
     const double z26 = roll_dot * z5;
     const double z27 = c_steer * z26;
-    const double z28 = k5 * z24 + v2_x;
-    const double z29 = z25 * z14 - z27 * z20 - (k6 * z27 - k4 * z25 - c_steer * z28);
+    const double z28 = k5 * z24 - v2_x;
+    const double z29 = z25 * z14 - z27 * z20 - (k6 * z27 - k4 * z25 + c_steer * z28);
     const double z30 = s_steer * z22;
     const double z31 = s_steer * z26;
     const double z32 = thF_dot - z31;
-    const double z33 = z32 * z20 - (k6 * z31 - s_steer * z28);
+    const double z33 = z32 * z20 - (k6 * z31 + s_steer * z28);
     const double z34 = z23 * z29 + z30 * z33;
     const double z35 = z2 * z21;
-    const double z36 = c_roll * (c_steer * z35 + z5 * (c_steer * k5 + z15)) + e2z * z30;
-    const double z37 = c_roll * (s_steer * z35 + k5 * (s_steer * z5)) - e2z * z23;
+    const double z36 = c_roll * (c_steer * z35 - z5 * (c_steer * k5 - z15)) + e2z * z30;
+    const double z37 = c_roll * (s_steer * z35 - k5 * (s_steer * z5)) - e2z * z23;
     const double z38 = z36 * z33 - z37 * z29;
     const double z39 = z23 * z36 + z37 * z30;
     const double z40 = k4 * z31 - z32 * z14;
     const double z41 = c_steer * z19;
     const double z42 = s_steer * z19;
     const double z43 = z41 * z36 + z37 * z42;
-    const double z44 = 1.0 / (z17 * z43 - z16 * z39);
+    const double z44 = 1.0 / (z17 * z43 + z16 * z39);
     const double z45 = z41 * z29 + z42 * z33;
     const double z46 = (z18 * z45 + z43 * z40 - z16 * z38) * z44;
-    const double z47 = z44 * (z17 * z45 - z16 * z34);
-    const double w2 = z46 - e2z * z47;
-    const double z48 = (z18 * z34 - z17 * z38 + z39 * z40) * z44 - w2;
-    const double z49 = z48 * (z2 * z16 + z5 * z19);
-    const double z50 = s_yaw * z12 - c_yaw * z49;
-    const double z51 = s_yaw * z47;
-    const double z52 = s_pitch * z46;
-    const double z53 = c_yaw * z47;
-    const double z54 = s_yaw * z10 - e2z * z53;
-    const double z55 = s_yaw * e2z;
-    const double z56 = c_pitch * z46;
-    const double z57 = c_pitch * z51 - c_yaw * z52 - (s_pitch * z54 + z55 * z56);
-    const double z58 = s_pitch * z51 + c_yaw * z56 - (z55 * z52 - c_pitch * z54);
-    const double z59 = z50 - k2 * z57 - r_R * z58;
-    const double z60 = steer_dot * s_steer;
-    const double z61 = ((c_yaw * c_pitch - z55 * s_pitch) * c_lam - (c_yaw * s_pitch + c_pitch * z55) *
-        s_lam) * z60 - c_steer * (c_lam * z57 - s_lam * z58);
-    const double z62 = steer_dot * c_steer;
-    const double z63 = c_roll * z62;
-    const double z64 = roll_dot * e2z;
-    const double z65 = z61 + (s_yaw * z63 - s_steer * (s_yaw * z64 + c_roll * z53));
-    const double z66 = s_lam * z57 + c_lam * z58;
-    const double z67 = c_lam * z65 - s_lam * z66;
-    const double z68 = c_lam * z66 + s_lam * z65;
-    const double z69 = z59 - c * z67 + r_F * z68;
-    const double z70 = c_yaw * z12 + s_yaw * z49;
-    const double z71 = c_yaw * e2z;
-    const double z72 = c_yaw * z10 + e2z * z51;
-    const double z73 = s_yaw * z52 + c_pitch * z53 - (z71 * z56 + s_pitch * z72);
-    const double z74 = s_pitch * z53 - s_yaw * z56 - (z71 * z52 - c_pitch * z72);
-    const double z75 = z70 - k2 * z73 - r_R * z74;
-    const double z76 = ((c_pitch * s_yaw + s_pitch * z71) * c_lam - (s_yaw * s_pitch - c_pitch * z71) *
-        s_lam) * z60 + c_steer * (c_lam * z73 - s_lam * z74);
-    const double z77 = z76 - (c_yaw * z63 - s_steer * (c_yaw * z64 - c_roll * z51));
-    const double z78 = s_lam * z73 + c_lam * z74;
-    const double z79 = c_lam * z77 + s_lam * z78;
-    const double z80 = c_lam * z78 - s_lam * z77;
-    const double z81 = z75 + c * z79 + r_F * z80;
-    const double z82 = e2z * v2_x;
-    const double z83 = s_pitch * z64 - c_roll * z56;
-    const double z84 = c_pitch * z64 + c_roll * z52;
-    const double z85 = z82 + k2 * z83 - r_R * z84;
-    const double z86 = s_steer * z10 + e2z * z62 + (z60 * z3 + c_steer * (c_lam * z83 + s_lam * z84));
-    const double z87 = s_lam * z83 - c_lam * z84;
-    const double z88 = c_lam * z86 + s_lam * z87;
-    const double z89 = c_lam * z87 - s_lam * z86;
-    const double Fz_dot = z85 - c * z88 - r_F * z89;
+    const double z47 = z44 * (z17 * z45 + z16 * z34);
+    const double z48 = z46 + e2z * z47;
+    const double z49 = (z18 * z34 + z17 * z38 + z39 * z40) * z44 - z48;
+    const double z50 = z49 * (z2 * z16 + z5 * z19);
+    const double z51 = s_yaw * z12 + c_yaw * z50;
+    const double z52 = s_yaw * z47;
+    const double z53 = s_pitch * z46;
+    const double z54 = c_yaw * z47;
+    const double z55 = s_yaw * z10 - e2z * z54;
+    const double z56 = s_yaw * e2z;
+    const double z57 = c_pitch * z46;
+    const double z58 = c_pitch * z52 + c_yaw * z53 - (s_pitch * z55 - z56 * z57);
+    const double z59 = s_pitch * z52 - c_yaw * z57 + (z56 * z53 + c_pitch * z55);
+    const double z60 = z51 - k2 * z58 - r_R * z59;
+    const double z61 = steer_dot * s_steer;
+    const double z62 = ((c_yaw * c_pitch - z56 * s_pitch) * c_lam - (c_yaw * s_pitch + c_pitch * z56) *
+        s_lam) * z61 - c_steer * (c_lam * z58 - s_lam * z59);
+    const double z63 = steer_dot * c_steer;
+    const double z64 = c_roll * z63;
+    const double z65 = roll_dot * e2z;
+    const double z66 = z62 + (s_yaw * z64 - s_steer * (s_yaw * z65 + c_roll * z54));
+    const double z67 = s_lam * z58 + c_lam * z59;
+    const double z68 = c_lam * z66 - s_lam * z67;
+    const double z69 = c_lam * z67 + s_lam * z66;
+    const double z70 = z60 - c * z68 + r_F * z69;
+    const double z71 = c_yaw * z12 - s_yaw * z50;
+    const double z72 = c_yaw * e2z;
+    const double z73 = c_yaw * z10 + e2z * z52;
+    const double z74 = s_yaw * z53 - c_pitch * z54 - (z72 * z57 - s_pitch * z73);
+    const double z75 = s_pitch * z54 + s_yaw * z57 + (z72 * z53 + c_pitch * z73);
+    const double z76 = z71 + k2 * z74 - r_R * z75;
+    const double z77 = ((c_pitch * s_yaw + s_pitch * z72) * c_lam - (s_yaw * s_pitch - c_pitch * z72) *
+        s_lam) * z61 - c_steer * (c_lam * z74 + s_lam * z75);
+    const double z78 = z77 - (c_yaw * z64 - s_steer * (c_yaw * z65 - c_roll * z52));
+    const double z79 = s_lam * z74 - c_lam * z75;
+    const double z80 = c_lam * z78 - s_lam * z79;
+    const double z81 = c_lam * z79 + s_lam * z78;
+    const double z82 = z76 + c * z80 - r_F * z81;
+    const double z83 = e2z * v2_x;
+    const double z84 = s_pitch * z65 + c_roll * z57;
+    const double z85 = c_pitch * z65 - c_roll * z53;
+    const double z86 = z83 + k2 * z84 - r_R * z85;
+    const double z87 = s_steer * z10 + e2z * z63 + (z61 * z3 + c_steer * (c_lam * z84 + s_lam * z85));
+    const double z88 = s_lam * z84 - c_lam * z85;
+    const double z89 = c_lam * z87 + s_lam * z88;
+    const double z90 = c_lam * z88 - s_lam * z87;
+    const double Fz_dot = z86 - c * z89 - r_F * z90;
     const double w1 = roll_dot * c_pitch + z1 * z47;
     const double w3 = roll_dot * s_pitch - e3z * z47;
-    const double z90 = c_lam * w1 - s_lam * w3;
-    const double z91 = s_steer * w2 + c_steer * z90;
+    const double z91 = c_lam * w1 - s_lam * w3;
+    const double z92 = s_steer * z48 - c_steer * z91;
     const double ws = steer_dot + (s_lam * w1 + c_lam * w3);
-    const double z92 = c_lam * z91 + s_lam * ws;
-    const double z93 = z92 * z92;
-    const double o3 = c_lam * ws - s_lam * z91;
-    const double z94 = o3 * o3;
-    const double o2 = c_steer * w2 - s_steer * z90;
-    const double z95 = thF_dot + o2;
-    const double z96 = m_F * (z69 * z69 + z81 * z81 + Fz_dot * Fz_dot) + F_xx * (z93 + z94) + F_yy * (z95 *
-        z95);
-    const double z97 = z59 - k3 * z67 - z_H * z68;
-    const double z98 = z75 + k3 * z79 - z_H * z80;
-    const double Hz_dot = z85 - k3 * z88 + z_H * z89;
-    const double z99 = m_H * (z97 * z97 + z98 * z98 + Hz_dot * Hz_dot) + (H_xx * z93 + H_yy * (o2 * o2) +
-        H_zz * z94);
-    const double z100 = w1 * w1;
-    const double z101 = w3 * w3;
-    const double z102 = m_R * (z50 * z50 + z70 * z70 + z82 * z82) + R_xx * (z100 + z101) + R_yy * (z48 * z48);
-    const double z103 = z50 - x_B * z57 - k1 * z58;
-    const double z104 = z70 - x_B * z73 - k1 * z74;
-    const double Bz_dot = z82 + x_B * z83 - k1 * z84;
-    const double z105 = m_B * (z103 * z103 + z104 * z104 + Bz_dot * Bz_dot) + (B_xx * z100 + B_yy * (w2 * w2)
-        + B_zz * z101);
-    const double z106 = 0.5 * z99 + H_xz * (z92 * o3) + (0.5 * z102 + (0.5 * z105 + B_xz * (w1 * w3)));
-    return 0.5 * z96 + z106 - g * (z9 + m_F * (Sz - c * z7 - r_F * z8));
+    const double z93 = c_lam * z92 - s_lam * ws;
+    const double z94 = z93 * z93;
+    const double o3 = c_lam * ws + s_lam * z92;
+    const double z95 = o3 * o3;
+    const double z96 = c_steer * z48 + s_steer * z91;
+    const double z97 = thF_dot - z96;
+    const double z98 = m_F * (z70 * z70 + z82 * z82 + Fz_dot * Fz_dot) + F_xx * (z94 + z95) + F_yy * (z97 *
+        z97);
+    const double z99 = z60 - k3 * z68 - z_H * z69;
+    const double z100 = z76 + k3 * z80 + z_H * z81;
+    const double Hz_dot = z86 - k3 * z89 + z_H * z90;
+    const double z101 = m_H * (z99 * z99 + z100 * z100 + Hz_dot * Hz_dot) + (H_xx * z94 + H_yy * (z96 * z96)
+        + H_zz * z95);
+    const double z102 = w1 * w1;
+    const double z103 = w3 * w3;
+    const double z104 = m_R * (z51 * z51 + z71 * z71 + z83 * z83) + R_xx * (z102 + z103) + R_yy * (z49 * z49);
+    const double z105 = z51 - x_B * z58 - k1 * z59;
+    const double z106 = z71 + x_B * z74 - k1 * z75;
+    const double Bz_dot = z83 + x_B * z84 - k1 * z85;
+    const double z107 = m_B * (z105 * z105 + z106 * z106 + Bz_dot * Bz_dot) + (B_xx * z102 + B_yy * (z48 *
+        z48) + B_zz * z103);
+    const double z108 = 0.5 * z101 - H_xz * (z93 * o3) + (0.5 * z104 + (0.5 * z107 + B_xz * (w1 * w3)));
+    return 0.5 * z98 + z108 - g * (z9 + m_F * (Sz - c * z7 - r_F * z8));
 }
 
 BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const double *p, double *kept,
@@ -2029,15 +2027,15 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     const double k8 = R_xx + B_zz;
     const double z_H = p[16]; /* [m] */
     const double k9 = z_H * s_lam + c_lam * k3;
-    const double k10 = c_lam * k2 - r_R * s_lam;
+    const double k10 = r_R * s_lam - c_lam * k2;
     kept[9] = k10;
+    const double k11 = r_R * c_lam;
+    const double k12 = s_lam * k2;
     const double x_B = p[8]; /* rear frame and rider, ahead of the rear contact [m] */
-    const double k11 = c_lam * k1 + x_B * s_lam;
-    const double k12 = x_B * c_lam - s_lam * k1;
-    const double k13 = r_R * c_lam;
-    const double k14 = s_lam * k2;
-    const double k15 = z_H * c_lam - s_lam * k3 + k13 + k14;
-    const double k16 = k14 - (r_F * c_lam + c * s_lam - k13);
+    const double k13 = x_B * s_lam + c_lam * k1;
+    const double k14 = x_B * c_lam - s_lam * k1;
+    const double k15 = k11 + (z_H * c_lam - s_lam * k3 + k12);
+    const double k16 = k11 - (r_F * c_lam + c * s_lam - k12);
     kept[10] = k16;
     const double k17 = fabs(r_R);
     const double k18 = fabs(r_F);
@@ -2055,27 +2053,27 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     const double m_B = p[10]; /* [kg] */
     const double k26 = m_R + m_B;
     kept[14] = k26;
-    const double k27 = m_B * k11;
+    const double k27 = m_B * k13;
     kept[15] = k27;
-    const double k28 = m_B * k12;
+    const double k28 = m_B * k14;
     kept[16] = k28;
     const double B_xz = p[12]; /* [kg*m^2] */
     const double k29 = B_xz * c_lam;
     const double k30 = s_lam * k8 - k29;
     const double k31 = B_xz * s_lam;
     const double k32 = c_lam * k7 - k31;
-    const double k33 = k11 * k27;
+    const double k33 = k13 * k27;
     const double k34 = s_lam * k30 + c_lam * k32 + k33;
     kept[17] = k34;
-    const double k35 = c_lam * k30 - s_lam * k32 + k12 * k27;
+    const double k35 = c_lam * k30 - s_lam * k32 + k14 * k27;
     kept[18] = k35;
-    const double k36 = k12 * k28;
+    const double k36 = k14 * k28;
     const double B_yy = p[13]; /* [kg*m^2] */
     const double k37 = k33 + (B_yy + k36);
     kept[19] = k37;
     const double k38 = k31 + c_lam * k8;
     const double k39 = k29 + s_lam * k7;
-    const double k40 = s_lam * k38 - c_lam * k39 + k11 * k28;
+    const double k40 = s_lam * k38 - c_lam * k39 + k13 * k28;
     kept[20] = k40;
     const double k41 = k36 + (c_lam * k38 + s_lam * k39);
     kept[21] = k41;
@@ -2119,9 +2117,9 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     const double k66 = g * m_B;
     const double k67 = g * k26;
     kept[30] = k67;
-    const double k68 = k12 * k66;
+    const double k68 = k14 * k66;
     kept[31] = k68;
-    const double k69 = k11 * k66;
+    const double k69 = k13 * k66;
     kept[32] = k69;
     const double k70 = k9 * k65;
     kept[33] = k70;
@@ -2163,9 +2161,9 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[50] = z12;
     const double z13 = z11 * z12;
     kept[51] = z13;
-    const double z14 = k10 + z13 + c_steer * z8;
+    const double z14 = k10 - z13 - c_steer * z8;
     kept[52] = z14;
-    const double z15 = c_roll * z10 + e2z * z14;
+    const double z15 = c_roll * z10 - e2z * z14;
     kept[53] = z15;
     const double z16 = r_R * z2;
     kept[54] = z16;
@@ -2191,9 +2189,9 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[64] = z26;
     const double z27 = c_steer * z21;
     kept[65] = z27;
-    const double z28 = c_steer * k10 + z8;
+    const double z28 = c_steer * k10 - z8;
     kept[66] = z28;
-    const double z29 = s1 * z27 + c1 * z28;
+    const double z29 = s1 * z27 - c1 * z28;
     kept[67] = z29;
     const double z30 = c_roll * z29 + e2z * z23;
     kept[68] = z30;
@@ -2201,7 +2199,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[69] = z31;
     const double z32 = s_steer * k10;
     kept[70] = z32;
-    const double z33 = s1 * z31 + c1 * z32;
+    const double z33 = s1 * z31 - c1 * z32;
     kept[71] = z33;
     const double z34 = c_roll * z33 - e2z * z24;
     kept[72] = z34;
@@ -2209,7 +2207,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[73] = z35;
     const double z36 = z24 * z30 + z34 * z23;
     kept[74] = z36;
-    const double z37 = z15 * z26 - z14 * z35 + z13 * z36;
+    const double z37 = z15 * z26 + z14 * z35 + z13 * z36;
     kept[75] = z37;
     const double z38 = k17 * (9.0 + fabs(z11));
     kept[76] = z38;
@@ -2225,17 +2223,17 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[81] = z43;
     const double z44 = z43 * z11;
     kept[82] = z44;
-    const double z45 = k10 * s1 + z44;
+    const double z45 = k10 * s1 - z44;
     kept[83] = z45;
-    const double z46 = s1 * z7 - z20 * z42 - (k16 * z42 - k4 * s1 - c_steer * z45);
+    const double z46 = s1 * z7 - z20 * z42 - (k16 * z42 - k4 * s1 + c_steer * z45);
     kept[84] = z46;
-    const double z47 = z20 * z40 + (k16 * z40 - s_steer * z45);
+    const double z47 = z20 * z40 + (k16 * z40 + s_steer * z45);
     kept[85] = z47;
     const double z48 = z18 * z46 - z25 * z47;
     kept[86] = z48;
     const double z49 = z24 * z46 - z23 * z47;
     kept[87] = z49;
-    const double z50 = z26 * z41 + z14 * z48 - z13 * z49;
+    const double z50 = z26 * z41 - z14 * z48 - z13 * z49;
     kept[88] = z50;
     const double z51 = z39 * z50;
     kept[89] = z51;
@@ -2243,11 +2241,11 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[90] = z52;
     const double z53 = s1 + c1 * z52;
     kept[91] = z53;
-    const double z54 = z44 + k10 * z53;
+    const double z54 = z44 - k10 * z53;
     kept[92] = z54;
     const double z55 = z30 * z47 + z34 * z46;
     kept[93] = z55;
-    const double z56 = z15 * z49 + z14 * z55 + z36 * z41;
+    const double z56 = z15 * z49 - z14 * z55 + z36 * z41;
     kept[94] = z56;
     const double z57 = z39 * z56;
     kept[95] = z57;
@@ -2297,7 +2295,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     const double z69 = z13 * z61;
     kept[107] = z69;
     const double k10 = kept[9];
-    const double z70 = z69 - k10 * z60;
+    const double z70 = z69 + k10 * z60;
     kept[108] = z70;
     const double k45 = kept[23];
     const double k59 = kept[27];
@@ -2349,7 +2347,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     const double z86 = z24 * z8;
     kept[122] = z86;
     const double z14 = kept[52];
-    const double z87 = z14 * z85 - z13 * z86;
+    const double z87 = z14 * z85 + z13 * z86;
     kept[123] = z87;
     const double z39 = kept[77];
     const double z88 = z39 * z87;
@@ -2359,7 +2357,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     kept[125] = z89;
     const double z90 = c1 * z89;
     kept[126] = z90;
-    const double z91 = 1.0 + z90;
+    const double z91 = 1.0 - z90;
     kept[127] = z91;
     const double z92 = k10 * z90;
     kept[128] = z92;
@@ -2367,14 +2365,14 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     const double z93 = z34 * z8;
     kept[129] = z93;
     const double z15 = kept[53];
-    const double z94 = z15 * z86 + z14 * z93;
+    const double z94 = z15 * z86 - z14 * z93;
     kept[130] = z94;
     const double z95 = z39 * z94;
     const double z96 = z15 * z85 + z13 * z93;
     kept[131] = z96;
     const double z97 = z39 * z96;
     const double e2z = kept[1];
-    const double z98 = z97 - e2z * z88;
+    const double z98 = z97 + e2z * z88;
     kept[132] = z98;
     const double z99 = z95 - z98;
     kept[133] = z99;
@@ -2385,17 +2383,17 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     kept[135] = z101;
     const double z102 = s1 * z89;
     kept[136] = z102;
-    const double z103 = s_steer * z98 + c_steer * z102;
+    const double z103 = s_steer * z98 - c_steer * z102;
     kept[137] = z103;
     const double z104 = k63 * z91 + (k48 * z101 + k62 * z103);
     kept[138] = z104;
-    const double z105 = c_steer * z98 - s_steer * z102;
+    const double z105 = c_steer * z98 + s_steer * z102;
     kept[139] = z105;
     const double z106 = c_steer * z100 - s_steer * z92;
     kept[140] = z106;
     const double z107 = z13 * z99;
     kept[141] = z107;
-    const double z108 = z107 - k10 * z98;
+    const double z108 = z107 + k10 * z98;
     kept[142] = z108;
     const double z109 = k59 * z105 + (k45 * z106 - k48 * z108);
     kept[143] = z109;
@@ -2423,7 +2421,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
         R_yy * (z99 * z99);
     const double z121 = z120 + F_yy * (z105 * z105);
     kept[153] = z121;
-    const double z122 = z106 * z75 + (z90 * z76 + (z98 * z77 + (z102 * z78 + (z100 * z80 + z107 * z79))));
+    const double z122 = z106 * z75 - (z90 * z76 - (z98 * z77 - (z102 * z78 - (z100 * z80 + z107 * z79))));
     const double z123 = z91 * z66 + (z105 * z71 + (z103 * z72 + (z108 * z73 + (z101 * z74 + z122)))) + R_yy *
         (z61 * z99);
     const double z124 = z123 + F_yy * (z67 * z105);
@@ -2442,7 +2440,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     kept[158] = z129;
     const double z7 = kept[45];
     const double z26 = kept[64];
-    const double z130 = z7 * z26 - z14 * z128 + z13 * z129;
+    const double z130 = z7 * z26 + z14 * z128 + z13 * z129;
     kept[159] = z130;
     const double z131 = z39 * z130;
     kept[160] = z131;
@@ -2456,7 +2454,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     const double z135 = z20 * z30;
     kept[164] = z135;
     const double z36 = kept[74];
-    const double z136 = z15 * z129 - z14 * z135 - z7 * z36;
+    const double z136 = z15 * z129 + z14 * z135 - z7 * z36;
     kept[165] = z136;
     const double z137 = z39 * z136;
     const double z35 = kept[73];
@@ -2469,29 +2467,29 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     kept[168] = z141;
     const double z142 = z17 * z141;
     kept[169] = z142;
-    const double z143 = c_steer * z134 - s_steer * z142;
+    const double z143 = c_steer * z134 + s_steer * z142;
     kept[170] = z143;
     const double z144 = s1 * z132;
     kept[171] = z144;
     const double z145 = s_steer * z140 - c_steer * z144;
     kept[172] = z145;
-    const double z146 = k63 * z133 + (k48 * z143 - k62 * z145);
+    const double z146 = k63 * z133 - (k48 * z143 + k62 * z145);
     kept[173] = z146;
     const double z147 = c_steer * z140 + s_steer * z144;
     kept[174] = z147;
-    const double z148 = c_steer * z142 + s_steer * z134;
+    const double z148 = c_steer * z142 - s_steer * z134;
     kept[175] = z148;
     const double z149 = z13 * z141;
     kept[176] = z149;
-    const double z150 = z149 - k10 * z140;
+    const double z150 = z149 + k10 * z140;
     kept[177] = z150;
     const double z151 = k59 * z147 + (k45 * z148 - k48 * z150);
     kept[178] = z151;
-    const double z152 = k56 * z133 + (k45 * z143 - k55 * z145);
+    const double z152 = k56 * z133 - (k45 * z143 + k55 * z145);
     kept[179] = z152;
     const double z153 = k43 * z150 - k48 * z147;
     kept[180] = z153;
-    const double z154 = k48 * z133 + (k43 * z143 - k45 * z145);
+    const double z154 = k48 * z133 - (k43 * z143 + k45 * z145);
     kept[181] = z154;
     const double z155 = k43 * z148 + k45 * z147;
     kept[182] = z155;
@@ -2507,21 +2505,21 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     kept[187] = z160;
     const double z161 = z148 * z155 + (z133 * z156 + (z140 * z157 + (z144 * z158 + (z142 * z159 + z149 *
         z160))));
-    const double z162 = z133 * z146 + (z147 * z151 - (z145 * z152 - (z150 * z153 + (z143 * z154 + z161)))) +
+    const double z162 = z133 * z146 + (z147 * z151 - (z145 * z152 - (z150 * z153 - (z143 * z154 - z161)))) +
         R_yy * (z141 * z141);
     const double z163 = 1.0 - z147;
     kept[188] = z163;
     const double z164 = z162 + F_yy * (z163 * z163);
     kept[189] = z164;
     const double z165 = z148 * z75 - (z133 * z76 - (z140 * z77 - (z144 * z78 - (z142 * z80 + z149 * z79))));
-    const double z166 = z133 * z66 - (z147 * z71 + (z145 * z72 + (z150 * z73 - (z143 * z74 - z165)))) - R_yy
+    const double z166 = z133 * z66 - (z147 * z71 + (z145 * z72 + (z150 * z73 + (z143 * z74 + z165)))) - R_yy
         * (z61 * z141);
     const double z167 = z166 + F_yy * (z67 * z163);
     const double z168 = z167 * z125;
     kept[190] = z168;
-    const double z169 = z148 * z113 - (z133 * z114 - (z140 * z115 - (z144 * z116 - (z142 * z117 + z149 *
+    const double z169 = z148 * z113 + (z133 * z114 + (z140 * z115 + (z144 * z116 + (z142 * z117 + z149 *
         z118))));
-    const double z170 = z133 * z104 - (z147 * z109 + (z145 * z110 + (z150 * z111 - (z143 * z112 - z169)))) -
+    const double z170 = z133 * z104 - (z147 * z109 + (z145 * z110 + (z150 * z111 + (z143 * z112 + z169)))) -
         R_yy * (z99 * z141);
     const double z171 = z170 + F_yy * (z105 * z163) - z124 * z168;
     const double z172 = 1.0 / z127;
@@ -2553,7 +2551,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     J[35] = c_roll * z181;
     const double z51 = kept[89];
     J[45] = z51;
-    J[46] = z88;
+    J[46] = -z88;
     J[47] = -z131;
     J[57] = 1.0;
     const double z59 = kept[97];
@@ -2609,7 +2607,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     kept[204] = z194;
     const double k10 = kept[9];
     const double v2_x = kept[198];
-    const double z195 = v2_x + k10 * z192;
+    const double z195 = v2_x - k10 * z192;
     kept[205] = z195;
     const double k4 = kept[8];
     const double z7 = kept[45];
@@ -2635,7 +2633,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z13 = kept[51];
     const double z14 = kept[52];
     const double z26 = kept[64];
-    const double z201 = z26 * z196 + z14 * z199 - z13 * z200;
+    const double z201 = z26 * z196 - z14 * z199 - z13 * z200;
     kept[211] = z201;
     const double z30 = kept[68];
     const double z34 = kept[72];
@@ -2646,7 +2644,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z203 = z15 * z199 + z35 * z196 - z13 * z202;
     kept[213] = z203;
     const double z36 = kept[74];
-    const double z204 = z15 * z200 - z14 * z202 + z36 * z196;
+    const double z204 = z15 * z200 + z14 * z202 + z36 * z196;
     kept[214] = z204;
     const double z39 = kept[77];
     const double z205 = z39 * z201;
@@ -2734,7 +2732,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z295 = z274 * z185;
     kept[248] = z295;
     const double z186 = kept[196];
-    const double z296 = z186 * z294 - z11 * z295 - k10 * z287;
+    const double z296 = z186 * z294 - z11 * z295 + k10 * z287;
     kept[249] = z296;
     const double z297 = z193 * z286 - z7 * z287 - (z194 * z289 - z20 * z291) + (k16 * z291 - k4 * z287 -
         (z273 * z195 - c_steer * z296));
@@ -2749,11 +2747,11 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z21 = kept[59];
     const double z301 = z273 * z21 - c_steer * z289;
     kept[253] = z301;
-    const double z302 = z273 * k10 - z286;
+    const double z302 = z273 * k10 + z286;
     kept[254] = z302;
     const double z27 = kept[65];
     const double z28 = kept[66];
-    const double z303 = z27 * z279 + s1 * z301 - (z28 * z275 - c1 * z302);
+    const double z303 = z27 * z279 + s1 * z301 + (z28 * z275 - c1 * z302);
     kept[255] = z303;
     const double z304 = z299 - z289;
     kept[256] = z304;
@@ -2775,7 +2773,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     kept[263] = z311;
     const double z31 = kept[69];
     const double z32 = kept[70];
-    const double z312 = z31 * z279 - s1 * z310 - (c1 * z311 + z32 * z275);
+    const double z312 = z31 * z279 - s1 * z310 + (c1 * z311 + z32 * z275);
     kept[264] = z312;
     const double z313 = z273 * z22 - c_steer * z304;
     kept[265] = z313;
@@ -2801,7 +2799,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z321 = z318 - (z273 * z8 - c_steer * z286);
     kept[273] = z321;
     const double z10 = kept[48];
-    const double z322 = z274 * z10 + c_roll * z320 - (z277 * z14 + e2z * z321);
+    const double z322 = z274 * z10 + c_roll * z320 + (z277 * z14 - e2z * z321);
     kept[274] = z322;
     const double z323 = k4 * z308 - (z191 * z286 - z7 * z308) - (z206 * z318 - (z205 * z322 + z207 * z321));
     kept[275] = z323;
@@ -2811,7 +2809,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     kept[277] = z325;
     const double z326 = z24 * z307 + z23 * z315;
     kept[278] = z326;
-    const double z327 = z26 * z323 + z14 * z316 - z13 * z326;
+    const double z327 = z26 * z323 - z14 * z316 - z13 * z326;
     kept[279] = z327;
     const double z328 = z39 * z327;
     kept[280] = z328;
@@ -2827,7 +2825,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     kept[285] = z333;
     const double z334 = z273 * z208 - c_steer * z329 - (z278 * z331 + s_steer * z333);
     kept[286] = z334;
-    const double z335 = z15 * z326 - z14 * z324 + z36 * z323;
+    const double z335 = z15 * z326 + z14 * z324 + z36 * z323;
     kept[287] = z335;
     const double z336 = z39 * z335 - z329;
     kept[288] = z336;
@@ -2841,7 +2839,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     kept[291] = z339;
     const double z340 = k10 * z337;
     kept[292] = z340;
-    const double z341 = z338 + (z208 * z339 + z337 * z340);
+    const double z341 = z338 - (z208 * z339 + z337 * z340);
     kept[293] = z341;
     const double z342 = r_R * z274;
     kept[294] = z342;
@@ -2850,11 +2848,11 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     kept[295] = z343;
     const double z344 = roll_dot * z343 + (z210 * z337 - z211 * z331);
     const double z345 = z287 - (z330 * z275 - c1 * z332);
-    const double z346 = z344 + (k10 * z345 + z339 * z331);
+    const double z346 = z344 - (k10 * z345 + z339 * z331);
     kept[296] = z346;
     const double z347 = c_steer * z341 + s_steer * z346;
     const double z348 = z209 * z318 + z13 * z336 - (v2_x_2 * z331 - z208 * z210);
-    const double z349 = z348 - (k10 * z329 + z331 * z340);
+    const double z349 = z348 + (k10 * z329 + z331 * z340);
     const double w3_steer = steer_dot + z337;
     kept[297] = w3_steer;
     const double z350 = s_steer * z208 - c_steer * z331;
@@ -2964,7 +2962,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z145 = kept[172];
     const double z147 = kept[174];
     const double z150 = kept[177];
-    const double z382 = z133 * z368 - (z147 * z353 - (z145 * z358 - (z150 * z361 + (z143 * z363 + z381)))) -
+    const double z382 = z133 * z368 - (z147 * z353 - (z145 * z358 - (z150 * z361 - (z143 * z363 - z381)))) -
         R_yy * (z141 * z336);
     const double z53 = kept[91];
     const double z60 = kept[98];
@@ -2987,7 +2985,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z102 = kept[136];
     const double z106 = kept[140];
     const double z107 = kept[141];
-    const double z386 = z106 * z364 - (z90 * z367 + (z98 * z371 + (z102 * z372 + (z100 * z377 - z107 *
+    const double z386 = z106 * z364 + (z90 * z367 - (z98 * z371 - (z102 * z372 - (z100 * z377 - z107 *
         z375))));
     const double z91 = kept[127];
     const double z99 = kept[133];
@@ -3083,8 +3081,8 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, cons
     const double z9 = kept[47];
     const double z10 = kept[48];
     const double z14 = kept[52];
-    const bicycle_lanes z230 = z10 * z217 - c_roll * (z9 * z216 + s1 * (z8 * z221 + s_steer * z228)) - (z14 *
-        z224 + e2z * z229);
+    const bicycle_lanes z230 = z10 * z217 - c_roll * (z9 * z216 + s1 * (z8 * z221 + s_steer * z228)) + (z14 *
+        z224 - e2z * z229);
     const double z16 = kept[54];
     const bicycle_lanes z231 = z16 * z218 - z11 * (r_R * z223);
     const double z17 = kept[55];
@@ -3105,13 +3103,13 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, cons
     const double z21 = kept[59];
     const double z27 = kept[65];
     const double z28 = kept[66];
-    const bicycle_lanes z239 = z27 * z216 - s1 * (z21 * z225 - c_steer * z233) - (z28 * z222 - c1 * (z228 -
+    const bicycle_lanes z239 = z27 * z216 - s1 * (z21 * z225 - c_steer * z233) + (z28 * z222 + c1 * (z228 +
         k10 * z225));
     const double z29 = kept[67];
     const bicycle_lanes z240 = z29 * z217 - c_roll * z239 - (z23 * z224 + e2z * z235);
     const double z31 = kept[69];
     const double z32 = kept[70];
-    const bicycle_lanes z241 = z31 * z216 + s1 * (z21 * z221 + s_steer * z233) - (z32 * z222 - c1 * (k10 *
+    const bicycle_lanes z241 = z31 * z216 + s1 * (z21 * z221 + s_steer * z233) + (z32 * z222 - c1 * (k10 *
         z221));
     const double z33 = kept[71];
     const bicycle_lanes z242 = z33 * z217 - c_roll * z241 + (z24 * z224 - e2z * z236);
@@ -3124,7 +3122,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, cons
     const double z26 = kept[64];
     const double z35 = kept[73];
     const double z36 = kept[74];
-    const bicycle_lanes z245 = z26 * z230 + z15 * z238 + (z35 * z229 - z14 * z243) - (z36 * z220 - z13 *
+    const bicycle_lanes z245 = z26 * z230 + z15 * z238 + (z35 * z229 + z14 * z243) - (z36 * z220 - z13 *
         z244);
     const double z188 = kept[199];
     const bicycle_lanes z246 = z188 * z245;
@@ -3136,7 +3134,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, cons
     const double z185 = kept[195];
     const double z186 = kept[196];
     const bicycle_lanes z250 = z186 * z218 - z11 * (z185 * z217);
-    const bicycle_lanes z251 = z250 + k10 * z247;
+    const bicycle_lanes z251 = z250 - k10 * z247;
     const double k4 = kept[8];
     const double k16 = kept[10];
     const double z7 = kept[45];
@@ -3157,7 +3155,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, cons
     const double z196 = kept[206];
     const double z200 = kept[210];
     const double z202 = kept[212];
-    const bicycle_lanes z258 = z200 * z230 + z15 * z255 + (z202 * z229 - z14 * z256) + (z196 * z244 - z36 *
+    const bicycle_lanes z258 = z200 * z230 + z15 * z255 + (z202 * z229 + z14 * z256) + (z196 * z244 - z36 *
         z257);
     const double z39 = kept[77];
     const double z204 = kept[214];
@@ -3168,7 +3166,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, cons
         z256);
     const double z203 = kept[213];
     const bicycle_lanes z262 = z203 * z246 - z39 * z261;
-    const bicycle_lanes z263 = z196 * z238 - z26 * z257 - (z199 * z229 - z14 * z260) + (z200 * z220 - z13 *
+    const bicycle_lanes z263 = z196 * z238 - z26 * z257 - (z199 * z229 + z14 * z260) + (z200 * z220 - z13 *
         z255);
     const double z201 = kept[211];
     const bicycle_lanes z264 = z201 * z246 - z39 * z263;
@@ -3275,11 +3273,11 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z63 = kept[101];
     const double z101 = kept[135];
     const double z143 = kept[170];
-    const bicycle_lanes z411 = z143 * z393 - z101 * z394 - z63 * z395;
+    const bicycle_lanes z411 = z143 * z393 + z101 * z394 + z63 * z395;
     bicycle_put(carried + 13 * BICYCLE_LANES, z411);
     const double k55 = kept[25];
     const double k62 = kept[28];
-    const bicycle_lanes z412 = k62 * z409 - k55 * z410 + k45 * z411;
+    const bicycle_lanes z412 = k62 * z409 - k55 * z410 - k45 * z411;
     bicycle_put(carried + 14 * BICYCLE_LANES, z412);
     const double s_steer = kept[4];
     const double c_steer = kept[5];
@@ -3287,7 +3285,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double k27 = kept[15];
     const double k28 = kept[16];
     const double k37 = kept[19];
-    const bicycle_lanes z413 = k37 * z396 - k28 * z397 + k27 * z398 + k10 * z401 - c_steer * z406 - s_steer *
+    const bicycle_lanes z413 = k37 * z396 - k28 * z397 + k27 * z398 - k10 * z401 - c_steer * z406 - s_steer *
         z412;
     const double R_yy = p[7]; /* rear wheel, about the axle [kg*m^2] */
     const bicycle_lanes z414 = R_yy * z393;
@@ -3299,7 +3297,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double k26 = kept[14];
     const bicycle_lanes z417 = z401 + (k28 * z396 - k26 * z397);
     bicycle_put(carried + 18 * BICYCLE_LANES, z417);
-    const bicycle_lanes z418 = k48 * z409 - k45 * z410 + k43 * z411;
+    const bicycle_lanes z418 = k48 * z409 - k45 * z410 - k43 * z411;
     bicycle_put(carried + 19 * BICYCLE_LANES, z418);
     const bicycle_lanes z419 = k45 * z399 + k43 * z405;
     bicycle_put(carried + 20 * BICYCLE_LANES, z419);
@@ -3321,12 +3319,12 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const bicycle_lanes z425 = z39 * z423;
     bicycle_put(carried + 25 * BICYCLE_LANES, z425);
     const double z90 = kept[126];
-    const bicycle_lanes z426 = z407 - z90 * z394 - z408;
+    const bicycle_lanes z426 = z407 + z90 * z394 - z408;
     bicycle_put(carried + 26 * BICYCLE_LANES, z426);
     const double z64 = kept[102];
     const double z102 = kept[136];
     const double z144 = kept[171];
-    const bicycle_lanes z427 = z144 * z393 - z102 * z394 + z64 * z395;
+    const bicycle_lanes z427 = z144 * z393 + z102 * z394 + z64 * z395;
     bicycle_put(carried + 27 * BICYCLE_LANES, z427);
     const double z44 = kept[82];
     const bicycle_lanes z428 = z44 * z395;
@@ -3339,9 +3337,9 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double k41 = kept[21];
     const double k56 = kept[26];
     const double k63 = kept[29];
-    const bicycle_lanes z430 = k63 * z409 - k56 * z410 + k48 * z411 + k41 * z426 + k35 * z427 - k28 * z428;
+    const bicycle_lanes z430 = k63 * z409 - k56 * z410 - k48 * z411 + k41 * z426 + k35 * z427 - k28 * z428;
     const bicycle_lanes z431 = c_steer * z418 + s_steer * z419;
-    const bicycle_lanes z432 = z430 + k10 * z431;
+    const bicycle_lanes z432 = z430 - k10 * z431;
     bicycle_put(carried + 30 * BICYCLE_LANES, z432);
     const double s1 = kept[2];
     const double c1 = kept[3];
@@ -3362,24 +3360,24 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const bicycle_lanes z437 = z205 * z436;
     bicycle_put(carried + 35 * BICYCLE_LANES, z437);
     const double z14 = kept[52];
-    const bicycle_lanes z438 = z14 * z424 + z13 * z425;
+    const bicycle_lanes z438 = z14 * z424 - z13 * z425;
     bicycle_put(carried + 36 * BICYCLE_LANES, z438);
     const double z15 = kept[53];
     const bicycle_lanes z439 = z15 * z424 + z13 * z435;
     bicycle_put(carried + 37 * BICYCLE_LANES, z439);
-    const bicycle_lanes z440 = z15 * z425 - z14 * z435;
+    const bicycle_lanes z440 = z15 * z425 + z14 * z435;
     bicycle_put(carried + 38 * BICYCLE_LANES, z440);
     const double z18 = kept[56];
     const double z24 = kept[62];
     const double z34 = kept[72];
-    const bicycle_lanes z441 = z34 * z438 + z24 * z439 + z18 * z440;
+    const bicycle_lanes z441 = z34 * z438 - z24 * z439 - z18 * z440;
     bicycle_put(carried + 39 * BICYCLE_LANES, z441);
     const bicycle_lanes z442 = z205 * z441;
     bicycle_put(carried + 40 * BICYCLE_LANES, z442);
     const double z23 = kept[61];
     const double z25 = kept[63];
     const double z30 = kept[68];
-    const bicycle_lanes z443 = z30 * z438 - z23 * z439 - z25 * z440;
+    const bicycle_lanes z443 = z30 * z438 + z23 * z439 + z25 * z440;
     bicycle_put(carried + 41 * BICYCLE_LANES, z443);
     const bicycle_lanes z444 = z205 * z443;
     bicycle_put(carried + 42 * BICYCLE_LANES, z444);
@@ -3396,7 +3394,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     bicycle_put(carried + 47 * BICYCLE_LANES, z449);
     const double z191 = kept[202];
     const double z193 = kept[203];
-    const bicycle_lanes z450 = z193 * z441 - z191 * z436 + c_steer * z445 - s_steer * z447 + z449;
+    const bicycle_lanes z450 = z193 * z441 + z191 * z436 - c_steer * z445 + s_steer * z447 + z449;
     bicycle_put(carried + 48 * BICYCLE_LANES, z450);
     const bicycle_lanes z451 = z207 * z441 - e2z * z442;
     bicycle_put(carried + 49 * BICYCLE_LANES, z451);
@@ -3426,7 +3424,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z4 = kept[42];
     const bicycle_lanes z461 = r_F * (z5 * z450) - z4 * z460;
     bicycle_put(carried + 58 * BICYCLE_LANES, z461);
-    const bicycle_lanes z462 = z205 * z423 + z14 * z437 - z23 * z442 - z24 * z444 - s_steer * z461;
+    const bicycle_lanes z462 = z205 * z423 - z14 * z437 + z23 * z442 + z24 * z444 + s_steer * z461;
     bicycle_put(carried + 59 * BICYCLE_LANES, z462);
     const bicycle_lanes z463 = s_steer * z443 - c_steer * z441;
     bicycle_put(carried + 60 * BICYCLE_LANES, z463);
@@ -3445,7 +3443,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const bicycle_lanes z468 = R_yy * z464 + z318 * z417 - z299 * z421 + z13 * z466 + z17 * z467;
     const double z300 = kept[252];
     const double z309 = kept[261];
-    const bicycle_lanes z469 = z309 * z443 - z300 * z441 + z318 * z436 + z468;
+    const bicycle_lanes z469 = z309 * z443 - z300 * z441 - z318 * z436 - z468;
     bicycle_put(carried + 64 * BICYCLE_LANES, z469);
     const bicycle_lanes z470 = z39 * z469;
     bicycle_put(carried + 65 * BICYCLE_LANES, z470);
@@ -3454,9 +3452,9 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     bicycle_put(carried + 66 * BICYCLE_LANES, z471);
     const double k4 = kept[8];
     const double z7 = kept[45];
-    const bicycle_lanes z472 = z21 * z443 + z7 * z436 + k4 * z436;
+    const bicycle_lanes z472 = z21 * z443 - z7 * z436 - k4 * z436;
     bicycle_put(carried + 67 * BICYCLE_LANES, z472);
-    const bicycle_lanes z473 = z429 - c_steer * z471 + s_steer * z472;
+    const bicycle_lanes z473 = z429 + c_steer * z471 - s_steer * z472;
     bicycle_put(carried + 68 * BICYCLE_LANES, z473);
     const double z206 = kept[216];
     const bicycle_lanes z474 = z206 * z441;
@@ -3464,29 +3462,29 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const bicycle_lanes z475 = z206 * z443;
     bicycle_put(carried + 70 * BICYCLE_LANES, z475);
     const double z209 = kept[219];
-    const bicycle_lanes z476 = z209 * z421 + s_steer * z474 - z453 + c_steer * z475;
+    const bicycle_lanes z476 = z209 * z421 - s_steer * z474 + z453 - c_steer * z475;
     bicycle_put(carried + 71 * BICYCLE_LANES, z476);
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double z2 = kept[40];
     const double z11 = kept[49];
-    const bicycle_lanes z477 = r_F * (z5 * z457) + r_R * (z11 * z476) - z2 * z460;
+    const bicycle_lanes z477 = r_F * (z5 * z457) - r_R * (z11 * z476) - z2 * z460;
     bicycle_put(carried + 72 * BICYCLE_LANES, z477);
     const double roll_dot = y[9];
     const double z28 = kept[66];
     const double z32 = kept[70];
     const double z330 = kept[282];
-    const bicycle_lanes z478 = z330 * z432 - z28 * z448 + z32 * z455 - roll_dot * z473 - c_roll * z477;
+    const bicycle_lanes z478 = z330 * z432 - z28 * z448 + z32 * z455 - roll_dot * z473 + c_roll * z477;
     bicycle_put(carried + 73 * BICYCLE_LANES, z478);
-    const bicycle_lanes z479 = z432 - z7 * z441 - k4 * z441 + k10 * z463;
+    const bicycle_lanes z479 = z432 + z7 * z441 + k4 * z441 + k10 * z463;
     bicycle_put(carried + 74 * BICYCLE_LANES, z479);
     const bicycle_lanes z480 = z209 * z417 + z206 * z436 - z445;
     bicycle_put(carried + 75 * BICYCLE_LANES, z480);
-    const bicycle_lanes z481 = r_R * (z11 * z480) + c_steer * z461;
+    const bicycle_lanes z481 = r_R * (z11 * z480) - c_steer * z461;
     bicycle_put(carried + 76 * BICYCLE_LANES, z481);
     const double z9 = kept[47];
     const double z27 = kept[65];
     const double z31 = kept[69];
-    const bicycle_lanes z482 = z330 * z429 + z9 * z446 - z27 * z448 + z31 * z455 + roll_dot * z479 + c_roll *
+    const bicycle_lanes z482 = z330 * z429 + z9 * z446 + z27 * z448 - z31 * z455 + roll_dot * z479 + c_roll *
         z481;
     bicycle_put(carried + 77 * BICYCLE_LANES, z482);
     const double z366 = kept[312];
@@ -3498,7 +3496,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z210 = kept[220];
     const double z211 = kept[221];
     const double z339 = kept[291];
-    const bicycle_lanes z484 = z483 + k27 * (z208 * z397 - z337 * z428) - z339 * z420 - z210 * z417 - z211 *
+    const bicycle_lanes z484 = z483 + k27 * (z208 * z397 - z337 * z428) + z339 * z420 - z210 * z417 - z211 *
         z421;
     const double w3_steer = kept[297];
     const double z350 = kept[298];
@@ -3508,21 +3506,21 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z356 = kept[302];
     const double z360 = kept[306];
     const double z362 = kept[308];
-    const bicycle_lanes z486 = z360 * z400 + z362 * z405 + z351 * z409 + z352 * z410 - k59 * z485 - k48 *
-        (z350 * z411 - z356 * z405);
+    const bicycle_lanes z486 = z360 * z400 + z362 * z405 + z351 * z409 + z352 * z410 - k59 * z485 + k48 *
+        (z350 * z411 + z356 * z405);
     const bicycle_lanes z487 = F_yy * z485;
     bicycle_put(carried + 78 * BICYCLE_LANES, z487);
-    const bicycle_lanes z488 = z486 + k45 * (z356 * z400 + w3_steer * z411) - z487;
+    const bicycle_lanes z488 = z486 + k45 * (z356 * z400 - w3_steer * z411) - z487;
     bicycle_put(carried + 79 * BICYCLE_LANES, z488);
     const double z273 = kept[226];
     const double z278 = kept[231];
-    const bicycle_lanes z489 = z484 + z273 * z406 - z278 * z412 + k10 * (z331 * z431 - z208 * z420) + c_steer
+    const bicycle_lanes z489 = z484 + z273 * z406 - z278 * z412 - k10 * (z331 * z431 - z208 * z420) + c_steer
         * z488;
     const bicycle_lanes z490 = z350 * z399 - z356 * z410;
     const bicycle_lanes z491 = z356 * z409 + w3_steer * z399;
     const double z357 = kept[303];
     const double z359 = kept[305];
-    const bicycle_lanes z492 = z359 * z400 - z362 * z411 + z357 * z409 - z352 * z399 - k62 * z490 + k55 *
+    const bicycle_lanes z492 = z359 * z400 + z362 * z411 + z357 * z409 - z352 * z399 - k62 * z490 + k55 *
         z491;
     const bicycle_lanes z493 = z350 * z400 + w3_steer * z405;
     const bicycle_lanes z494 = z492 + k45 * z493;
@@ -3532,11 +3530,11 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z305 = kept[257];
     const double z313 = kept[265];
     const double z321 = kept[273];
-    const bicycle_lanes z496 = z313 * z443 - z305 * z441 + z321 * z436 - s1 * z478 + c1 * z482 + z495;
+    const bicycle_lanes z496 = z313 * z443 - z305 * z441 - z321 * z436 + s1 * z478 - c1 * z482 - z495;
     bicycle_put(carried + 82 * BICYCLE_LANES, z496);
     const bicycle_lanes z497 = z39 * z496;
     bicycle_put(carried + 83 * BICYCLE_LANES, z497);
-    const bicycle_lanes z498 = z14 * z470 - z13 * z497;
+    const bicycle_lanes z498 = z14 * z470 + z13 * z497;
     bicycle_put(carried + 84 * BICYCLE_LANES, z498);
     const bicycle_lanes z499 = z331 * z396 - z208 * z427;
     const bicycle_lanes z500 = z208 * z426 + z337 * z396;
@@ -3547,44 +3545,44 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const bicycle_lanes z502 = z331 * z397 - z337 * z398;
     const double v2_x_2 = kept[289];
     const double z340 = kept[292];
-    const bicycle_lanes z503 = z501 + k27 * z502 + z340 * z401 + z339 * z431 + v2_x_2 * z417 - z211 * z465 -
+    const bicycle_lanes z503 = z501 + k27 * z502 - z340 * z401 - z339 * z431 + v2_x_2 * z417 - z211 * z465 -
         z278 * z406;
     const bicycle_lanes z504 = z503 - z273 * z412 + s_steer * z488 - c_steer * z494;
     bicycle_put(carried + 85 * BICYCLE_LANES, z504);
-    const bicycle_lanes z505 = z360 * z411 + z359 * z405 + z351 * z399 + z357 * z410 - k63 * z490 + k56 *
+    const bicycle_lanes z505 = z360 * z411 - z359 * z405 - z351 * z399 - z357 * z410 + k63 * z490 - k56 *
         z491;
-    const bicycle_lanes z506 = z505 + k48 * z493;
+    const bicycle_lanes z506 = z505 - k48 * z493;
     bicycle_put(carried + 86 * BICYCLE_LANES, z506);
     const bicycle_lanes z507 = z374 * z428 + z373 * z398 + z366 * z396 + z365 * z427 - k41 * z499 - k35 *
         z500;
-    const bicycle_lanes z508 = z507 + k28 * z502 + z340 * z420 - z210 * z465 - v2_x_2 * z421 - k10 * (z331 *
+    const bicycle_lanes z508 = z507 + k28 * z502 - z340 * z420 - z210 * z465 - v2_x_2 * z421 + k10 * (z331 *
         z401 - z337 * z420);
-    const bicycle_lanes z509 = z506 - z508;
+    const bicycle_lanes z509 = z506 + z508;
     bicycle_put(carried + 87 * BICYCLE_LANES, z509);
     const double z275 = kept[228];
     const double z279 = kept[232];
-    const bicycle_lanes z510 = z279 * z429 - z275 * z432 - s1 * z504 + c1 * z509;
+    const bicycle_lanes z510 = z279 * z429 - z275 * z432 - s1 * z504 - c1 * z509;
     bicycle_put(carried + 88 * BICYCLE_LANES, z510);
     const double z274 = kept[227];
     const double z277 = kept[230];
     const double z306 = kept[258];
     const double z314 = kept[266];
     const double z322 = kept[274];
-    const bicycle_lanes z511 = z274 * z433 - z277 * z423 + z314 * z443 - z306 * z441 + z322 * z436 + c_roll *
+    const bicycle_lanes z511 = z274 * z433 - z277 * z423 - z314 * z443 + z306 * z441 + z322 * z436 + c_roll *
         z510;
     const bicycle_lanes z512 = z511 - e2z * z495;
     bicycle_put(carried + 89 * BICYCLE_LANES, z512);
     const bicycle_lanes z513 = z39 * z512;
     bicycle_put(carried + 90 * BICYCLE_LANES, z513);
-    const bicycle_lanes z514 = z15 * z470 + z13 * z513;
+    const bicycle_lanes z514 = z15 * z470 - z13 * z513;
     bicycle_put(carried + 91 * BICYCLE_LANES, z514);
     const bicycle_lanes z515 = z15 * z497 + z14 * z513;
     bicycle_put(carried + 92 * BICYCLE_LANES, z515);
-    const bicycle_lanes z516 = z30 * z498 - z23 * z514 + z25 * z515;
+    const bicycle_lanes z516 = z30 * z498 + z23 * z514 - z25 * z515;
     bicycle_put(carried + 93 * BICYCLE_LANES, z516);
-    const bicycle_lanes z517 = z34 * z498 + z24 * z514 - z18 * z515;
+    const bicycle_lanes z517 = z34 * z498 - z24 * z514 + z18 * z515;
     bicycle_put(carried + 94 * BICYCLE_LANES, z517);
-    const bicycle_lanes z518 = z278 * z443 + z273 * z441 - s_steer * z516 + c_steer * z517;
+    const bicycle_lanes z518 = z278 * z443 + z273 * z441 + s_steer * z516 - c_steer * z517;
     bicycle_put(carried + 95 * BICYCLE_LANES, z518);
     const double z294 = kept[247];
     const bicycle_lanes z519 = z294 * z463 + z11 * z518;
@@ -3595,7 +3593,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z16 = kept[54];
     const double z43 = kept[81];
     const double z186 = kept[196];
-    const bicycle_lanes z521 = z43 * z520 + z186 * z463 + z12 * z480 - z16 * z476;
+    const bicycle_lanes z521 = z43 * z520 - z186 * z463 + z12 * z480 - z16 * z476;
     bicycle_put(carried + 98 * BICYCLE_LANES, z521);
     const double z184 = kept[194];
     const bicycle_lanes z522 = z184 * z521;
@@ -3606,7 +3604,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z312 = kept[264];
     const double z320 = kept[272];
     const double z328 = kept[280];
-    const bicycle_lanes z524 = z328 * z433 - z320 * z437 + z303 * z442 - z312 * z444 - z279 * z481 - z275 *
+    const bicycle_lanes z524 = z328 * z433 - z320 * z437 - z303 * z442 + z312 * z444 - z279 * z481 + z275 *
         z477;
     bicycle_put(carried + 101 * BICYCLE_LANES, z524);
     const double z389 = kept[327];
@@ -3618,7 +3616,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z146 = kept[173];
     const double z156 = kept[183];
     const double z369 = kept[315];
-    const bicycle_lanes z529 = z393 * z369 + z146 * z525 + z156 * z525 + k63 * z526 - k56 * z527 + k48 * z528;
+    const bicycle_lanes z529 = z393 * z369 + z146 * z525 + z156 * z525 + k63 * z526 - k56 * z527 - k48 * z528;
     const bicycle_lanes z530 = z144 * z525;
     const double z390 = kept[328];
     const bicycle_lanes z531 = z390 * z393 - z389 * z394;
@@ -3630,12 +3628,12 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z76 = kept[114];
     const double z104 = kept[138];
     const double z114 = kept[148];
-    const bicycle_lanes z533 = z529 + k41 * z526 + k35 * z530 + z104 * z531 + z114 * z531 + z66 * z532 + z76
+    const bicycle_lanes z533 = z529 + k41 * z526 + k35 * z530 + z104 * z531 - z114 * z531 + z66 * z532 + z76
         * z532;
     const double z112 = kept[146];
     const double z154 = kept[181];
     const double z363 = kept[309];
-    const bicycle_lanes z534 = z363 * z393 + z154 * z525 + k48 * z526 - k45 * z527 + k43 * z528 + z112 * z531;
+    const bicycle_lanes z534 = z363 * z393 + z154 * z525 + k48 * z526 - k45 * z527 - k43 * z528 + z112 * z531;
     const double z74 = kept[112];
     const bicycle_lanes z535 = z534 + z74 * z532;
     bicycle_put(carried + 105 * BICYCLE_LANES, z535);
@@ -3648,13 +3646,13 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z364 = kept[310];
     const bicycle_lanes z538 = z364 * z393 + z155 * z525 + k45 * z536 + k43 * z537 - z113 * z531 - z75 * z532;
     bicycle_put(carried + 107 * BICYCLE_LANES, z538);
-    const bicycle_lanes z539 = z533 + k10 * (c_steer * z535 + s_steer * z538);
+    const bicycle_lanes z539 = z533 - k10 * (c_steer * z535 + s_steer * z538);
     bicycle_put(carried + 108 * BICYCLE_LANES, z539);
     const double z78 = kept[116];
     const double z116 = kept[150];
     const double z158 = kept[185];
     const double z372 = kept[318];
-    const bicycle_lanes z540 = z372 * z393 + z158 * z525 + k40 * z526 + k34 * z530 + z116 * z531 + z78 * z532;
+    const bicycle_lanes z540 = z372 * z393 + z158 * z525 + k40 * z526 + k34 * z530 - z116 * z531 + z78 * z532;
     const bicycle_lanes z541 = F_yy * z531;
     const bicycle_lanes z542 = F_yy * z532;
     bicycle_put(carried + 109 * BICYCLE_LANES, z542);
@@ -3672,7 +3670,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z110 = kept[144];
     const double z152 = kept[179];
     const double z358 = kept[304];
-    const bicycle_lanes z546 = z358 * z393 + z152 * z525 + k62 * z526 - k55 * z527 + k45 * z528 + z110 * z531;
+    const bicycle_lanes z546 = z358 * z393 + z152 * z525 + k62 * z526 - k55 * z527 - k45 * z528 + z110 * z531;
     const double z72 = kept[110];
     const bicycle_lanes z547 = z546 + z72 * z532;
     bicycle_put(carried + 112 * BICYCLE_LANES, z547);
@@ -3685,14 +3683,14 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const bicycle_lanes z551 = z133 * z531;
     const bicycle_lanes z552 = z551 - z91 * z550;
     const bicycle_lanes z553 = z145 * z531 + z103 * z550;
-    const bicycle_lanes z554 = z143 * z531 - z101 * z550;
+    const bicycle_lanes z554 = z143 * z531 + z101 * z550;
     const bicycle_lanes z555 = z391 * z394 + z390 * z395;
     bicycle_put(carried + 116 * BICYCLE_LANES, z555);
     const double z368 = kept[314];
-    const bicycle_lanes z556 = z368 * z394 - z104 * z550 + k63 * z552 - k56 * z553 + k48 * z554 - z66 * z555;
-    const bicycle_lanes z557 = z551 - z90 * z550;
-    const bicycle_lanes z558 = z144 * z531 - z102 * z550;
-    const bicycle_lanes z559 = z363 * z394 + z112 * z550 - k48 * z552 + k45 * z553 - k43 * z554 + z74 * z555;
+    const bicycle_lanes z556 = z368 * z394 - z104 * z550 + k63 * z552 - k56 * z553 - k48 * z554 - z66 * z555;
+    const bicycle_lanes z557 = z551 + z90 * z550;
+    const bicycle_lanes z558 = z144 * z531 + z102 * z550;
+    const bicycle_lanes z559 = z363 * z394 + z112 * z550 - k48 * z552 + k45 * z553 + k43 * z554 + z74 * z555;
     bicycle_put(carried + 117 * BICYCLE_LANES, z559);
     const bicycle_lanes z560 = z147 * z531 + z105 * z550;
     bicycle_put(carried + 118 * BICYCLE_LANES, z560);
@@ -3700,27 +3698,28 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const bicycle_lanes z562 = z364 * z394 - z113 * z550 - k45 * z560 - k43 * z561 - z75 * z555;
     bicycle_put(carried + 119 * BICYCLE_LANES, z562);
     const double z367 = kept[313];
-    const bicycle_lanes z563 = z556 - (z367 * z394 + z114 * z550 - k41 * z557 - k35 * z558 + z76 * z555) -
-        k10 * (c_steer * z559 + s_steer * z562);
-    bicycle_put(carried + 120 * BICYCLE_LANES, z563);
-    const bicycle_lanes z564 = z334 * z403 - z353 * z394 - z163 * z541 + 2.0 * (z105 * (F_yy * z550)) + z109
+    const bicycle_lanes z563 = z367 * z394 - z114 * z550 - k41 * z557 - k35 * z558 + z76 * z555 - k10 *
+        (c_steer * z559 + s_steer * z562);
+    const bicycle_lanes z564 = z556 - z563;
+    bicycle_put(carried + 120 * BICYCLE_LANES, z564);
+    const bicycle_lanes z565 = z334 * z403 - z353 * z394 - z163 * z541 + 2.0 * (z105 * (F_yy * z550)) + z109
         * z550;
-    const bicycle_lanes z565 = z150 * z531 + z108 * z550;
-    bicycle_put(carried + 121 * BICYCLE_LANES, z565);
-    const bicycle_lanes z566 = F_yy * z555;
-    bicycle_put(carried + 122 * BICYCLE_LANES, z566);
-    const bicycle_lanes z567 = z564 + k59 * z560 - k48 * z565 + k45 * z561 + z67 * z566 + z71 * z555;
-    bicycle_put(carried + 123 * BICYCLE_LANES, z567);
-    const bicycle_lanes z568 = z372 * z394 + z116 * z550 - k40 * z557 - k34 * z558 + z78 * z555 - s_steer *
-        z567;
-    const bicycle_lanes z569 = z358 * z394 + z110 * z550 - k62 * z552 + k55 * z553 - k45 * z554 + z72 * z555;
-    bicycle_put(carried + 124 * BICYCLE_LANES, z569);
-    const bicycle_lanes z570 = z568 + c_steer * z569;
-    bicycle_put(carried + 125 * BICYCLE_LANES, z570);
-    const bicycle_lanes z571 = c1 * z563 - s1 * z570;
-    bicycle_put(carried + 126 * BICYCLE_LANES, z571);
-    const bicycle_lanes z572 = z391 * z395;
-    bicycle_put(carried + 127 * BICYCLE_LANES, z572);
+    const bicycle_lanes z566 = z150 * z531 + z108 * z550;
+    bicycle_put(carried + 121 * BICYCLE_LANES, z566);
+    const bicycle_lanes z567 = F_yy * z555;
+    bicycle_put(carried + 122 * BICYCLE_LANES, z567);
+    const bicycle_lanes z568 = z565 + k59 * z560 - k48 * z566 + k45 * z561 + z67 * z567 + z71 * z555;
+    bicycle_put(carried + 123 * BICYCLE_LANES, z568);
+    const bicycle_lanes z569 = z372 * z394 - z116 * z550 - k40 * z557 - k34 * z558 + z78 * z555 - s_steer *
+        z568;
+    const bicycle_lanes z570 = z358 * z394 + z110 * z550 - k62 * z552 + k55 * z553 + k45 * z554 + z72 * z555;
+    bicycle_put(carried + 124 * BICYCLE_LANES, z570);
+    const bicycle_lanes z571 = z569 + c_steer * z570;
+    bicycle_put(carried + 125 * BICYCLE_LANES, z571);
+    const bicycle_lanes z572 = c1 * z564 - s1 * z571;
+    bicycle_put(carried + 126 * BICYCLE_LANES, z572);
+    const bicycle_lanes z573 = z391 * z395;
+    bicycle_put(carried + 127 * BICYCLE_LANES, z573);
 }
 
 BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y, const double *p, const
@@ -3730,21 +3729,21 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     (void)t;
     const double z133 = kept[162];
     const bicycle_lanes z532 = bicycle_get(carried + 104 * BICYCLE_LANES);
-    const bicycle_lanes z573 = z133 * z532;
+    const bicycle_lanes z574 = z133 * z532;
     const double z53 = kept[91];
-    const bicycle_lanes z572 = bicycle_get(carried + 127 * BICYCLE_LANES);
-    const bicycle_lanes z574 = z53 * z572;
+    const bicycle_lanes z573 = bicycle_get(carried + 127 * BICYCLE_LANES);
+    const bicycle_lanes z575 = z53 * z573;
     const double z91 = kept[127];
     const bicycle_lanes z555 = bicycle_get(carried + 116 * BICYCLE_LANES);
-    const bicycle_lanes z575 = z573 - z91 * z555 - z574;
+    const bicycle_lanes z576 = z574 - z91 * z555 - z575;
     const double z65 = kept[103];
     const double z103 = kept[137];
     const double z145 = kept[172];
-    const bicycle_lanes z576 = z145 * z532 + z103 * z555 + z65 * z572;
+    const bicycle_lanes z577 = z145 * z532 + z103 * z555 + z65 * z573;
     const double z63 = kept[101];
     const double z101 = kept[135];
     const double z143 = kept[170];
-    const bicycle_lanes z577 = z143 * z532 - z101 * z555 - z63 * z572;
+    const bicycle_lanes z578 = z143 * z532 + z101 * z555 + z63 * z573;
     const double k48 = kept[24];
     const double k56 = kept[26];
     const double k63 = kept[29];
@@ -3752,71 +3751,71 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const double z76 = kept[114];
     const double z369 = kept[315];
     const bicycle_lanes z395 = bicycle_get(carried + 2 * BICYCLE_LANES);
-    const bicycle_lanes z578 = z395 * z369 + z66 * z572 + z76 * z572 - k63 * z575 + k56 * z576 - k48 * z577;
+    const bicycle_lanes z579 = z395 * z369 + z66 * z573 + z76 * z573 - k63 * z576 + k56 * z577 + k48 * z578;
     const double z90 = kept[126];
-    const bicycle_lanes z579 = z573 - z90 * z555 - z574;
+    const bicycle_lanes z580 = z574 + z90 * z555 - z575;
     const double z64 = kept[102];
     const double z102 = kept[136];
     const double z144 = kept[171];
-    const bicycle_lanes z580 = z144 * z532 - z102 * z555 + z64 * z572;
+    const bicycle_lanes z581 = z144 * z532 + z102 * z555 + z64 * z573;
     const double z44 = kept[82];
-    const bicycle_lanes z581 = z44 * z572;
+    const bicycle_lanes z582 = z44 * z573;
     const double k43 = kept[22];
     const double k45 = kept[23];
     const double z74 = kept[112];
     const double z363 = kept[309];
-    const bicycle_lanes z582 = z363 * z395 + z74 * z572 - k48 * z575 + k45 * z576 - k43 * z577;
+    const bicycle_lanes z583 = z363 * z395 + z74 * z573 - k48 * z576 + k45 * z577 + k43 * z578;
     const double z67 = kept[105];
     const double z105 = kept[139];
     const double z147 = kept[174];
-    const bicycle_lanes z583 = z147 * z532 + z105 * z555 + z67 * z572;
+    const bicycle_lanes z584 = z147 * z532 + z105 * z555 + z67 * z573;
     const double z68 = kept[106];
     const double z106 = kept[140];
     const double z148 = kept[175];
-    const bicycle_lanes z584 = z148 * z532 + z106 * z555 + z68 * z572;
+    const bicycle_lanes z585 = z148 * z532 + z106 * z555 + z68 * z573;
     const double z75 = kept[113];
     const double z364 = kept[310];
-    const bicycle_lanes z585 = z364 * z395 - z75 * z572 - k45 * z583 - k43 * z584;
+    const bicycle_lanes z586 = z364 * z395 - z75 * z573 - k45 * z584 - k43 * z585;
     const double s_steer = kept[4];
     const double c_steer = kept[5];
-    const bicycle_lanes z586 = c_steer * z582 + s_steer * z585;
+    const bicycle_lanes z587 = c_steer * z583 + s_steer * z586;
     const double k10 = kept[9];
     const double k28 = kept[16];
     const double k35 = kept[18];
     const double k41 = kept[21];
-    const bicycle_lanes z587 = z578 - k41 * z579 - k35 * z580 + k28 * z581 + k10 * z586;
+    const bicycle_lanes z588 = z579 - k41 * z580 - k35 * z581 + k28 * z582 - k10 * z587;
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
     const double z163 = kept[188];
     const double z334 = kept[286];
     const double z353 = kept[301];
     const bicycle_lanes z404 = bicycle_get(carried + 8 * BICYCLE_LANES);
     const bicycle_lanes z542 = bicycle_get(carried + 109 * BICYCLE_LANES);
-    const bicycle_lanes z566 = bicycle_get(carried + 122 * BICYCLE_LANES);
-    const bicycle_lanes z588 = z334 * z404 - z353 * z395 - z163 * z542 + z105 * z566 + 2.0 * (z67 * (F_yy *
-        z572));
+    const bicycle_lanes z567 = bicycle_get(carried + 122 * BICYCLE_LANES);
+    const bicycle_lanes z589 = z334 * z404 - z353 * z395 - z163 * z542 + z105 * z567 + 2.0 * (z67 * (F_yy *
+        z573));
     const double z70 = kept[108];
     const double z108 = kept[142];
     const double z150 = kept[177];
-    const bicycle_lanes z589 = z150 * z532 + z108 * z555 + z70 * z572;
+    const bicycle_lanes z590 = z150 * z532 + z108 * z555 + z70 * z573;
     const double k59 = kept[27];
     const double z71 = kept[109];
-    const bicycle_lanes z590 = z588 + z71 * z572 + k59 * z583 - k48 * z589 + k45 * z584;
+    const bicycle_lanes z591 = z589 + z71 * z573 + k59 * z584 - k48 * z590 + k45 * z585;
     const double k27 = kept[15];
     const double k34 = kept[17];
     const double k40 = kept[20];
     const double z78 = kept[116];
     const double z372 = kept[318];
-    const bicycle_lanes z591 = z372 * z395 + z78 * z572 - k40 * z579 - k34 * z580 + k27 * z581 - s_steer *
-        z590;
+    const bicycle_lanes z592 = z372 * z395 + z78 * z573 - k40 * z580 - k34 * z581 + k27 * z582 - s_steer *
+        z591;
     const double k55 = kept[25];
     const double k62 = kept[28];
     const double z72 = kept[110];
     const double z358 = kept[304];
-    const bicycle_lanes z592 = z358 * z395 + z72 * z572 - k62 * z575 + k55 * z576 - k45 * z577;
-    const bicycle_lanes z593 = z591 + c_steer * z592;
+    const bicycle_lanes z593 = z358 * z395 + z72 * z573 - k62 * z576 + k55 * z577 + k45 * z578;
+    const bicycle_lanes z594 = z592 + c_steer * z593;
     const double s1 = kept[2];
     const double c1 = kept[3];
-    const bicycle_lanes z594 = c1 * z587 + s1 * z593;
+    const bicycle_lanes z595 = c1 * z588 + s1 * z594;
     const double z51 = kept[89];
     const double z88 = kept[124];
     const double z131 = kept[160];
@@ -3827,13 +3826,13 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z521 = bicycle_get(carried + 98 * BICYCLE_LANES);
     const bicycle_lanes z524 = bicycle_get(carried + 101 * BICYCLE_LANES);
     const bicycle_lanes z549 = bicycle_get(carried + 114 * BICYCLE_LANES);
-    const bicycle_lanes z571 = bicycle_get(carried + 126 * BICYCLE_LANES);
-    const bicycle_lanes z595 = 2.0 * (z293 * z521 * z380) - (z524 - z205 * z510 - z131 * z549 - z88 * z571 +
-        z51 * z594);
+    const bicycle_lanes z572 = bicycle_get(carried + 126 * BICYCLE_LANES);
+    const bicycle_lanes z596 = 2.0 * (z293 * z521 * z380) - (z524 - z205 * z510 - z131 * z549 + z88 * z572 +
+        z51 * z595);
     const double R_yy = p[7]; /* rear wheel, about the axle [kg*m^2] */
     const bicycle_lanes z531 = bicycle_get(carried + 103 * BICYCLE_LANES);
-    const bicycle_lanes z596 = R_yy * z531;
-    const bicycle_lanes z597 = R_yy * z532;
+    const bicycle_lanes z597 = R_yy * z531;
+    const bicycle_lanes z598 = R_yy * z532;
     const double z73 = kept[111];
     const double z111 = kept[145];
     const double z153 = kept[180];
@@ -3842,50 +3841,50 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z525 = bicycle_get(carried + 102 * BICYCLE_LANES);
     const bicycle_lanes z536 = bicycle_get(carried + 106 * BICYCLE_LANES);
     const bicycle_lanes z543 = bicycle_get(carried + 110 * BICYCLE_LANES);
-    const bicycle_lanes z598 = z361 * z393 + z153 * z525 - k48 * z536 + k43 * z543 - z111 * z531 - z73 * z532;
+    const bicycle_lanes z599 = z361 * z393 + z153 * z525 - k48 * z536 + k43 * z543 - z111 * z531 - z73 * z532;
     const double z140 = kept[167];
-    const bicycle_lanes z599 = z140 * z525;
+    const bicycle_lanes z600 = z140 * z525;
     const double z149 = kept[176];
-    const bicycle_lanes z600 = z149 * z525;
+    const bicycle_lanes z601 = z149 * z525;
     const double k26 = kept[14];
     const double z79 = kept[117];
     const double z118 = kept[152];
     const double z160 = kept[187];
     const double z375 = kept[321];
-    const bicycle_lanes z601 = z375 * z393 + z160 * z525 - k28 * z599 + k26 * z600 - z118 * z531 - z79 * z532;
-    const bicycle_lanes z602 = z598 + z601;
+    const bicycle_lanes z602 = z375 * z393 + z160 * z525 - k28 * z600 + k26 * z601 - z118 * z531 - z79 * z532;
+    const bicycle_lanes z603 = z599 + z602;
     const double z13 = kept[51];
     const double z61 = kept[99];
     const double z99 = kept[133];
     const double z141 = kept[168];
     const double z336 = kept[288];
     const bicycle_lanes z414 = bicycle_get(carried + 15 * BICYCLE_LANES);
-    const bicycle_lanes z603 = z336 * z414 + 2.0 * (z141 * (R_yy * z525)) - z99 * z596 - z61 * z597 + z13 *
-        z602;
+    const bicycle_lanes z604 = z336 * z414 + 2.0 * (z141 * (R_yy * z525)) - z99 * z597 - z61 * z598 + z13 *
+        z603;
     const double z142 = kept[169];
-    const bicycle_lanes z604 = z142 * z525;
+    const bicycle_lanes z605 = z142 * z525;
     const double z80 = kept[118];
     const double z117 = kept[151];
     const double z159 = kept[186];
     const double z377 = kept[323];
-    const bicycle_lanes z605 = z377 * z393 - z159 * z525 - k27 * z599 - k26 * z604 + z117 * z531 + z80 * z532;
+    const bicycle_lanes z606 = z377 * z393 - z159 * z525 - k27 * z600 - k26 * z605 + z117 * z531 + z80 * z532;
     const bicycle_lanes z535 = bicycle_get(carried + 105 * BICYCLE_LANES);
     const bicycle_lanes z538 = bicycle_get(carried + 107 * BICYCLE_LANES);
-    const bicycle_lanes z606 = z605 + s_steer * z535 - c_steer * z538;
+    const bicycle_lanes z607 = z606 + s_steer * z535 - c_steer * z538;
     const double z17 = kept[55];
-    const bicycle_lanes z607 = z603 - z17 * z606;
+    const bicycle_lanes z608 = z604 - z17 * z607;
     const double z39 = kept[77];
-    const bicycle_lanes z608 = z39 * z607;
+    const bicycle_lanes z609 = z39 * z608;
     const double k37 = kept[19];
     const double z115 = kept[149];
     const double z157 = kept[184];
     const double z371 = kept[317];
-    const bicycle_lanes z609 = z371 * z393 - z157 * z525 - k37 * z599 + k28 * z600 - k27 * z604 + z115 * z531;
+    const bicycle_lanes z610 = z371 * z393 - z157 * z525 - k37 * z600 + k28 * z601 - k27 * z605 + z115 * z531;
     const double z77 = kept[115];
     const bicycle_lanes z545 = bicycle_get(carried + 111 * BICYCLE_LANES);
     const bicycle_lanes z547 = bicycle_get(carried + 112 * BICYCLE_LANES);
-    const bicycle_lanes z610 = z609 + z77 * z532 + c_steer * z545 + s_steer * z547 + k10 * z598 + z607;
-    const bicycle_lanes z611 = z39 * z610;
+    const bicycle_lanes z611 = z610 + z77 * z532 + c_steer * z545 + s_steer * z547 - k10 * z599 + z608;
+    const bicycle_lanes z612 = z39 * z611;
     const double z128 = kept[157];
     const double z129 = kept[158];
     const double z199 = kept[209];
@@ -3896,55 +3895,55 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z425 = bicycle_get(carried + 25 * BICYCLE_LANES);
     const bicycle_lanes z470 = bicycle_get(carried + 65 * BICYCLE_LANES);
     const bicycle_lanes z497 = bicycle_get(carried + 83 * BICYCLE_LANES);
-    const bicycle_lanes z612 = z326 * z424 + z316 * z425 - z200 * z470 + z199 * z497 + z129 * z608 - z128 *
-        z611;
-    const bicycle_lanes z613 = R_yy * z555;
+    const bicycle_lanes z613 = z326 * z424 + z316 * z425 + z200 * z470 - z199 * z497 + z129 * z609 - z128 *
+        z612;
+    const bicycle_lanes z614 = R_yy * z555;
     const bicycle_lanes z394 = bicycle_get(carried + 1 * BICYCLE_LANES);
     const bicycle_lanes z550 = bicycle_get(carried + 115 * BICYCLE_LANES);
     const bicycle_lanes z560 = bicycle_get(carried + 118 * BICYCLE_LANES);
-    const bicycle_lanes z565 = bicycle_get(carried + 121 * BICYCLE_LANES);
-    const bicycle_lanes z614 = z361 * z394 - z111 * z550 + k48 * z560 - k43 * z565 - z73 * z555;
+    const bicycle_lanes z566 = bicycle_get(carried + 121 * BICYCLE_LANES);
+    const bicycle_lanes z615 = z361 * z394 - z111 * z550 + k48 * z560 - k43 * z566 - z73 * z555;
     const double z98 = kept[132];
-    const bicycle_lanes z615 = z140 * z531 + z98 * z550;
+    const bicycle_lanes z616 = z140 * z531 + z98 * z550;
     const double z107 = kept[141];
-    const bicycle_lanes z616 = z149 * z531 + z107 * z550;
-    const bicycle_lanes z617 = z614 + (z375 * z394 - z118 * z550 + k28 * z615 - k26 * z616 - z79 * z555);
+    const bicycle_lanes z617 = z149 * z531 + z107 * z550;
+    const bicycle_lanes z618 = z615 + (z375 * z394 - z118 * z550 + k28 * z616 - k26 * z617 - z79 * z555);
     const bicycle_lanes z415 = bicycle_get(carried + 16 * BICYCLE_LANES);
-    const bicycle_lanes z618 = z336 * z415 - z141 * z596 - 2.0 * (z99 * (R_yy * z550)) - z61 * z613 + z13 *
-        z617;
+    const bicycle_lanes z619 = z336 * z415 - z141 * z597 - 2.0 * (z99 * (R_yy * z550)) - z61 * z614 + z13 *
+        z618;
     const double z100 = kept[134];
-    const bicycle_lanes z619 = z142 * z531 + z100 * z550;
+    const bicycle_lanes z620 = z142 * z531 + z100 * z550;
     const bicycle_lanes z559 = bicycle_get(carried + 117 * BICYCLE_LANES);
-    const bicycle_lanes z620 = z377 * z394 + z117 * z550 + k27 * z615 + k26 * z619 + z80 * z555 + s_steer *
+    const bicycle_lanes z621 = z377 * z394 + z117 * z550 + k27 * z616 + k26 * z620 + z80 * z555 + s_steer *
         z559;
     const bicycle_lanes z562 = bicycle_get(carried + 119 * BICYCLE_LANES);
-    const bicycle_lanes z621 = z620 - c_steer * z562;
-    const bicycle_lanes z622 = z618 - z17 * z621;
-    const bicycle_lanes z623 = z39 * z622;
-    const bicycle_lanes z624 = z371 * z394 + z115 * z550 + k37 * z615 - k28 * z616 + k27 * z619 + z77 * z555;
-    const bicycle_lanes z567 = bicycle_get(carried + 123 * BICYCLE_LANES);
-    const bicycle_lanes z569 = bicycle_get(carried + 124 * BICYCLE_LANES);
-    const bicycle_lanes z625 = z624 + c_steer * z567 + s_steer * z569 + k10 * z614 + z622;
-    const bicycle_lanes z626 = z39 * z625;
-    const bicycle_lanes z627 = z361 * z395 - z73 * z572 + k48 * z583 - k43 * z589;
+    const bicycle_lanes z622 = z621 - c_steer * z562;
+    const bicycle_lanes z623 = z619 - z17 * z622;
+    const bicycle_lanes z624 = z39 * z623;
+    const bicycle_lanes z625 = z371 * z394 + z115 * z550 + k37 * z616 - k28 * z617 + k27 * z620 + z77 * z555;
+    const bicycle_lanes z568 = bicycle_get(carried + 123 * BICYCLE_LANES);
+    const bicycle_lanes z570 = bicycle_get(carried + 124 * BICYCLE_LANES);
+    const bicycle_lanes z626 = z625 + c_steer * z568 + s_steer * z570 - k10 * z615 + z623;
+    const bicycle_lanes z627 = z39 * z626;
+    const bicycle_lanes z628 = z361 * z395 - z73 * z573 + k48 * z584 - k43 * z590;
     const double z60 = kept[98];
-    const bicycle_lanes z628 = z140 * z532 + z98 * z555 + z60 * z572;
+    const bicycle_lanes z629 = z140 * z532 + z98 * z555 + z60 * z573;
     const double z69 = kept[107];
-    const bicycle_lanes z629 = z149 * z532 + z107 * z555 + z69 * z572;
-    const bicycle_lanes z630 = z627 + (z375 * z395 - z79 * z572 + k28 * z628 - k26 * z629);
+    const bicycle_lanes z630 = z149 * z532 + z107 * z555 + z69 * z573;
+    const bicycle_lanes z631 = z628 + (z375 * z395 - z79 * z573 + k28 * z629 - k26 * z630);
     const bicycle_lanes z416 = bicycle_get(carried + 17 * BICYCLE_LANES);
-    const bicycle_lanes z631 = z336 * z416 - z141 * z597 - z99 * z613 - 2.0 * (z61 * (R_yy * z572)) + z13 *
-        z630;
+    const bicycle_lanes z632 = z336 * z416 - z141 * z598 - z99 * z614 - 2.0 * (z61 * (R_yy * z573)) + z13 *
+        z631;
     const double z62 = kept[100];
-    const bicycle_lanes z632 = z142 * z532 + z100 * z555 + z62 * z572;
-    const bicycle_lanes z633 = z377 * z395 + z80 * z572 + k27 * z628 + k26 * z632 + s_steer * z582 - c_steer
-        * z585;
-    const bicycle_lanes z634 = z631 - z17 * z633;
-    const bicycle_lanes z635 = z39 * z634;
-    const bicycle_lanes z636 = z371 * z395 + z77 * z572 + k37 * z628 - k28 * z629 + k27 * z632 + c_steer *
-        z590;
-    const bicycle_lanes z637 = z636 + s_steer * z592 + k10 * z627 + z634;
-    const bicycle_lanes z638 = z39 * z637;
+    const bicycle_lanes z633 = z142 * z532 + z100 * z555 + z62 * z573;
+    const bicycle_lanes z634 = z377 * z395 + z80 * z573 + k27 * z629 + k26 * z633 + s_steer * z583 - c_steer
+        * z586;
+    const bicycle_lanes z635 = z632 - z17 * z634;
+    const bicycle_lanes z636 = z39 * z635;
+    const bicycle_lanes z637 = z371 * z395 + z77 * z573 + k37 * z629 - k28 * z630 + k27 * z633 + c_steer *
+        z591;
+    const bicycle_lanes z638 = z637 + s_steer * z593 - k10 * z628 + z635;
+    const bicycle_lanes z639 = z39 * z638;
     const double z201 = kept[211];
     const double z203 = kept[213];
     const double z204 = kept[214];
@@ -3957,41 +3956,41 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z469 = bicycle_get(carried + 64 * BICYCLE_LANES);
     const bicycle_lanes z496 = bicycle_get(carried + 82 * BICYCLE_LANES);
     const bicycle_lanes z512 = bicycle_get(carried + 89 * BICYCLE_LANES);
-    const bicycle_lanes z639 = z335 * z422 + z325 * z423 - z327 * z434 - z204 * z469 + z203 * z496 + z201 *
+    const bicycle_lanes z640 = z335 * z422 + z325 * z423 - z327 * z434 + z204 * z469 - z203 * z496 + z201 *
         z512;
     const double c_roll = kept[0];
     const double e2z = kept[1];
-    const bicycle_lanes z640 = c_roll * z549 - e2z * z610;
-    const bicycle_lanes z641 = c_roll * z571 + e2z * z625;
+    const bicycle_lanes z641 = c_roll * z549 - e2z * z611;
+    const bicycle_lanes z642 = c_roll * z572 + e2z * z626;
     const double z87 = kept[123];
     const double z94 = kept[130];
     const double z96 = kept[131];
     const double z130 = kept[159];
     const double z136 = kept[165];
     const double z138 = kept[166];
-    const bicycle_lanes z642 = z639 + z136 * z607 - z138 * z610 + z130 * z640 + z94 * z622 - z96 * z625 + z87
-        * z641;
-    const bicycle_lanes z643 = c_roll * z594 - e2z * z637;
+    const bicycle_lanes z643 = z640 + z136 * z608 - z138 * z611 + z130 * z641 + z94 * z623 - z96 * z626 - z87
+        * z642;
+    const bicycle_lanes z644 = c_roll * z595 - e2z * z638;
     const double z50 = kept[88];
     const double z56 = kept[94];
     const double z58 = kept[96];
     const double z188 = kept[199];
-    const bicycle_lanes z644 = z188 * (z642 + z56 * z634 - z58 * z637 - z50 * z643);
+    const bicycle_lanes z645 = z188 * (z643 + z56 * z635 - z58 * z638 - z50 * z644);
     const double z26 = kept[64];
     const double z48 = kept[86];
     const double z49 = kept[87];
     const double z85 = kept[121];
     const double z86 = kept[122];
-    const bicycle_lanes z645 = z612 + z86 * z623 - z85 * z626 + z49 * z635 - z48 * z638 - z26 * z644;
+    const bicycle_lanes z646 = z613 + z86 * z624 - z85 * z627 + z49 * z636 - z48 * z639 - z26 * z645;
     const double z14 = kept[52];
-    const bicycle_lanes z646 = z14 * z608 - z13 * z611;
-    const bicycle_lanes z647 = z14 * z635 - z13 * z638;
+    const bicycle_lanes z647 = z14 * z609 + z13 * z612;
+    const bicycle_lanes z648 = z14 * z636 + z13 * z639;
     const double z7 = kept[45];
     const double z41 = kept[79];
     const double z196 = kept[206];
     const double z323 = kept[275];
-    const bicycle_lanes z648 = z323 * z424 - z196 * z470 - z7 * z608 + z41 * z635 - z13 * z644;
-    const bicycle_lanes z649 = z323 * z425 + z196 * z497 + z7 * z611 - z41 * z638 + z14 * z644;
+    const bicycle_lanes z649 = z323 * z424 + z196 * z470 - z7 * z609 + z41 * z636 - z13 * z645;
+    const bicycle_lanes z650 = z323 * z425 - z196 * z497 + z7 * z612 - z41 * z639 - z14 * z645;
     const double z18 = kept[56];
     const double z20 = kept[58];
     const double z24 = kept[62];
@@ -4000,35 +3999,35 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const double z315 = kept[267];
     const bicycle_lanes z438 = bicycle_get(carried + 36 * BICYCLE_LANES);
     const bicycle_lanes z498 = bicycle_get(carried + 84 * BICYCLE_LANES);
-    const bicycle_lanes z650 = z315 * z438 - z198 * z498 + z20 * z646 - z47 * z647 - z24 * z648 - z18 * z649;
-    const bicycle_lanes z651 = z14 * z623 - z13 * z626;
+    const bicycle_lanes z651 = z315 * z438 + z198 * z498 + z20 * z647 - z47 * z648 + z24 * z649 + z18 * z650;
+    const bicycle_lanes z652 = z14 * z624 + z13 * z627;
     const double z8 = kept[46];
     const double z23 = kept[61];
     const double z25 = kept[63];
     const double z46 = kept[84];
     const double z197 = kept[207];
     const double z307 = kept[259];
-    const bicycle_lanes z652 = z307 * z438 - z197 * z498 + z8 * z651 + z46 * z647 + z23 * z648 + z25 * z649;
+    const bicycle_lanes z653 = z307 * z438 + z197 * z498 + z8 * z652 + z46 * z648 - z23 * z649 - z25 * z650;
     const double z331 = kept[283];
     const double z337 = kept[290];
     const bicycle_lanes z417 = bicycle_get(carried + 18 * BICYCLE_LANES);
     const bicycle_lanes z421 = bicycle_get(carried + 21 * BICYCLE_LANES);
-    const bicycle_lanes z653 = z331 * z417 + z337 * z421;
+    const bicycle_lanes z654 = z331 * z417 + z337 * z421;
     const double roll_dot = y[9];
     const double z81 = kept[119];
     const double z378 = kept[324];
-    const bicycle_lanes z654 = roll_dot * z653 - (z378 * z395 + z81 * z572 - k28 * z579 - k27 * z580 + k26 *
-        z581);
-    const bicycle_lanes z655 = z39 * z643;
+    const bicycle_lanes z655 = roll_dot * z654 - (z378 * z395 + z81 * z573 - k28 * z580 - k27 * z581 + k26 *
+        z582);
+    const bicycle_lanes z656 = z39 * z644;
     const double z15 = kept[53];
-    const bicycle_lanes z656 = z15 * z635 + z13 * z655;
-    const bicycle_lanes z657 = z15 * z638 + z14 * z655;
+    const bicycle_lanes z657 = z15 * z636 + z13 * z656;
+    const bicycle_lanes z658 = z15 * z639 - z14 * z656;
     const double z30 = kept[68];
-    const bicycle_lanes z658 = z30 * z647 - z23 * z656 + z25 * z657;
+    const bicycle_lanes z659 = z30 * z648 + z23 * z657 - z25 * z658;
     const double z34 = kept[72];
-    const bicycle_lanes z659 = z34 * z647 + z24 * z656 - z18 * z657;
-    const bicycle_lanes z660 = s_steer * z658 - c_steer * z659;
-    const bicycle_lanes z661 = z654 - z586 - z660;
+    const bicycle_lanes z660 = z34 * z648 - z24 * z657 + z18 * z658;
+    const bicycle_lanes z661 = s_steer * z659 - c_steer * z660;
+    const bicycle_lanes z662 = z655 - z587 + z661;
     const double z43 = kept[81];
     const double z292 = kept[245];
     const double z295 = kept[248];
@@ -4040,61 +4039,61 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z480 = bicycle_get(carried + 75 * BICYCLE_LANES);
     const bicycle_lanes z520 = bicycle_get(carried + 97 * BICYCLE_LANES);
     const bicycle_lanes z522 = bicycle_get(carried + 99 * BICYCLE_LANES);
-    const bicycle_lanes z662 = z317 * z480 - z298 * z476 + z342 * z520 + z295 * z463 - z292 * z522 + z43 *
-        z661;
+    const bicycle_lanes z663 = z317 * z480 - z298 * z476 + z342 * z520 - z295 * z463 - z292 * z522 + z43 *
+        z662;
     const double z202 = kept[212];
     const double z209 = kept[219];
     const double z324 = kept[276];
     const bicycle_lanes z435 = bicycle_get(carried + 33 * BICYCLE_LANES);
     const bicycle_lanes z466 = bicycle_get(carried + 62 * BICYCLE_LANES);
     const bicycle_lanes z513 = bicycle_get(carried + 90 * BICYCLE_LANES);
-    const bicycle_lanes z663 = z336 * z417 + z324 * z425 - z326 * z435 + z209 * z466 + z202 * z497 + z200 *
+    const bicycle_lanes z664 = z336 * z417 + z324 * z425 - z326 * z435 + z209 * z466 - z202 * z497 + z200 *
         z513;
-    const bicycle_lanes z664 = z39 * z640;
     const bicycle_lanes z665 = z39 * z641;
+    const bicycle_lanes z666 = z39 * z642;
     const double z93 = kept[129];
     const double z135 = kept[164];
-    const bicycle_lanes z666 = z663 - z141 * z602 - z135 * z611 - z129 * z664 - z99 * z617 + z93 * z626 + z86
-        * z665;
+    const bicycle_lanes z667 = z664 - z141 * z603 - z135 * z612 - z129 * z665 - z99 * z618 + z93 * z627 + z86
+        * z666;
     const double z277 = kept[230];
     const bicycle_lanes z437 = bicycle_get(carried + 35 * BICYCLE_LANES);
-    const bicycle_lanes z667 = z324 * z424 + z316 * z435 + z277 * z437 - z202 * z470 - z199 * z513 + z135 *
-        z608;
+    const bicycle_lanes z668 = z324 * z424 + z316 * z435 + z277 * z437 + z202 * z470 - z199 * z513 + z135 *
+        z609;
     const double z35 = kept[73];
     const double z55 = kept[93];
-    const bicycle_lanes z668 = z667 + z128 * z664 - z93 * z623 - z85 * z665 - z55 * z635 + z48 * z655 - z35 *
-        z644;
-    const bicycle_lanes z669 = z668 - e2z * z645;
+    const bicycle_lanes z669 = z668 + z128 * z665 - z93 * z624 - z85 * z666 - z55 * z636 + z48 * z656 - z35 *
+        z645;
+    const bicycle_lanes z670 = z669 - e2z * z646;
     const double z36 = kept[74];
-    const bicycle_lanes z670 = z666 - z61 * z630 + z55 * z638 - z49 * z655 + z36 * z644 + z669;
+    const bicycle_lanes z671 = z667 - z61 * z631 + z55 * z639 - z49 * z656 + z36 * z645 + z670;
     const double z273 = kept[226];
     const double z278 = kept[231];
     const bicycle_lanes z467 = bicycle_get(carried + 63 * BICYCLE_LANES);
     const bicycle_lanes z474 = bicycle_get(carried + 69 * BICYCLE_LANES);
     const bicycle_lanes z475 = bicycle_get(carried + 70 * BICYCLE_LANES);
-    const bicycle_lanes z671 = z336 * z421 - z209 * z467 + z278 * z474 - z273 * z475 - z141 * z606 - z99 *
-        z621;
-    const bicycle_lanes z672 = z15 * z611 + z14 * z664;
-    const bicycle_lanes z673 = z323 * z435 - z196 * z513 - z7 * z664 + z41 * z655 + z15 * z644;
+    const bicycle_lanes z672 = z336 * z421 - z209 * z467 - z278 * z474 + z273 * z475 - z141 * z607 - z99 *
+        z622;
+    const bicycle_lanes z673 = z15 * z612 - z14 * z665;
+    const bicycle_lanes z674 = z323 * z435 - z196 * z513 - z7 * z665 + z41 * z656 + z15 * z645;
     const bicycle_lanes z440 = bicycle_get(carried + 38 * BICYCLE_LANES);
     const bicycle_lanes z515 = bicycle_get(carried + 92 * BICYCLE_LANES);
-    const bicycle_lanes z674 = z315 * z440 + z198 * z515 - z20 * z672 + z47 * z657 + z34 * z649 + z24 * z673;
-    const bicycle_lanes z675 = z15 * z608 + z13 * z664;
+    const bicycle_lanes z675 = z315 * z440 - z198 * z515 - z20 * z673 + z47 * z658 + z34 * z650 + z24 * z674;
+    const bicycle_lanes z676 = z15 * z609 + z13 * z665;
     const bicycle_lanes z439 = bicycle_get(carried + 37 * BICYCLE_LANES);
     const bicycle_lanes z442 = bicycle_get(carried + 40 * BICYCLE_LANES);
     const bicycle_lanes z514 = bicycle_get(carried + 91 * BICYCLE_LANES);
-    const bicycle_lanes z676 = z315 * z439 + z277 * z442 - z198 * z514 + z20 * z675 - z47 * z656 + z34 * z648;
-    const bicycle_lanes z677 = z676 - z18 * z673 - e2z * z650;
-    const bicycle_lanes z678 = z15 * z623 - z13 * z665;
+    const bicycle_lanes z677 = z315 * z439 - z277 * z442 + z198 * z514 + z20 * z676 - z47 * z657 + z34 * z649;
+    const bicycle_lanes z678 = z677 - z18 * z674 + e2z * z651;
+    const bicycle_lanes z679 = z15 * z624 - z13 * z666;
     const bicycle_lanes z444 = bicycle_get(carried + 42 * BICYCLE_LANES);
-    const bicycle_lanes z679 = z307 * z439 + z277 * z444 - z197 * z514 + z8 * z678 + z46 * z656 + z30 * z648;
-    const bicycle_lanes z680 = z679 + z25 * z673 - e2z * z652;
+    const bicycle_lanes z680 = z307 * z439 - z277 * z444 + z197 * z514 + z8 * z679 + z46 * z657 + z30 * z649;
+    const bicycle_lanes z681 = z680 + z25 * z674 + e2z * z653;
     const bicycle_lanes z451 = bicycle_get(carried + 49 * BICYCLE_LANES);
     const bicycle_lanes z452 = bicycle_get(carried + 50 * BICYCLE_LANES);
-    const bicycle_lanes z681 = z278 * z451 - z273 * z452 - s_steer * z677 - c_steer * z680;
-    const bicycle_lanes z682 = z15 * z626 - z14 * z665;
-    const bicycle_lanes z683 = z307 * z440 + z197 * z515 - z8 * z682 - z46 * z657 + z30 * z649 - z23 * z673;
-    const bicycle_lanes z684 = z671 - z61 * z633 + s_steer * z674 - z681 + c_steer * z683;
+    const bicycle_lanes z682 = z278 * z451 - z273 * z452 + s_steer * z678 + c_steer * z681;
+    const bicycle_lanes z683 = z15 * z627 + z14 * z666;
+    const bicycle_lanes z684 = z307 * z440 - z197 * z515 - z8 * z683 - z46 * z658 + z30 * z650 - z23 * z674;
+    const bicycle_lanes z685 = z672 - z61 * z634 + s_steer * z675 + z682 + c_steer * z684;
     const double z10 = kept[48];
     const double z11 = kept[49];
     const double z12 = kept[50];
@@ -4108,15 +4107,15 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z518 = bicycle_get(carried + 95 * BICYCLE_LANES);
     const bicycle_lanes z519 = bicycle_get(carried + 96 * BICYCLE_LANES);
     const bicycle_lanes z523 = bicycle_get(carried + 100 * BICYCLE_LANES);
-    const bicycle_lanes z685 = z185 * z519 + (z274 * z523 - z595 - z10 * z645 + z29 * z650 - z33 * z652) -
-        c_roll * (z11 * (z184 * (z186 * z518 - z662 + z12 * z670 - z16 * z684)));
+    const bicycle_lanes z686 = z185 * z519 - (z274 * z523 - z596 - z10 * z646 - z29 * z651 + z33 * z653) -
+        c_roll * (z11 * (z184 * (z186 * z518 + z663 - z12 * z671 + z16 * z685)));
     const double k72 = kept[35];
     const double k75 = kept[38];
     const double k76 = kept[39];
     const bicycle_lanes z409 = bicycle_get(carried + 11 * BICYCLE_LANES);
     const bicycle_lanes z410 = bicycle_get(carried + 12 * BICYCLE_LANES);
     const bicycle_lanes z411 = bicycle_get(carried + 13 * BICYCLE_LANES);
-    const bicycle_lanes z686 = k76 * z409 + k75 * z410 - k72 * z411;
+    const bicycle_lanes z687 = k76 * z409 + k75 * z410 + k72 * z411;
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double k67 = kept[30];
     const double k69 = kept[32];
@@ -4124,9 +4123,9 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z396 = bicycle_get(carried + 3 * BICYCLE_LANES);
     const bicycle_lanes z398 = bicycle_get(carried + 5 * BICYCLE_LANES);
     const bicycle_lanes z461 = bicycle_get(carried + 58 * BICYCLE_LANES);
-    const bicycle_lanes z687 = z273 * z461 - (s_steer * z686 + (k69 * z396 + k67 * z398 + r_R * (z294 * z480
-        + z11 * z670)));
-    const bicycle_lanes z688 = z36 * z470 - z35 * z497 - z26 * z513;
+    const bicycle_lanes z688 = z273 * z461 + (s_steer * z687 + (k69 * z396 + k67 * z398 + r_R * (z294 * z480
+        + z11 * z671)));
+    const bicycle_lanes z689 = z36 * z470 - z35 * z497 + z26 * z513;
     const double z191 = kept[202];
     const double z193 = kept[203];
     const double z287 = kept[240];
@@ -4134,23 +4133,23 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z436 = bicycle_get(carried + 34 * BICYCLE_LANES);
     const bicycle_lanes z441 = bicycle_get(carried + 39 * BICYCLE_LANES);
     const bicycle_lanes z517 = bicycle_get(carried + 94 * BICYCLE_LANES);
-    const bicycle_lanes z689 = z287 * z441 - z308 * z436 + z193 * z517 - z191 * z688 + z36 * z608 - z35 *
-        z611;
-    const bicycle_lanes z690 = z36 * z635 - z35 * z638 - z26 * z655;
+    const bicycle_lanes z690 = z287 * z441 + z308 * z436 - z193 * z517 - z191 * z689 - z36 * z609 + z35 *
+        z612;
+    const bicycle_lanes z691 = z36 * z636 - z35 * z639 - z26 * z656;
     const double z40 = kept[78];
     const bicycle_lanes z445 = bicycle_get(carried + 43 * BICYCLE_LANES);
     const bicycle_lanes z447 = bicycle_get(carried + 45 * BICYCLE_LANES);
-    const bicycle_lanes z691 = z273 * z445 + z278 * z447 - z34 * z651 - z24 * z678 + z18 * z682 - z40 * z690;
-    const bicycle_lanes z692 = z274 * z437 + c_roll * z645;
+    const bicycle_lanes z692 = z273 * z445 + z278 * z447 + z34 * z652 - z24 * z679 + z18 * z683 - z40 * z691;
+    const bicycle_lanes z693 = z274 * z437 + c_roll * z646;
     const double z279 = kept[232];
     const bicycle_lanes z446 = bicycle_get(carried + 44 * BICYCLE_LANES);
-    const bicycle_lanes z693 = z279 * z446 + s1 * z692;
-    const bicycle_lanes z694 = z274 * z442 + c_roll * z650;
+    const bicycle_lanes z694 = z279 * z446 + s1 * z693;
+    const bicycle_lanes z695 = z274 * z442 + c_roll * z651;
     const double z275 = kept[228];
     const bicycle_lanes z448 = bicycle_get(carried + 46 * BICYCLE_LANES);
-    const bicycle_lanes z695 = z275 * z448 - c1 * z694;
-    const bicycle_lanes z696 = z689 - z26 * z664 - s1 * z659 + (z691 + c_steer * z669 - s_steer * z693 -
-        z695);
+    const bicycle_lanes z696 = z275 * z448 - c1 * z695;
+    const bicycle_lanes z697 = z690 + z26 * z665 - s1 * z660 - (z692 + c_steer * z670 - s_steer * z694 +
+        z696);
     const double r_F = p[22]; /* radius of the front wheel [m] */
     const double k71 = kept[34];
     const double k74 = kept[37];
@@ -4161,23 +4160,23 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z405 = bicycle_get(carried + 9 * BICYCLE_LANES);
     const bicycle_lanes z450 = bicycle_get(carried + 48 * BICYCLE_LANES);
     const bicycle_lanes z460 = bicycle_get(carried + 57 * BICYCLE_LANES);
-    const bicycle_lanes z697 = z281 * z460 - k74 * z399 - k72 * z405 - k71 * z399 - r_F * (z284 * z450 - z5 *
-        z696);
+    const bicycle_lanes z698 = z281 * z460 + k74 * z399 + k72 * z405 + k71 * z399 - r_F * (z284 * z450 - z5 *
+        z697);
     const double z194 = kept[204];
     const double z291 = kept[244];
     const bicycle_lanes z443 = bicycle_get(carried + 41 * BICYCLE_LANES);
     const bicycle_lanes z516 = bicycle_get(carried + 93 * BICYCLE_LANES);
-    const bicycle_lanes z698 = z308 * z443 + z291 * z441 + z191 * z516 + z194 * z517 - z30 * z646 + z23 *
-        z675;
-    const bicycle_lanes z699 = z279 * z448 + s1 * z694;
-    const bicycle_lanes z700 = z274 * z444 + c_roll * z652;
+    const bicycle_lanes z699 = z308 * z443 + z291 * z441 - z191 * z516 - z194 * z517 - z30 * z647 - z23 *
+        z676;
+    const bicycle_lanes z700 = z279 * z448 + s1 * z695;
+    const bicycle_lanes z701 = z274 * z444 + c_roll * z653;
     const bicycle_lanes z455 = bicycle_get(carried + 52 * BICYCLE_LANES);
-    const bicycle_lanes z701 = z279 * z455 + s1 * z700;
+    const bicycle_lanes z702 = z279 * z455 + s1 * z701;
     const double z42 = kept[80];
     const bicycle_lanes z454 = bicycle_get(carried + 51 * BICYCLE_LANES);
     const bicycle_lanes z456 = bicycle_get(carried + 53 * BICYCLE_LANES);
-    const bicycle_lanes z702 = z698 - z25 * z672 + z40 * z658 - z42 * z659 + (z681 - (z273 * z454 + z278 *
-        z456 + c_steer * z699 - s_steer * z701));
+    const bicycle_lanes z703 = z699 + z25 * z673 + z40 * z659 - z42 * z660 + (z682 - (z273 * z454 + z278 *
+        z456 + c_steer * z700 - s_steer * z702));
     const double z6 = kept[44];
     const double z19 = kept[57];
     const double z187 = kept[197];
@@ -4186,61 +4185,61 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const double z288 = kept[241];
     const bicycle_lanes z457 = bicycle_get(carried + 54 * BICYCLE_LANES);
     const bicycle_lanes z459 = bicycle_get(carried + 56 * BICYCLE_LANES);
-    const bicycle_lanes z703 = z5 * (z187 * (z285 * z450 - z288 * z457 + z282 * z459 - z6 * z696 + z19 *
-        z702));
+    const bicycle_lanes z704 = z5 * (z187 * (z285 * z450 - z288 * z457 + z282 * z459 - z6 * z697 + z19 *
+        z703));
     const double z283 = kept[236];
     const double z379 = kept[325];
     const bicycle_lanes z458 = bicycle_get(carried + 55 * BICYCLE_LANES);
-    const bicycle_lanes z704 = z283 * z458 * z379 + 0.5 * z703;
+    const bicycle_lanes z705 = z283 * z458 * z379 + 0.5 * z704;
     const double z4 = kept[42];
-    const bicycle_lanes z705 = z697 + 2.0 * (z4 * z704);
-    const bicycle_lanes z706 = z687 + c_steer * z705;
+    const bicycle_lanes z706 = z698 + 2.0 * (z4 * z705);
+    const bicycle_lanes z707 = z688 + c_steer * z706;
     const double k68 = kept[31];
     const double k70 = kept[33];
     const double k73 = kept[36];
     const double z276 = kept[229];
     const bicycle_lanes z397 = bicycle_get(carried + 4 * BICYCLE_LANES);
     const bicycle_lanes z400 = bicycle_get(carried + 7 * BICYCLE_LANES);
-    const bicycle_lanes z707 = z276 * z460 - k73 * z399 + k72 * z400 + k70 * z399 - k68 * z396 + k67 * z397;
+    const bicycle_lanes z708 = z276 * z460 + k73 * z399 - k72 * z400 - k70 * z399 + k68 * z396 - k67 * z397;
     const double z2 = kept[40];
-    const bicycle_lanes z708 = z707 + r_F * (z284 * z457 + z5 * z702) + r_R * (z294 * z476 + z11 * z684) -
-        2.0 * (z2 * z704);
+    const bicycle_lanes z709 = z708 + r_F * (z284 * z457 + z5 * z703) - r_R * (z294 * z476 + z11 * z685) -
+        2.0 * (z2 * z705);
     const bicycle_lanes z462 = bicycle_get(carried + 59 * BICYCLE_LANES);
-    const bicycle_lanes z709 = roll_dot * z462 + (z685 + r_R * (z294 * z520 - z11 * z661) - s1 * z706 - c1 *
-        z708);
-    const bicycle_lanes z710 = z11 * z463;
+    const bicycle_lanes z710 = roll_dot * z462 - (z686 - r_R * (z294 * z520 - z11 * z662) - s1 * z707 - c1 *
+        z709);
+    const bicycle_lanes z711 = z11 * z463;
     const bicycle_lanes z433 = bicycle_get(carried + 31 * BICYCLE_LANES);
-    const bicycle_lanes z711 = z205 * z433 + r_R * (z11 * z520) + z10 * z437 - z29 * z442 + z33 * z444 + z185
-        * z710;
+    const bicycle_lanes z712 = z205 * z433 + r_R * (z11 * z520) + z10 * z437 + z29 * z442 - z33 * z444 - z185
+        * z711;
     const bicycle_lanes z477 = bicycle_get(carried + 72 * BICYCLE_LANES);
     const bicycle_lanes z481 = bicycle_get(carried + 76 * BICYCLE_LANES);
-    const bicycle_lanes z712 = z711 - c_roll * z523 + s1 * z481 - c1 * z477;
+    const bicycle_lanes z713 = z712 - c_roll * z523 + s1 * z481 + c1 * z477;
     const double z305 = kept[257];
     const double z313 = kept[265];
     const double z321 = kept[273];
     const double z328 = kept[280];
     const bicycle_lanes z426 = bicycle_get(carried + 26 * BICYCLE_LANES);
     const bicycle_lanes z495 = bicycle_get(carried + 81 * BICYCLE_LANES);
-    const bicycle_lanes z713 = z328 * z423 + z321 * z437 - z305 * z442 + z313 * z444 + z205 * z495 - k68 *
+    const bicycle_lanes z714 = z328 * z423 + z321 * z437 + z305 * z442 - z313 * z444 + z205 * z495 - k68 *
         z426;
     const bicycle_lanes z427 = bicycle_get(carried + 27 * BICYCLE_LANES);
     const bicycle_lanes z428 = bicycle_get(carried + 28 * BICYCLE_LANES);
-    const bicycle_lanes z714 = z713 - k69 * z427 + k67 * z428 + z131 * z610 - z88 * z625 - z51 * z637 - z14 *
-        z645;
-    const bicycle_lanes z715 = c_steer * z686 - (roll_dot * z712 + (z278 * z461 - (z714 + z23 * z650 + z24 *
-        z652))) + s_steer * z705;
-    bicycle_put(slope + 0 * BICYCLE_LANES, c_roll * z715 - e2z * z709);
+    const bicycle_lanes z715 = z714 - k69 * z427 + k67 * z428 + z131 * z611 + z88 * z626 - z51 * z638 + z14 *
+        z646;
+    const bicycle_lanes z716 = c_steer * z687 - (roll_dot * z713 - (z278 * z461 + (z715 - z23 * z651 - z24 *
+        z653))) - s_steer * z706;
+    bicycle_put(slope + 0 * BICYCLE_LANES, c_roll * z716 - e2z * z710);
     const double k16 = kept[10];
     const double z289 = kept[242];
-    const bicycle_lanes z716 = z289 * z441 - z20 * z517 - k16 * z517;
+    const bicycle_lanes z717 = z289 * z441 + z20 * z517 + k16 * z517;
     const double z286 = kept[239];
-    const bicycle_lanes z717 = z289 * z443 + z286 * z436 - z20 * z516 - z7 * z688;
+    const bicycle_lanes z718 = z289 * z443 - z286 * z436 + z20 * z516 - z7 * z689;
     const double k4 = kept[8];
-    const bicycle_lanes z718 = z717 - (k16 * z516 + k4 * z688);
+    const bicycle_lanes z719 = z718 + (k16 * z516 - k4 * z689);
     const bicycle_lanes z471 = bicycle_get(carried + 66 * BICYCLE_LANES);
     const bicycle_lanes z472 = bicycle_get(carried + 67 * BICYCLE_LANES);
     const bicycle_lanes z504 = bicycle_get(carried + 85 * BICYCLE_LANES);
-    const bicycle_lanes z719 = z504 + z273 * z471 + z278 * z472 - c_steer * z716 + s_steer * z718;
+    const bicycle_lanes z720 = z504 - z273 * z471 - z278 * z472 + c_steer * z717 - s_steer * z719;
     const double z89 = kept[125];
     const double z132 = kept[161];
     const double z207 = kept[217];
@@ -4251,48 +4250,48 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z482 = bicycle_get(carried + 77 * BICYCLE_LANES);
     const bicycle_lanes z509 = bicycle_get(carried + 87 * BICYCLE_LANES);
     const bicycle_lanes z539 = bicycle_get(carried + 108 * BICYCLE_LANES);
-    const bicycle_lanes z563 = bicycle_get(carried + 120 * BICYCLE_LANES);
-    const bicycle_lanes z720 = z332 * z432 - z302 * z448 + z207 * z482 + z330 * z509 + z132 * z539 + z89 *
-        z563;
+    const bicycle_lanes z564 = bicycle_get(carried + 120 * BICYCLE_LANES);
+    const bicycle_lanes z721 = z332 * z432 - z302 * z448 + z207 * z482 - z330 * z509 + z132 * z539 - z89 *
+        z564;
     const double z21 = kept[59];
-    const bicycle_lanes z721 = z21 * z659;
-    const bicycle_lanes z722 = z8 * z690 + z20 * z658 + k16 * z658;
+    const bicycle_lanes z722 = z21 * z660;
+    const bicycle_lanes z723 = z8 * z691 - z20 * z659 - k16 * z659;
     const double z28 = kept[66];
     const double z52 = kept[90];
     const double z311 = kept[263];
-    const bicycle_lanes z723 = z311 * z455 - (z593 + (z720 - z52 * z587)) + c_steer * z721 - s_steer * z722 +
-        z28 * z694;
-    const bicycle_lanes z724 = z286 * z441 - z7 * z517 - k4 * z517;
-    const bicycle_lanes z725 = z724 + (z509 - k10 * z518);
+    const bicycle_lanes z724 = z311 * z455 - (z594 + (z721 - z52 * z588)) - c_steer * z722 - s_steer * z723 +
+        z28 * z695;
+    const bicycle_lanes z725 = z286 * z441 + z7 * z517 + k4 * z517;
+    const bicycle_lanes z726 = z725 + (z509 + k10 * z518);
     const double z301 = kept[253];
     const double z310 = kept[262];
     const double z319 = kept[271];
     const bicycle_lanes z429 = bicycle_get(carried + 29 * BICYCLE_LANES);
     const bicycle_lanes z478 = bicycle_get(carried + 73 * BICYCLE_LANES);
-    const bicycle_lanes z726 = z332 * z429 - z319 * z446 - z301 * z448 - z310 * z455 - z207 * z478 - z330 *
+    const bicycle_lanes z727 = z332 * z429 - z319 * z446 + z301 * z448 + z310 * z455 - z207 * z478 - z330 *
         z504;
     const bicycle_lanes z548 = bicycle_get(carried + 113 * BICYCLE_LANES);
-    const bicycle_lanes z570 = bicycle_get(carried + 125 * BICYCLE_LANES);
-    const bicycle_lanes z727 = z726 + z132 * z548 - z89 * z570 - z587 - z52 * z593 + z7 * z659 + k4 * z659;
+    const bicycle_lanes z571 = bicycle_get(carried + 125 * BICYCLE_LANES);
+    const bicycle_lanes z728 = z727 + z132 * z548 + z89 * z571 - z588 - z52 * z594 - z7 * z660 - k4 * z660;
     const double z9 = kept[47];
     const double z27 = kept[65];
     const double z31 = kept[69];
-    const bicycle_lanes z728 = z274 * z481 + (roll_dot * z725 + (z727 + z9 * z692 - z27 * z694 + z31 * z700)
-        - k10 * z660);
+    const bicycle_lanes z729 = z274 * z481 - (roll_dot * z726 - (z728 + z9 * z693 + z27 * z695 - z31 * z701)
+        + k10 * z661);
     const double z32 = kept[70];
-    const bicycle_lanes z729 = s1 * (z274 * z477 - (roll_dot * z719 - (z723 - z32 * z700)) - c_roll * z708) +
-        c1 * (z728 + c_roll * z706);
-    bicycle_put(slope + 1 * BICYCLE_LANES, -z729);
+    const bicycle_lanes z730 = s1 * (z274 * z477 + (roll_dot * z720 - (z724 - z32 * z701)) - c_roll * z709) -
+        c1 * (z729 - c_roll * z707);
+    bicycle_put(slope + 1 * BICYCLE_LANES, z730);
     const double z189 = kept[200];
     const double z195 = kept[205];
     const double z208 = kept[218];
     const bicycle_lanes z406 = bicycle_get(carried + 10 * BICYCLE_LANES);
     const bicycle_lanes z412 = bicycle_get(carried + 14 * BICYCLE_LANES);
     const bicycle_lanes z449 = bicycle_get(carried + 47 * BICYCLE_LANES);
-    const bicycle_lanes z730 = z331 * z412 - z208 * z406 + z195 * z441 - z189 * z471 + z8 * z445 + k10 * z449;
+    const bicycle_lanes z731 = z331 * z412 - z208 * z406 - z195 * z441 + z189 * z471 + z8 * z445 + k10 * z449;
     const double z3 = kept[41];
     const double z22 = kept[60];
-    const bicycle_lanes z731 = z730 - z22 * z452 + z21 * z454 + z17 * z475 - z3 * z461;
+    const bicycle_lanes z732 = z731 + z22 * z452 - z21 * z454 - z17 * z475 + z3 * z461;
     const double z296 = kept[249];
     const double z329 = kept[281];
     const double z333 = kept[285];
@@ -4301,55 +4300,55 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z418 = bicycle_get(carried + 19 * BICYCLE_LANES);
     const bicycle_lanes z419 = bicycle_get(carried + 20 * BICYCLE_LANES);
     const bicycle_lanes z488 = bicycle_get(carried + 79 * BICYCLE_LANES);
-    const bicycle_lanes z732 = z341 * z418 - z346 * z419 + z333 * z406 + z329 * z412 - z331 * z488 + z296 *
+    const bicycle_lanes z733 = z341 * z418 - z346 * z419 + z333 * z406 + z329 * z412 - z331 * z488 - z296 *
         z443;
     const double z290 = kept[243];
     const double z299 = kept[251];
     const double z304 = kept[256];
     const bicycle_lanes z494 = bicycle_get(carried + 80 * BICYCLE_LANES);
-    const bicycle_lanes z733 = z732 - z290 * z472 + z286 * z447 + z304 * z451 - z299 * z474 + z289 * z456 -
+    const bicycle_lanes z734 = z733 + z290 * z472 + z286 * z447 - z304 * z451 + z299 * z474 - z289 * z456 -
         z208 * z494;
     const double z134 = kept[163];
-    const bicycle_lanes z734 = z733 + z144 * z545 + z140 * z547 + z142 * z535 - z134 * z538 - z102 * z567 +
-        z98 * z569;
+    const bicycle_lanes z735 = z734 + z144 * z545 + z140 * z547 + z142 * z535 + z134 * z538 + z102 * z568 +
+        z98 * z570;
     const double z54 = kept[92];
     const double z92 = kept[128];
-    const bicycle_lanes z735 = z734 + z100 * z559 + z92 * z562 + z64 * z590 + z60 * z592 + z62 * z582 + z54 *
-        z585;
+    const bicycle_lanes z736 = z735 + z100 * z559 + z92 * z562 + z64 * z591 + z60 * z593 + z62 * z583 + z54 *
+        z586;
     const double z45 = kept[83];
-    const bicycle_lanes z736 = z189 * z718 + (z195 * z516 - z735) - z45 * z658 + c1 * z722 + z8 * z693 + z22
-        * z677;
-    const bicycle_lanes z737 = z3 * z686 - (z736 + z17 * z674 + z21 * z701 - k10 * (z275 * z455 - c1 * z700));
-    const bicycle_lanes z738 = z331 * z406 + z208 * z412 + z195 * z443 - z189 * z472 + z8 * z447 + z22 * z451;
-    const bicycle_lanes z739 = z738 - z17 * z474 + z21 * z456 + k10 * (c1 * z455) - e2z * z461;
-    const bicycle_lanes z740 = z346 * z418 + z341 * z419 + z333 * z412 - z329 * z406 - z331 * z494 + z296 *
+    const bicycle_lanes z737 = z189 * z719 - (z195 * z516 - z736) + z45 * z659 - c1 * z723 - z8 * z694 - z22
+        * z678;
+    const bicycle_lanes z738 = z3 * z687 + (z737 - z17 * z675 + z21 * z702 + k10 * (z275 * z455 - c1 * z701));
+    const bicycle_lanes z739 = z331 * z406 + z208 * z412 - z195 * z443 + z189 * z472 + z8 * z447 - z22 * z451;
+    const bicycle_lanes z740 = z739 + z17 * z474 - z21 * z456 + k10 * (c1 * z455) + e2z * z461;
+    const bicycle_lanes z741 = z346 * z418 + z341 * z419 + z333 * z412 - z329 * z406 - z331 * z494 - z296 *
         z441;
     const double z280 = kept[233];
-    const bicycle_lanes z741 = z740 - z290 * z471 + z286 * z445 - z304 * z452 + z289 * z454 + z299 * z475 +
+    const bicycle_lanes z742 = z741 + z290 * z471 + z286 * z445 + z304 * z452 - z289 * z454 - z299 * z475 -
         z280 * z461;
-    const bicycle_lanes z742 = z741 + z208 * z488 - z140 * z545 + z144 * z547 + z134 * z535 + z142 * z538 -
-        z98 * z567;
-    const bicycle_lanes z743 = z742 - z102 * z569 - z92 * z559 + z100 * z562 - z60 * z590 + z64 * z592 - z54
-        * z582;
-    const bicycle_lanes z744 = z189 * z716 + (z195 * z517 - (z743 + z62 * z585)) - z45 * z659 + c1 * z721 +
-        z8 * z669;
+    const bicycle_lanes z743 = z742 + z208 * z488 - z140 * z545 + z144 * z547 - z134 * z535 + z142 * z538 -
+        z98 * z568;
+    const bicycle_lanes z744 = z743 + z102 * z570 - z92 * z559 + z100 * z562 - z60 * z591 + z64 * z593 - z54
+        * z583;
+    const bicycle_lanes z745 = z189 * z717 - (z195 * z517 - (z744 + z62 * z586)) + z45 * z660 + c1 * z722 -
+        z8 * z670;
     const double steer_dot = y[10];
-    const bicycle_lanes z745 = steer_dot * z739 + (z744 - k10 * z695 - z22 * z680 + z21 * z699 - z17 * z683 -
-        z3 * z705);
-    const bicycle_lanes z746 = c_steer * (steer_dot * z731 - (z277 * z461 - z737) + e2z * z705) - s_steer *
-        (e2z * z686 + z745);
-    bicycle_put(slope + 2 * BICYCLE_LANES, z746);
+    const bicycle_lanes z746 = steer_dot * z740 - (z745 + k10 * z696 + z22 * z681 + z21 * z700 + z17 * z684 -
+        z3 * z706);
+    const bicycle_lanes z747 = c_steer * (steer_dot * z732 + (z277 * z461 + z738) - e2z * z706) - s_steer *
+        (e2z * z687 + z746);
+    bicycle_put(slope + 2 * BICYCLE_LANES, z747);
     const double z343 = kept[295];
     const bicycle_lanes z465 = bicycle_get(carried + 61 * BICYCLE_LANES);
     const bicycle_lanes z473 = bicycle_get(carried + 68 * BICYCLE_LANES);
     const bicycle_lanes z479 = bicycle_get(carried + 74 * BICYCLE_LANES);
-    const bicycle_lanes z747 = z275 * z473 + z279 * z479 + z343 * z465 + z44 * z653 + r_R * (z274 * z710 -
+    const bicycle_lanes z748 = z275 * z473 + z279 * z479 + z343 * z465 + z44 * z654 - r_R * (z274 * z711 -
         c_roll * z519);
-    bicycle_put(slope + 3 * BICYCLE_LANES, c_roll * z462 - (z747 + c1 * z719 + s1 * z725 + e2z * z712));
+    bicycle_put(slope + 3 * BICYCLE_LANES, c_roll * z462 - (z748 + c1 * z720 - s1 * z726 + e2z * z713));
     const bicycle_lanes z506 = bicycle_get(carried + 86 * BICYCLE_LANES);
-    bicycle_put(slope + 4 * BICYCLE_LANES, s_steer * z731 - (z506 + z724 - c_steer * z739));
+    bicycle_put(slope + 4 * BICYCLE_LANES, z506 + z725 + c_steer * z740 + s_steer * z732);
     const bicycle_lanes z487 = bicycle_get(carried + 78 * BICYCLE_LANES);
-    bicycle_put(slope + 5 * BICYCLE_LANES, z717 - z487);
+    bicycle_put(slope + 5 * BICYCLE_LANES, -(z487 + z718));
 }
 
 BICYCLE_SLOW
@@ -4424,8 +4423,8 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double c_lam = cos(lam);
     const double k1 = w + c;
     const double k2 = r_F * s_lam - c * c_lam;
-    const double k3 = c_lam * k1 - r_R * s_lam;
-    const double k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam);
+    const double k3 = r_R * s_lam - c_lam * k1;
+    const double k4 = r_R * c_lam - (r_F * c_lam + c * s_lam - s_lam * k1);
     const double k5 = fabs(r_R);
     const double k6 = fabs(r_F);
     const double k7 = fabs(w);
@@ -4452,46 +4451,45 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double z13 = r_F * z12;
     const double z14 = z7 * z13;
     const double z15 = k2 + z14;
-    const double z16 = k3 + z6 + c_steer * z15;
+    const double z16 = k3 - z6 - c_steer * z15;
     const double z17 = z9 * z5;
     const double z18 = z9 * z13;
     const double z19 = k4 + z18;
     const double z20 = z1 * z19;
     const double z21 = z17 - z19;
     const double z22 = s_steer * z21;
-    const double z23 = c_roll * (c_steer * z20 + z8 * (c_steer * k3 + z15)) + e2z * z22;
+    const double z23 = c_roll * (c_steer * z20 - z8 * (c_steer * k3 - z15)) + e2z * z22;
     const double z24 = c_steer * z21;
-    const double z25 = c_roll * (k3 * (s_steer * z8) + s_steer * z20) - e2z * z24;
-    const double z26 = z24 * z23 + z25 * z22;
-    const double z27 = z16 * (c_steer * z17 * z23 + s_steer * z17 * z25) - z6 * z26;
+    const double z25 = c_roll * (k3 * (s_steer * z8) - s_steer * z20) + e2z * z24;
+    const double z26 = z24 * z23 - z25 * z22;
+    const double z27 = z16 * (c_steer * z17 * z23 - s_steer * z17 * z25) + z6 * z26;
     const double z28 = k5 * (9.0 + fabs(z4));
     const double z29 = roll_dot * z8;
     const double z30 = c_steer * z29;
     const double z31 = roll_dot * z1;
     const double z32 = steer_dot + z31;
-    const double z33 = c_roll * (roll_dot * z5) + k3 * z31;
+    const double z33 = c_roll * (roll_dot * z5) - k3 * z31;
     const double z34 = k4 * z30 - k2 * z32 - c_steer * z33 - (z32 * z14 - z30 * z18);
     const double z35 = s_steer * z29;
     const double z36 = thF_dot - z35;
     const double z37 = k4 * z35 - s_steer * z33 - z36 * z18;
-    const double z38 = (s_steer * z2 * z15 + e2z * z16) * (z24 * z34 + z22 * z37) - z16 * (z23 * z37 - z25 *
+    const double z38 = (s_steer * z2 * z15 - e2z * z16) * (z24 * z34 + z22 * z37) + z16 * (z23 * z37 + z25 *
         z34);
     const double z39 = r_F * z11;
     const double z40 = z - s_pitch * c_roll * k1 + r_R * (c_pitch * c_roll) - c * z10 - z39 + z10 * (z10 *
         z13);
     /* 123:10 */
-    out[0] = -r_R * ((z38 - z26 * (k2 * z35 - z36 * z14)) / z27); /* speed */
+    out[0] = r_R * ((z38 - z26 * (k2 * z35 - z36 * z14)) / z27); /* speed */
     /* 124:16 */
     out[1] = z + z3 * z5; /* rear_height */
     /* 125:17 */
     out[2] = z40 + z12 * (z11 * z39); /* front_height */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX
-        && fabs(-z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
+        && fabs(z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
         /* the coframe is singular */
-        if (!(fabs(-z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
-            return bicycle_refuse(fabs(-z27), 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))),
-                BICYCLE_SINGULAR_1);
+        if (!(fabs(z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
+            return bicycle_refuse(fabs(z27), 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))), BICYCLE_SINGULAR_1);
         }
         return bicycle_finish(3, out);
     }
@@ -4556,7 +4554,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z3 = c_roll * s1;
     const bicycle_lanes z4 = r_R * z3;
     const bicycle_lanes z5 = z1 * z4;
-    const bicycle_lanes z6 = k10 + z5;
+    const bicycle_lanes z6 = k10 - z5;
     bicycle_lanes sine3, cosine3;
     bicycle_turn_lanes(BICYCLE_SPREAD(steer), &far, &sine3, &cosine3);
     const bicycle_lanes c_steer = cosine3;
@@ -4569,7 +4567,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z10 = r_F * z8;
     const bicycle_lanes z11 = z9 * z10;
     const bicycle_lanes z12 = k4 + z11;
-    const bicycle_lanes z13 = z6 + c_steer * z12;
+    const bicycle_lanes z13 = z6 - c_steer * z12;
     const bicycle_lanes z14 = r_R * z7;
     const bicycle_lanes z15 = z1 * z14;
     const bicycle_lanes z16 = c_steer * z15;
@@ -4578,55 +4576,55 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z19 = k16 + z18;
     const bicycle_lanes z20 = c_steer * z19;
     const bicycle_lanes z21 = c_steer * k10;
-    const bicycle_lanes z22 = z21 + z12;
-    const bicycle_lanes z23 = s1 * z20 + c1 * z22;
+    const bicycle_lanes z22 = z21 - z12;
+    const bicycle_lanes z23 = s1 * z20 - c1 * z22;
     const bicycle_lanes z24 = z15 - z19;
     const bicycle_lanes z25 = s_steer * z24;
     const bicycle_lanes z26 = c_roll * z23 + e2z * z25;
     const bicycle_lanes z27 = s_steer * z19;
     const bicycle_lanes z28 = s_steer * k10;
-    const bicycle_lanes z29 = s1 * z27 + c1 * z28;
+    const bicycle_lanes z29 = s1 * z27 - c1 * z28;
     const bicycle_lanes z30 = c_steer * z24;
     const bicycle_lanes z31 = c_roll * z29 - e2z * z30;
     const bicycle_lanes z32 = s_steer * z15;
     const bicycle_lanes z33 = z16 * z26 + z31 * z32;
     const bicycle_lanes z34 = z30 * z26 + z31 * z25;
-    const bicycle_lanes z35 = z13 * z33 - z5 * z34;
+    const bicycle_lanes z35 = z13 * z33 + z5 * z34;
     const bicycle_lanes z36 = k17 * (9.0 + bicycle_size(BICYCLE_SPREAD(z1)));
     /* the coframe is singular */
-    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(-z35)), 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))));
+    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z35)), 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))));
     const bicycle_lanes z37 = r_R * z1;
     const bicycle_lanes z38 = c_roll * z37;
     const bicycle_lanes z39 = 1.0 / z35;
-    const bicycle_lanes z40 = k10 * s1 + z38;
-    const bicycle_lanes z41 = s1 * z12 + (c_steer * z40 - c1 * z20);
+    const bicycle_lanes z40 = k10 * s1 - z38;
+    const bicycle_lanes z41 = s1 * z12 - (c_steer * z40 + c1 * z20);
     const bicycle_lanes z42 = s_steer * c1;
-    const bicycle_lanes z43 = z19 * z42 - s_steer * z40;
+    const bicycle_lanes z43 = z19 * z42 + s_steer * z40;
     const bicycle_lanes z44 = z16 * z41 - z32 * z43;
-    const bicycle_lanes z45 = z39 * (z13 * z44 - z5 * (z30 * z41 - z25 * z43));
+    const bicycle_lanes z45 = z39 * (z13 * z44 + z5 * (z30 * z41 - z25 * z43));
     const bicycle_lanes z46 = c_roll * z45;
     const bicycle_lanes z47 = s1 - c1 * z46;
     const bicycle_lanes z48 = c1 + s1 * z46;
     const bicycle_lanes z49 = s_steer * z12;
     const bicycle_lanes z50 = s1 * z49;
-    const bicycle_lanes z51 = c_roll * z50 + e2z * z13;
-    const bicycle_lanes z52 = z39 * (z42 * (z12 * z33) + z51 * z44 + z5 * (z26 * z43 + z31 * z41)) - e2z *
+    const bicycle_lanes z51 = c_roll * z50 - e2z * z13;
+    const bicycle_lanes z52 = z39 * (z42 * (z12 * z33) + z51 * z44 + z5 * (z26 * z43 + z31 * z41)) + e2z *
         z45;
-    const bicycle_lanes z53 = c_steer * z52 - s_steer * z48;
+    const bicycle_lanes z53 = c_steer * z52 + s_steer * z48;
     const bicycle_lanes z54 = z15 * z52;
-    const bicycle_lanes z55 = z38 + k10 * z47;
-    const bicycle_lanes z56 = c_steer * z54 - s_steer * z55;
+    const bicycle_lanes z55 = z38 - k10 * z47;
+    const bicycle_lanes z56 = c_steer * z54 + s_steer * z55;
     const bicycle_lanes z57 = z6 * z52;
-    const bicycle_lanes z58 = k56 * z53 - (k42 * z56 - k45 * z57);
+    const bicycle_lanes z58 = k56 * z53 - (k42 * z56 + k45 * z57);
     const bicycle_lanes z59 = F_yy * z53;
     const bicycle_lanes z60 = k38 * z47 + (k28 * z38 - k35 * z48);
-    const bicycle_lanes z61 = c_steer * z55 + s_steer * z54;
-    const bicycle_lanes z62 = s_steer * z52 + c_steer * z48;
-    const bicycle_lanes z63 = k57 * z47 + (k45 * z61 - k53 * z62);
+    const bicycle_lanes z61 = c_steer * z55 - s_steer * z54;
+    const bicycle_lanes z62 = s_steer * z52 - c_steer * z48;
+    const bicycle_lanes z63 = k57 * z47 + (k45 * z61 + k53 * z62);
     const bicycle_lanes z64 = z60 + z63;
-    const bicycle_lanes z65 = k53 * z47 + (k42 * z61 - k52 * z62);
-    const bicycle_lanes z66 = k40 * z57 + k45 * z53;
-    const bicycle_lanes z67 = k45 * z47 + (k40 * z61 - k42 * z62);
+    const bicycle_lanes z65 = k53 * z47 + (k42 * z61 + k52 * z62);
+    const bicycle_lanes z66 = k40 * z57 - k45 * z53;
+    const bicycle_lanes z67 = k45 * z47 + (k40 * z61 + k42 * z62);
     const bicycle_lanes z68 = k40 * z56 - k42 * z53;
     const bicycle_lanes z69 = z5 * z52;
     const bicycle_lanes z70 = k37 * z52 - (k27 * z54 - k28 * z69);
@@ -4635,23 +4633,23 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z73 = k35 * z47 + (k27 * z38 - k34 * z48);
     const bicycle_lanes z74 = z56 * z68 + (z52 * z70 + (z69 * z71 + (z54 * z72 - (z48 * z73 - R_yy * (z52 *
         z52)))));
-    const bicycle_lanes z75 = z53 * (z58 + z59) + (z47 * z64 - (z62 * z65 - (z57 * z66 + (z61 * z67 + z74))));
+    const bicycle_lanes z75 = z53 * (z58 + z59) + (z47 * z64 + (z62 * z65 + (z57 * z66 + (z61 * z67 + z74))));
     const bicycle_lanes z76 = z38 * (k28 * z47 + (k26 * z38 - k27 * z48)) + z75;
     const bicycle_lanes z77 = z16 * z12;
     const bicycle_lanes z78 = z30 * z12;
-    const bicycle_lanes z79 = (z13 * z77 - z5 * z78) * z39;
+    const bicycle_lanes z79 = (z13 * z77 + z5 * z78) * z39;
     const bicycle_lanes z80 = c_roll * z79;
     const bicycle_lanes z81 = c1 * z80;
     const bicycle_lanes z82 = 1.0 - z81;
     const bicycle_lanes z83 = z31 * z12;
-    const bicycle_lanes z84 = (z51 * z77 + z5 * z83) * z39 - e2z * z79;
+    const bicycle_lanes z84 = (z51 * z77 + z5 * z83) * z39 + e2z * z79;
     const bicycle_lanes z85 = s1 * z80;
-    const bicycle_lanes z86 = s_steer * z84 + c_steer * z85;
-    const bicycle_lanes z87 = (z51 * z78 + z13 * z83) * z39 - z84;
+    const bicycle_lanes z86 = s_steer * z84 - c_steer * z85;
+    const bicycle_lanes z87 = (z51 * z78 - z13 * z83) * z39 - z84;
     const bicycle_lanes z88 = z15 * z87;
     const bicycle_lanes z89 = s_steer * z88 + z21 * z81;
-    const bicycle_lanes z90 = k57 * z82 - (k53 * z86 + k45 * z89);
-    const bicycle_lanes z91 = k53 * z82 - (k52 * z86 + k42 * z89);
+    const bicycle_lanes z90 = k57 * z82 + (k53 * z86 + k45 * z89);
+    const bicycle_lanes z91 = k53 * z82 + (k52 * z86 + k42 * z89);
     const bicycle_lanes z92 = k35 * z85 + k38 * z81;
     const bicycle_lanes z93 = z5 * z87;
     const bicycle_lanes z94 = k37 * z84 + (k27 * z88 - k28 * z93);
@@ -4660,11 +4658,11 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z97 = k26 * z93 - k28 * z84;
     const bicycle_lanes z98 = z81 * z92 + (z84 * z94 + (z85 * z95 + (z88 * z96 + (z93 * z97 + R_yy * (z87 *
         z87)))));
-    const bicycle_lanes z99 = k45 * z82 - (k42 * z86 + k40 * z89);
-    const bicycle_lanes z100 = z82 * z90 - (z86 * z91 - (z98 - z89 * z99));
+    const bicycle_lanes z99 = k45 * z82 + (k42 * z86 + k40 * z89);
+    const bicycle_lanes z100 = z82 * z90 + (z86 * z91 + (z98 + z89 * z99));
     const bicycle_lanes z101 = z81 * z60 - (z84 * z70 - (z85 * z73 + (z88 * z72 + (z93 * z71 + R_yy * (z87 *
         z52)))));
-    const bicycle_lanes z102 = z82 * z63 - (z86 * z65 + (z89 * z67 + z101));
+    const bicycle_lanes z102 = z82 * z63 + (z86 * z65 + (z89 * z67 - z101));
     const bicycle_lanes z103 = 1.0 / z76;
     const bicycle_lanes z104 = z102 * z103;
     const bicycle_lanes z105 = z100 - z102 * z104;
@@ -4672,41 +4670,41 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z105)), 1e-13 * z100);
     const bicycle_lanes z106 = z18 * z25;
     const bicycle_lanes z107 = z18 * z13;
-    const bicycle_lanes z108 = z39 * (z5 * z106 - z32 * z107);
+    const bicycle_lanes z108 = z39 * (z5 * z106 + z32 * z107);
     const bicycle_lanes z109 = c_roll * z108;
     const bicycle_lanes z110 = c1 * z109;
     const bicycle_lanes z111 = k10 * z110;
     const bicycle_lanes z112 = e2z * z108;
-    const bicycle_lanes z113 = z39 * (z11 * z34 - (z51 * z106 - z26 * z107)) + z112;
+    const bicycle_lanes z113 = z39 * (z11 * z34 - (z51 * z106 + z26 * z107)) + z112;
     const bicycle_lanes z114 = z15 * z113;
-    const bicycle_lanes z115 = c_steer * z111 + s_steer * z114;
+    const bicycle_lanes z115 = c_steer * z111 - s_steer * z114;
     const bicycle_lanes z116 = s1 * z109;
     const bicycle_lanes z117 = s_steer * z112 - c_steer * z116;
     const bicycle_lanes z118 = c_steer * z112 + s_steer * z116;
-    const bicycle_lanes z119 = c_steer * z114 - s_steer * z111;
+    const bicycle_lanes z119 = c_steer * z114 + s_steer * z111;
     const bicycle_lanes z120 = z5 * z113;
-    const bicycle_lanes z121 = z120 + k10 * z112;
+    const bicycle_lanes z121 = z120 - k10 * z112;
     const bicycle_lanes z122 = z116 * (k34 * z116 + k35 * z110) + (z114 * (k26 * z114 - k27 * z112) + z120 *
         (k26 * z120 + k28 * z112));
     const bicycle_lanes z123 = z110 * (k35 * z116 + k38 * z110) + (z112 * (k37 * z112 - (k27 * z114 - k28 *
         z120)) + z122);
-    const bicycle_lanes z124 = z115 * (k45 * z110 + (k40 * z115 - k42 * z117)) + (z119 * (k40 * z119 - k42 *
+    const bicycle_lanes z124 = z115 * (k45 * z110 - (k40 * z115 + k42 * z117)) - (z119 * (k40 * z119 - k42 *
         z118) + z123);
-    const bicycle_lanes z125 = z117 * (k53 * z110 + (k42 * z115 - k52 * z117)) - (z121 * (k40 * z121 + k45 *
-        z118) + z124);
-    const bicycle_lanes z126 = z110 * (k57 * z110 + (k45 * z115 - k53 * z117)) + (z118 * (k56 * z118 - (k42 *
+    const bicycle_lanes z125 = z117 * (k53 * z110 - (k42 * z115 + k52 * z117)) - (z121 * (k40 * z121 + k45 *
+        z118) - z124);
+    const bicycle_lanes z126 = z110 * (k57 * z110 - (k45 * z115 + k53 * z117)) + (z118 * (k56 * z118 - (k42 *
         z119 - k45 * z121)) - z125);
-    const bicycle_lanes z127 = 1.0 + z118;
+    const bicycle_lanes z127 = 1.0 - z118;
     const bicycle_lanes z128 = z126 + R_yy * (z113 * z113) + F_yy * (z127 * z127);
     const bicycle_lanes z129 = R_yy * z113;
-    const bicycle_lanes z130 = z112 * z70 + (z116 * z73 + (z114 * z72 + (z120 * z71 + (z129 * z52 + z127 *
+    const bicycle_lanes z130 = z112 * z70 - (z116 * z73 - (z114 * z72 + (z120 * z71 + (z129 * z52 - z127 *
         z59))));
-    const bicycle_lanes z131 = z110 * z64 + (z118 * z58 - (z117 * z65 - (z121 * z66 + (z115 * z67 + (z119 *
+    const bicycle_lanes z131 = z110 * z64 - (z118 * z58 + (z117 * z65 - (z121 * z66 - (z115 * z67 + (z119 *
         z68 + z130)))));
     const bicycle_lanes z132 = z131 * z103;
-    const bicycle_lanes z133 = z94 * z112 - (z95 * z116 + (z96 * z114 + (z97 * z120 + (z102 * z132 + z87 *
+    const bicycle_lanes z133 = z94 * z112 + (z95 * z116 - (z96 * z114 + (z97 * z120 - (z102 * z132 - z87 *
         z129))));
-    const bicycle_lanes z134 = z110 * (z92 - z90) + (z117 * z91 - (z115 * z99 + z133));
+    const bicycle_lanes z134 = z110 * (z92 - z90) + (z117 * z91 + (z115 * z99 + z133));
     const bicycle_lanes z135 = 1.0 / z105;
     const bicycle_lanes z136 = z134 * z135;
     const bicycle_lanes z137 = z128 - z131 * z132 - z134 * z136;
@@ -4721,145 +4719,145 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z141 = k4 * z139 - z11 * z140;
     const bicycle_lanes z142 = roll_dot * s1;
     const bicycle_lanes v2_x = roll_dot * z38;
-    const bicycle_lanes z143 = k10 * z142 + v2_x;
-    const bicycle_lanes z144 = z18 * z140 - (k16 * z139 - s_steer * z143);
+    const bicycle_lanes z143 = k10 * z142 - v2_x;
+    const bicycle_lanes z144 = z18 * z140 - (k16 * z139 + s_steer * z143);
     const bicycle_lanes z145 = steer_dot + z142;
     const bicycle_lanes z146 = c_steer * z138;
-    const bicycle_lanes z147 = z145 * z12 - (z19 * z146 - c_steer * z143);
+    const bicycle_lanes z147 = z145 * z12 - (z19 * z146 + c_steer * z143);
     const bicycle_lanes z148 = z25 * z144 + z30 * z147;
     const bicycle_lanes z149 = z26 * z144 - z31 * z147;
-    const bicycle_lanes z150 = z39 * (z34 * z141 + (z51 * z148 - z13 * z149));
+    const bicycle_lanes z150 = z39 * (z34 * z141 + (z51 * z148 + z13 * z149));
     const bicycle_lanes z151 = z32 * z144 + z16 * z147;
     const bicycle_lanes z152 = z39 * (z33 * z141 + z51 * z151 - z5 * z149);
-    const bicycle_lanes z153 = z39 * (z13 * z151 - z5 * z148);
-    const bicycle_lanes w2 = z152 - e2z * z153;
-    const bicycle_lanes z154 = z150 - w2;
-    const bicycle_lanes z155 = z5 * z154;
-    const bicycle_lanes z156 = z15 * z154;
-    const bicycle_lanes z157 = s1 * z155 + c1 * z156;
+    const bicycle_lanes z153 = z39 * (z13 * z151 + z5 * z148);
+    const bicycle_lanes z154 = z152 + e2z * z153;
+    const bicycle_lanes z155 = z150 - z154;
+    const bicycle_lanes z156 = z5 * z155;
+    const bicycle_lanes z157 = z15 * z155;
+    const bicycle_lanes z158 = s1 * z156 + c1 * z157;
     const bicycle_lanes s_yaw = sine4;
-    const bicycle_lanes z158 = c_roll * v2_x;
-    const bicycle_lanes z159 = c1 * z152;
-    const bicycle_lanes z160 = roll_dot * z159;
-    const bicycle_lanes z161 = c_roll * z153;
-    const bicycle_lanes z162 = s1 * z152;
-    const bicycle_lanes z163 = roll_dot * e2z;
-    const bicycle_lanes z164 = steer_dot * s_steer;
-    const bicycle_lanes z165 = z163 * c1 + c_roll * z162;
-    const bicycle_lanes z166 = roll_dot * c_roll;
-    const bicycle_lanes z167 = steer_dot * c_steer;
-    const bicycle_lanes z168 = z163 * s1 - c_roll * z159;
-    const bicycle_lanes z169 = s_steer * z166 + e2z * z167 + (z164 * z3 + c_steer * z168);
-    const bicycle_lanes z170 = (z7 * z165 - z8 * z169) * (z9 * (z9 * z9));
-    const bicycle_lanes z171 = r_F * z9;
-    const bicycle_lanes z172 = z17 * z170 - z171 * z165;
-    const bicycle_lanes z173 = z10 * z170 + z171 * z169;
-    const bicycle_lanes z174 = s1 * (z164 * z19 - c_steer * z172) + (c1 * (z164 * k10 - z173) - (z20 * z159 -
-        z22 * z162));
-    const bicycle_lanes z175 = z1 * (c_roll * z163) * (z1 * z1);
-    const bicycle_lanes z176 = z14 * z175 - z37 * z165;
-    const bicycle_lanes z177 = z176 - z172;
-    const bicycle_lanes z178 = z167 * z24 + s_steer * z177;
-    const bicycle_lanes z179 = roll_dot * z162;
-    const bicycle_lanes z180 = k10 * z160;
-    const bicycle_lanes z181 = z19 * (z164 * z138 + c_steer * z179) - (z146 * z172 + (z164 * z143 - (z145 *
-        z173 + (c_steer * z180 + z152 * z178))));
-    const bicycle_lanes z182 = z153 * (c_roll * z174 + (z163 * z23 - (z166 * z25 + e2z * z178))) - (z150 *
-        (z167 * z15 + s_steer * z176) - (z12 * z160 + z181));
-    const bicycle_lanes z183 = s1 * (z167 * z19 + s_steer * z172) + (z27 * z159 + (k10 * (z167 * c1) - z28 *
-        z162));
-    const bicycle_lanes z184 = z164 * z24 - c_steer * z177;
-    const bicycle_lanes z185 = z167 * z138 - s_steer * z179;
-    const bicycle_lanes z186 = z150 * (z164 * z15 - c_steer * z176) + (z19 * z185 - (z140 * z172 + (z167 *
-        z143 + (s_steer * z180 + z152 * z184))));
-    const bicycle_lanes z187 = z153 * (c_roll * z183 - (z163 * z29 + (z166 * z30 - e2z * z184))) + z186;
-    const bicycle_lanes z188 = z16 * z182 - z32 * z187;
-    const bicycle_lanes z189 = z30 * z182 - z25 * z187;
-    const bicycle_lanes z190 = z39 * (z13 * z188 - z5 * z189);
-    const bicycle_lanes z191 = z163 * z153 - c_roll * z190;
-    const bicycle_lanes z192 = z160 + (z161 * z162 + c1 * z191);
-    const bicycle_lanes z193 = z142 - c1 * z161;
-    const bicycle_lanes z194 = z138 + s1 * z161;
-    const bicycle_lanes z195 = z156 * z193 - z155 * z194;
-    const bicycle_lanes z196 = z179 - (z161 * z159 - s1 * z191);
-    const bicycle_lanes z197 = k27 * w2;
-    const bicycle_lanes z198 = k28 * w2;
-    const bicycle_lanes z199 = k28 * z192 + (k26 * z195 + (k27 * z196 + (z193 * z197 - (e2z * k61 - z194 *
-        z198))));
-    const bicycle_lanes z200 = z4 * z175 - z37 * z168;
-    const bicycle_lanes z201 = z200 - (z164 * z12 - c_steer * z173);
-    const bicycle_lanes z202 = c_roll * (z49 * z159 + s1 * (z167 * z12 + s_steer * z173)) - (z163 * z50 -
-        (z166 * z13 + e2z * z201));
-    const bicycle_lanes z203 = z153 * z202 + (z12 * z185 + (z150 * z200 - (z140 * z173 + z152 * z201)));
-    const bicycle_lanes z204 = z26 * z187 + z31 * z182;
-    const bicycle_lanes z205 = z39 * (z51 * z188 + z33 * z203 + z5 * z204) - (z166 * z153 + e2z * z190);
-    const bicycle_lanes z206 = z164 * w2 - c_steer * z205 + (z167 * z194 - s_steer * z196);
-    const bicycle_lanes z207 = z39 * (z51 * z189 + z13 * z204 + z34 * z203) - z205;
-    const bicycle_lanes z208 = z154 * z176 + z15 * z207 + (w2 * z155 - v2_x * z193);
-    const bicycle_lanes z209 = k10 * w2;
-    const bicycle_lanes z210 = k10 * z193;
-    const bicycle_lanes z211 = z208 - (w2 * z209 + z193 * z210);
-    const bicycle_lanes z212 = z195 + (k10 * z192 + z209 * z194);
-    const bicycle_lanes z213 = c_steer * z211 + s_steer * z212;
-    const bicycle_lanes z214 = z154 * z200 + z5 * z207 + (v2_x * z194 - w2 * z156);
-    const bicycle_lanes z215 = z214 - (k10 * z205 - z194 * z210);
-    const bicycle_lanes w3_steer = steer_dot + z193;
-    const bicycle_lanes z216 = s_steer * w2 + c_steer * z194;
-    const bicycle_lanes z217 = k52 * z216 - k53 * w3_steer;
-    const bicycle_lanes z218 = k53 * z216 - k57 * w3_steer;
-    const bicycle_lanes z219 = z8 * k65 + (k56 * z206 - (k42 * z213 - (k45 * z215 - (w3_steer * z217 + z216 *
-        z218))));
-    const bicycle_lanes z220 = z7 * k66 + z219;
-    const bicycle_lanes z221 = F_yy * z206;
-    const bicycle_lanes z222 = R_yy * z154 - k37 * w2;
-    const bicycle_lanes z223 = k34 * z194 - k35 * z193;
-    const bicycle_lanes z224 = e2z * k62 - (k38 * z192 + (k28 * z195 + k35 * z196) - (z194 * z222 + w2 *
-        z223));
+    const bicycle_lanes z159 = c_roll * v2_x;
+    const bicycle_lanes z160 = c1 * z152;
+    const bicycle_lanes z161 = roll_dot * z160;
+    const bicycle_lanes z162 = c_roll * z153;
+    const bicycle_lanes z163 = s1 * z152;
+    const bicycle_lanes z164 = roll_dot * e2z;
+    const bicycle_lanes z165 = steer_dot * s_steer;
+    const bicycle_lanes z166 = z164 * c1 - c_roll * z163;
+    const bicycle_lanes z167 = roll_dot * c_roll;
+    const bicycle_lanes z168 = steer_dot * c_steer;
+    const bicycle_lanes z169 = z164 * s1 + c_roll * z160;
+    const bicycle_lanes z170 = s_steer * z167 + e2z * z168 + (z165 * z3 + c_steer * z169);
+    const bicycle_lanes z171 = (z7 * z166 - z8 * z170) * (z9 * (z9 * z9));
+    const bicycle_lanes z172 = r_F * z9;
+    const bicycle_lanes z173 = z17 * z171 - z172 * z166;
+    const bicycle_lanes z174 = z10 * z171 + z172 * z170;
+    const bicycle_lanes z175 = s1 * (z165 * z19 - c_steer * z173) - (c1 * (z165 * k10 + z174) - (z20 * z160 +
+        z22 * z163));
+    const bicycle_lanes z176 = z1 * (c_roll * z164) * (z1 * z1);
+    const bicycle_lanes z177 = z14 * z176 - z37 * z166;
+    const bicycle_lanes z178 = z177 - z173;
+    const bicycle_lanes z179 = z168 * z24 + s_steer * z178;
+    const bicycle_lanes z180 = roll_dot * z163;
+    const bicycle_lanes z181 = k10 * z161;
+    const bicycle_lanes z182 = z19 * (z165 * z138 - c_steer * z180) - (z146 * z173 - (z165 * z143 + (z145 *
+        z174 + (c_steer * z181 - z152 * z179))));
+    const bicycle_lanes z183 = z153 * (c_roll * z175 + (z164 * z23 - (z167 * z25 + e2z * z179))) + (z150 *
+        (z168 * z15 + s_steer * z177) - (z12 * z161 - z182));
+    const bicycle_lanes z184 = s1 * (z168 * z19 + s_steer * z173) - (z27 * z160 + (k10 * (z168 * c1) + z28 *
+        z163));
+    const bicycle_lanes z185 = z165 * z24 - c_steer * z178;
+    const bicycle_lanes z186 = z168 * z138 + s_steer * z180;
+    const bicycle_lanes z187 = z150 * (z165 * z15 - c_steer * z177) - (z19 * z186 - (z140 * z173 - (z168 *
+        z143 - (s_steer * z181 - z152 * z185))));
+    const bicycle_lanes z188 = z153 * (c_roll * z184 - (z164 * z29 + (z167 * z30 - e2z * z185))) - z187;
+    const bicycle_lanes z189 = z16 * z183 - z32 * z188;
+    const bicycle_lanes z190 = z30 * z183 - z25 * z188;
+    const bicycle_lanes z191 = z39 * (z13 * z189 + z5 * z190);
+    const bicycle_lanes z192 = z164 * z153 - c_roll * z191;
+    const bicycle_lanes z193 = z161 + (z162 * z163 - c1 * z192);
+    const bicycle_lanes z194 = z142 - c1 * z162;
+    const bicycle_lanes z195 = z138 + s1 * z162;
+    const bicycle_lanes z196 = z157 * z194 - z156 * z195;
+    const bicycle_lanes z197 = z180 - (z162 * z160 + s1 * z192);
+    const bicycle_lanes z198 = k27 * z154;
+    const bicycle_lanes z199 = k28 * z154;
+    const bicycle_lanes z200 = k28 * z193 + (k26 * z196 + (k27 * z197 + (z194 * z198 + (e2z * k61 + z195 *
+        z199))));
+    const bicycle_lanes z201 = z4 * z176 - z37 * z169;
+    const bicycle_lanes z202 = z201 - (z165 * z12 - c_steer * z174);
+    const bicycle_lanes z203 = c_roll * (z49 * z160 - s1 * (z168 * z12 + s_steer * z174)) + (z164 * z50 +
+        (z167 * z13 - e2z * z202));
+    const bicycle_lanes z204 = z153 * z203 - (z12 * z186 - (z150 * z201 + (z140 * z174 - z152 * z202)));
+    const bicycle_lanes z205 = z26 * z188 + z31 * z183;
+    const bicycle_lanes z206 = z39 * (z51 * z189 - z33 * z204 + z5 * z205) + (z167 * z153 + e2z * z191);
+    const bicycle_lanes z207 = z165 * z154 - c_steer * z206 - (z168 * z195 + s_steer * z197);
+    const bicycle_lanes z208 = z39 * (z51 * z190 - z13 * z205 - z34 * z204) - z206;
+    const bicycle_lanes z209 = z155 * z177 + z15 * z208 - (z154 * z156 - v2_x * z194);
+    const bicycle_lanes z210 = k10 * z154;
+    const bicycle_lanes z211 = k10 * z194;
+    const bicycle_lanes z212 = z209 - (z154 * z210 + z194 * z211);
+    const bicycle_lanes z213 = z196 - (k10 * z193 + z210 * z195);
+    const bicycle_lanes z214 = c_steer * z212 + s_steer * z213;
+    const bicycle_lanes z215 = z155 * z201 + z5 * z208 - (v2_x * z195 - z154 * z157);
+    const bicycle_lanes z216 = z215 + (k10 * z206 + z195 * z211);
+    const bicycle_lanes w3_steer = steer_dot + z194;
+    const bicycle_lanes z217 = s_steer * z154 - c_steer * z195;
+    const bicycle_lanes z218 = k52 * z217 + k53 * w3_steer;
+    const bicycle_lanes z219 = k53 * z217 + k57 * w3_steer;
+    const bicycle_lanes z220 = z8 * k65 - (k56 * z207 - (k42 * z214 - (k45 * z216 - (w3_steer * z218 - z217 *
+        z219))));
+    const bicycle_lanes z221 = z7 * k66 + z220;
+    const bicycle_lanes z222 = F_yy * z207;
+    const bicycle_lanes z223 = R_yy * z155 - k37 * z154;
+    const bicycle_lanes z224 = k34 * z195 - k35 * z194;
+    const bicycle_lanes z225 = e2z * k62 + (k38 * z193 + (k28 * z196 + k35 * z197) - (z195 * z223 + z154 *
+        z224));
     const bicycle_lanes h2z = e2z * c_steer + s_steer * z3;
-    const bicycle_lanes z225 = c_steer * z212 - s_steer * z211;
-    const bicycle_lanes z226 = z167 * w2 + s_steer * z205 - (z164 * z194 + c_steer * z196);
-    const bicycle_lanes z227 = c_steer * w2 - s_steer * z194;
-    const bicycle_lanes z228 = F_yy * (thF_dot + z227) + k56 * z227;
-    const bicycle_lanes z229 = h2z * k66 + (k57 * z192 + (k45 * z225 - k53 * z226) + (z216 * z228 - z227 *
-        z217));
-    const bicycle_lanes z230 = z224 - z229;
-    const bicycle_lanes z231 = h2z * k65 - (k53 * z192 + (k42 * z225 - k52 * z226) + (z227 * z218 + w3_steer
-        * z228));
-    const bicycle_lanes z232 = k42 * z216 - k45 * w3_steer;
-    const bicycle_lanes z233 = k42 * z227;
-    const bicycle_lanes z234 = z7 * k64 - (k40 * z215 + k45 * z206 - (z216 * z232 + z227 * z233));
-    const bicycle_lanes z235 = k45 * z227;
-    const bicycle_lanes z236 = h2z * k64 - (k45 * z192 + (k40 * z225 - k42 * z226) + (w3_steer * z233 + z216
-        * z235));
-    const bicycle_lanes z237 = z8 * k64 - (k40 * z213 - k42 * z206 - (z227 * z235 - w3_steer * z232));
-    const bicycle_lanes z238 = k35 * z194 - k38 * z193;
-    const bicycle_lanes z239 = z3 * k63 + z7 * k62 + (k37 * z205 + (k27 * z208 - k28 * z214) + (z193 * z223 +
-        z194 * z238));
-    const bicycle_lanes z240 = e2z * k63 - (k35 * z192 + (k27 * z195 + k34 * z196) + (w2 * z238 - z193 *
-        z222));
-    const bicycle_lanes z241 = k27 * z194 - k28 * z193;
-    const bicycle_lanes z242 = z7 * k61 - (k26 * z214 - k28 * z205 - (z194 * z241 + w2 * z197));
-    const bicycle_lanes z243 = z3 * k61 + (k26 * z208 + k27 * z205 - (w2 * z198 - z193 * z241));
-    const bicycle_lanes z244 = R_yy * z207;
-    const bicycle_lanes z245 = z56 * z237 + (z52 * z239 + (z48 * z240 + (z69 * z242 - (z54 * z243 + z52 *
-        z244))));
-    const bicycle_lanes z246 = z53 * (z220 + z221) + (z47 * z230 - (z62 * z231 + (z57 * z234 - (z61 * z236 -
+    const bicycle_lanes z226 = c_steer * z213 - s_steer * z212;
+    const bicycle_lanes z227 = z168 * z154 + s_steer * z206 + (z165 * z195 - c_steer * z197);
+    const bicycle_lanes z228 = c_steer * z154 + s_steer * z195;
+    const bicycle_lanes z229 = F_yy * (thF_dot - z228) - k56 * z228;
+    const bicycle_lanes z230 = h2z * k66 - (k57 * z193 + (k45 * z226 - k53 * z227) + (z217 * z229 + z228 *
+        z218));
+    const bicycle_lanes z231 = z225 - z230;
+    const bicycle_lanes z232 = h2z * k65 + (k53 * z193 + (k42 * z226 - k52 * z227) - (z228 * z219 + w3_steer
+        * z229));
+    const bicycle_lanes z233 = k42 * z217 + k45 * w3_steer;
+    const bicycle_lanes z234 = k42 * z228;
+    const bicycle_lanes z235 = z7 * k64 + (k40 * z216 + k45 * z207 + (z217 * z233 + z228 * z234));
+    const bicycle_lanes z236 = k45 * z228;
+    const bicycle_lanes z237 = h2z * k64 + (k45 * z193 + (k40 * z226 - k42 * z227) + (w3_steer * z234 - z217
+        * z236));
+    const bicycle_lanes z238 = z8 * k64 + (k40 * z214 - k42 * z207 + (z228 * z236 + w3_steer * z233));
+    const bicycle_lanes z239 = k35 * z195 - k38 * z194;
+    const bicycle_lanes z240 = z3 * k63 + z7 * k62 - (k37 * z206 + (k27 * z209 - k28 * z215) - (z194 * z224 +
+        z195 * z239));
+    const bicycle_lanes z241 = e2z * k63 + (k35 * z193 + (k27 * z196 + k34 * z197) + (z154 * z239 - z194 *
+        z223));
+    const bicycle_lanes z242 = k27 * z195 - k28 * z194;
+    const bicycle_lanes z243 = z7 * k61 + (k26 * z215 - k28 * z206 + (z195 * z242 + z154 * z198));
+    const bicycle_lanes z244 = z3 * k61 - (k26 * z209 + k27 * z206 + (z154 * z199 - z194 * z242));
+    const bicycle_lanes z245 = R_yy * z208;
+    const bicycle_lanes z246 = z56 * z238 + (z52 * z240 - (z48 * z241 - (z69 * z243 - (z54 * z244 - z52 *
         z245))));
-    const bicycle_lanes z247 = z38 * z199 - z246;
-    const bicycle_lanes z248 = z84 * z239 + (z85 * z240 + (z88 * z243 - (z93 * z242 + (z247 * z104 - z87 *
-        z244))));
-    const bicycle_lanes z249 = z82 * z229 + (z86 * z231 + (z89 * z236 + (z81 * z224 + z248)));
-    const bicycle_lanes z250 = z114 * z243 - (z120 * z242 - (z247 * z132 - (z136 * z249 - (z113 * z244 + z127
-        * z221))));
-    const bicycle_lanes z251 = z117 * z231 + (z121 * z234 - (z115 * z236 - (z119 * z237 + (z112 * z239 -
-        (z116 * z240 + z250)))));
-    const bicycle_lanes z252 = (z110 * z230 + (z118 * z220 - z251)) / z137;
-    const bicycle_lanes z253 = z135 * z249 - z136 * z252;
+    const bicycle_lanes z247 = z53 * (z221 - z222) - (z47 * z231 + (z62 * z232 - (z57 * z235 - (z61 * z237 +
+        z246))));
+    const bicycle_lanes z248 = z38 * z200 - z247;
+    const bicycle_lanes z249 = z84 * z240 - (z85 * z241 - (z88 * z244 - (z93 * z243 + (z248 * z104 + z87 *
+        z245))));
+    const bicycle_lanes z250 = z82 * z230 - (z86 * z232 + (z89 * z237 - (z81 * z225 - z249)));
+    const bicycle_lanes z251 = z114 * z244 - (z120 * z243 + (z248 * z132 + (z136 * z250 + (z113 * z245 - z127
+        * z222))));
+    const bicycle_lanes z252 = z117 * z232 + (z121 * z235 + (z115 * z237 + (z119 * z238 + (z112 * z240 -
+        (z116 * z241 + z251)))));
+    const bicycle_lanes z253 = (z110 * z231 + (z118 * z221 - z252)) / z137;
+    const bicycle_lanes z254 = z135 * z250 - z136 * z253;
     /* (I.2.15) */
-    const bicycle_lanes slope1 = c_yaw * z157 - s_yaw * z158;
+    const bicycle_lanes slope1 = -(c_yaw * z158 + s_yaw * z159);
     sum += slope1;
     bicycle_put(dydt, slope1);
-    const bicycle_lanes slope2 = s_yaw * z157 + c_yaw * z158;
+    const bicycle_lanes slope2 = c_yaw * z159 - s_yaw * z158;
     sum += slope2;
     bicycle_put(dydt + 1 * stride, slope2);
     const bicycle_lanes slope3 = e2z * v2_x;
@@ -4868,22 +4866,23 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     bicycle_put(dydt + 3 * stride, slope4);
     const bicycle_lanes slope5 = roll_dot;
     bicycle_put(dydt + 4 * stride, slope5);
-    const bicycle_lanes slope6 = z152;
+    const bicycle_lanes slope6 = -z152;
     bicycle_put(dydt + 5 * stride, slope6);
     const bicycle_lanes slope7 = steer_dot;
     bicycle_put(dydt + 6 * stride, slope7);
-    const bicycle_lanes slope8 = -z150;
+    const bicycle_lanes slope8 = z150;
     bicycle_put(dydt + 7 * stride, slope8);
     const bicycle_lanes slope9 = thF_dot;
     bicycle_put(dydt + 8 * stride, slope9);
     /* (I.2.15) 112:4 */
-    const bicycle_lanes slope10 = -(z247 * z103 - z104 * z253 + z132 * z252);
+    const bicycle_lanes slope10 = z248 * z103 + z104 * z254 - z132 * z253;
     sum += slope10;
     bicycle_put(dydt + 9 * stride, slope10);
-    const bicycle_lanes slope11 = -z253;
+    const bicycle_lanes slope11 = -z254;
     sum += slope11;
     bicycle_put(dydt + 10 * stride, slope11);
-    const bicycle_lanes slope12 = z252;
+    const bicycle_lanes slope12 = -z253;
+    sum += slope12;
     bicycle_put(dydt + 11 * stride, slope12);
     bicycle_put(check, bicycle_mark(far + (sum - sum), bad));
 }
@@ -4940,13 +4939,13 @@ int bicycle_rhs_batch(size_t count, const double *t, const double *y, const doub
     const double k7 = R_xx + B_xx;
     const double k8 = R_xx + B_zz;
     const double k9 = z_H * s_lam + c_lam * k3;
-    const double k10 = c_lam * k2 - r_R * s_lam;
-    const double k11 = c_lam * k1 + x_B * s_lam;
-    const double k12 = x_B * c_lam - s_lam * k1;
-    const double k13 = r_R * c_lam;
-    const double k14 = s_lam * k2;
-    const double k15 = z_H * c_lam - s_lam * k3 + k13 + k14;
-    const double k16 = k14 - (r_F * c_lam + c * s_lam - k13);
+    const double k10 = r_R * s_lam - c_lam * k2;
+    const double k11 = r_R * c_lam;
+    const double k12 = s_lam * k2;
+    const double k13 = x_B * s_lam + c_lam * k1;
+    const double k14 = x_B * c_lam - s_lam * k1;
+    const double k15 = k11 + (z_H * c_lam - s_lam * k3 + k12);
+    const double k16 = k11 - (r_F * c_lam + c * s_lam - k12);
     const double k17 = fabs(r_R);
     const double k18 = fabs(r_F);
     const double k19 = fabs(w);
@@ -4957,16 +4956,16 @@ int bicycle_rhs_batch(size_t count, const double *t, const double *y, const doub
     const double k24 = 13.0 * k20 + (14.0 * k18 + k23);
     const double k25 = 10.0 * k20 + (k21 + k23);
     const double k26 = m_R + m_B;
-    const double k27 = m_B * k11;
-    const double k28 = m_B * k12;
+    const double k27 = m_B * k13;
+    const double k28 = m_B * k14;
     const double k29 = B_xz * c_lam;
     const double k30 = s_lam * k8 - k29;
     const double k31 = B_xz * s_lam;
     const double k32 = c_lam * k7 - k31;
-    const double k33 = k11 * k27;
+    const double k33 = k13 * k27;
     const double k34 = s_lam * k30 + c_lam * k32 + k33;
-    const double k35 = c_lam * k30 - s_lam * k32 + k12 * k27;
-    const double k36 = k12 * k28;
+    const double k35 = c_lam * k30 - s_lam * k32 + k14 * k27;
+    const double k36 = k14 * k28;
     const double k37 = k33 + (B_yy + k36);
     const double k38 = k36 + (c_lam * (k31 + c_lam * k8) + s_lam * (k29 + s_lam * k7));
     const double k39 = m_F * k16;
@@ -4992,8 +4991,8 @@ int bicycle_rhs_batch(size_t count, const double *t, const double *y, const doub
     const double k59 = g * m_H;
     const double k60 = g * m_B;
     const double k61 = g * k26;
-    const double k62 = k12 * k60;
-    const double k63 = k11 * k60;
+    const double k62 = k14 * k60;
+    const double k63 = k13 * k60;
     const double k64 = g * k40;
     const double k65 = k15 * k59 + k16 * k58;
     const double k66 = k9 * k59 - k4 * k58;

@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:e59b7128357d1f24)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:435bd7af2169bbff)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -227,13 +227,13 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     const double z2 = m2 * s1;
     const double z3 = m1 + s1 * z2;
     const double z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1;
-    const double z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3);
+    const double z5 = (l2 * (theta2_dot * theta2_dot) + z4 * c1) * (z2 / z3);
     /* (II.3) */
     dydt[0] = theta1_dot; /* theta1' */
     dydt[1] = theta2_dot; /* theta2' */
     /* (II.3) 20:4 */
     dydt[2] = k1 * (g * s_theta1 + z5); /* theta1'' */
-    dydt[3] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
+    dydt[3] = k2 * (z4 * s1 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-13 * m1)) {
         /* the mass matrix is singular */
@@ -295,10 +295,10 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     const double z2 = m2 * s1;
     const double z3 = m1 + s1 * z2;
     const double z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1;
-    const double z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3);
+    const double z5 = (l2 * (theta2_dot * theta2_dot) + z4 * c1) * (z2 / z3);
     /* (II.3) */
     qddot[0] = k1 * (g * s_theta1 + z5); /* theta1'' */
-    qddot[1] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
+    qddot[1] = k2 * (z4 * s1 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-13 * m1)) {
         /* the mass matrix is singular */
@@ -435,10 +435,10 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double z4 = g * c_theta1;
     const double z5 = 1.0 / z3;
     const double z6 = l1 * (theta1_dot * theta1_dot) + z4;
-    const double z7 = c1 * z6;
+    const double z7 = z6 * c1;
     const double z8 = m2 * (l2 * (theta2_dot * theta2_dot) + z7);
     const double z9 = c1 * z8;
-    const double z10 = s1 * z6;
+    const double z10 = z6 * s1;
     const double z11 = g * s_theta1;
     const double z12 = c1 * z2;
     const double z13 = s1 * z8;
@@ -534,10 +534,10 @@ static __attribute__((noinline)) void double_pendulum_rhs_lanes(const double *fi
     double_pendulum_lanes sine2, cosine2;
     double_pendulum_turn_lanes(DOUBLE_PENDULUM_SPREAD(theta1), &far, &sine2, &cosine2);
     const double_pendulum_lanes s_theta1 = sine2;
-    const double_pendulum_lanes c1 = cosine1;
     const double_pendulum_lanes c_theta1 = cosine2;
     const double_pendulum_lanes z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1;
-    const double_pendulum_lanes z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3);
+    const double_pendulum_lanes c1 = cosine1;
+    const double_pendulum_lanes z5 = (l2 * (theta2_dot * theta2_dot) + z4 * c1) * (z2 / z3);
     /* (II.3) */
     const double_pendulum_lanes slope1 = theta1_dot;
     double_pendulum_put(dydt, slope1);
@@ -547,7 +547,7 @@ static __attribute__((noinline)) void double_pendulum_rhs_lanes(const double *fi
     const double_pendulum_lanes slope3 = k1 * (g * s_theta1 + z5);
     sum += slope3;
     double_pendulum_put(dydt + 2 * stride, slope3);
-    const double_pendulum_lanes slope4 = k2 * (s1 * z4 + c1 * z5);
+    const double_pendulum_lanes slope4 = k2 * (z4 * s1 + c1 * z5);
     sum += slope4;
     double_pendulum_put(dydt + 3 * stride, slope4);
     double_pendulum_put(check, double_pendulum_mark(far + (sum - sum), bad));

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:b83c59ba1bcc0d59).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:30a4b1f7d182b1a8).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -127,10 +127,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(z3) > 1e-13 * m1:
             raise _refuse(abs(z3), 1e-13 * m1, 2, "rhs")
         s_theta1 = math.sin(theta1)
-        c1 = math.cos(z1)
         c_theta1 = math.cos(theta1)
         z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1
-        z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3)
+        c1 = math.cos(z1)
+        z5 = (l2 * (theta2_dot * theta2_dot) + z4 * c1) * (z2 / z3)
         dydt: list[float] = [
             # theta1' (II.3)
             theta1_dot,
@@ -139,7 +139,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta1'' (II.3) 20:4
             k1 * (g * s_theta1 + z5),
             # theta2'' (II.3) 20:4
-            k2 * (s1 * z4 + c1 * z5),
+            k2 * (z4 * s1 + c1 * z5),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -206,15 +206,15 @@ def accelerations(
         if not abs(z3) > 1e-13 * m1:
             raise _refuse(abs(z3), 1e-13 * m1, 2, "accelerations")
         s_theta1 = math.sin(theta1)
-        c1 = math.cos(z1)
         c_theta1 = math.cos(theta1)
         z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1
-        z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3)
+        c1 = math.cos(z1)
+        z5 = (l2 * (theta2_dot * theta2_dot) + z4 * c1) * (z2 / z3)
         qddot: list[float] = [
             # theta1'' (II.3)
             k1 * (g * s_theta1 + z5),
             # theta2'' (II.3)
-            k2 * (s1 * z4 + c1 * z5),
+            k2 * (z4 * s1 + c1 * z5),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -368,10 +368,10 @@ def jacobian(
         z5 = 1.0 / z3
         c1 = math.cos(z1)
         z6 = l1 * (theta1_dot * theta1_dot) + z4
-        z7 = c1 * z6
+        z7 = z6 * c1
         z8 = m2 * (l2 * (theta2_dot * theta2_dot) + z7)
         z9 = c1 * z8
-        z10 = s1 * z6
+        z10 = z6 * s1
         s_theta1 = math.sin(theta1)
         z11 = g * s_theta1
         z12 = c1 * z2

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:16d405d7b9b3cba4)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:5778090395dcb309)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -261,33 +261,25 @@ int free_rigid_body_quaternion_accelerations(double t, const double *y, const do
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* from the parameters alone */
-    const double k1 = (I2 - I3) / I1;
-    const double k2 = (I1 - I3) / I2;
-    const double k3 = (I1 - I2) / I3;
+    const double k1 = I2 - I3;
+    const double k2 = I1 - I3;
+    const double k3 = 1.0 / I1;
+    const double k4 = 1.0 / I2;
+    const double k5 = (I1 - I2) / I3;
 
     /* from the state */
-    const double z1 = R_2 * w3;
-    const double z2 = R_3 * w2;
-    const double z3 = w3 * w3;
-    const double z4 = R_0 * w2;
-    const double z5 = R_1 * w3;
-    const double z6 = w1 * (2.0 * (z1 * k2) - (R_0 * w1 + 2.0 * (z2 * k3))) - (R_0 * z3 + w2 * (z4 + 2.0 *
-        (z5 * k1)));
-    const double z7 = R_2 * w2;
-    const double z8 = R_3 * w3;
-    const double z9 = R_1 * w2;
-    const double z10 = R_0 * w3;
-    const double z11 = w1 * (2.0 * (z7 * k3) - (R_1 * w1 - 2.0 * (z8 * k2))) - (R_1 * z3 + w2 * (z9 - 2.0 *
-        (z10 * k1)));
-    const double z12 = w1 * (2.0 * (z10 * k2) + (R_2 * w1 + 2.0 * (z9 * k3))) + (R_2 * z3 + w2 * (z7 - 2.0 *
-        (z8 * k1)));
-    const double z13 = w1 * (2.0 * (z4 * k3) - (R_3 * w1 + 2.0 * (z5 * k2))) - (R_3 * z3 + w2 * (z2 + 2.0 *
-        (z1 * k1)));
+    const double z1 = w3 * w3 + (w1 * w1 + w2 * w2);
+    const double z2 = k4 * (w3 * k2);
+    const double z3 = R_3 * w2;
+    const double z4 = R_1 * w2;
+    const double z5 = k3 * (w3 * k1);
+    const double z6 = R_2 * w2;
+    const double z7 = R_0 * w2;
     /* (I.2.15) */
-    qddot[0] = 0.25 * z6; /* R_0'' */
-    qddot[1] = 0.25 * z11; /* R_1'' */
-    qddot[2] = -0.25 * z12; /* R_2'' */
-    qddot[3] = 0.25 * z13; /* R_3'' */
+    qddot[0] = (2.0 * (w1 * (R_2 * z2 - z3 * k5) - z4 * z5) - R_0 * z1) * 0.25; /* R_0'' */
+    qddot[1] = (2.0 * (w1 * (z6 * k5 + R_3 * z2) + z7 * z5) - R_1 * z1) * 0.25; /* R_1'' */
+    qddot[2] = -0.25 * (R_2 * z1 + 2.0 * (w1 * (R_0 * z2 + z4 * k5) - z3 * z5)); /* R_2'' */
+    qddot[3] = (2.0 * (w1 * (z7 * k5 - R_1 * z2) - z6 * z5) - R_3 * z1) * 0.25; /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX)) {
         /* the mass matrix is singular */

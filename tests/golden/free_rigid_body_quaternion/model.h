@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:7d0b7c6a3f4e4d4b)
+ * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:0ffda9d87ad246e2)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -30,7 +30,7 @@
  * Operations:
  * rhs: 11 +-, 22 *, 3 /, 0 calls
  * velocities: 8 +-, 16 *, 0 /, 0 calls
- * accelerations: 23 +-, 53 *, 3 /, 0 calls
+ * accelerations: 17 +-, 39 *, 3 /, 0 calls
  * state: 12 +-, 23 *, 1 /, 0 calls
  * residuals: 3 +-, 5 *, 0 /, 0 calls
  * positions: 4 +-, 4 *, 0 /, 0 calls

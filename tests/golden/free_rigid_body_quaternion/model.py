@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:01a5492ed3bddc54).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:a7c27c5861d70716).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -31,7 +31,7 @@ out[2] = L_z [kg*m^2/s]
 Operations:
 rhs: 11 +-, 22 *, 3 /, 0 calls
 velocities: 8 +-, 16 *, 0 /, 0 calls
-accelerations: 23 +-, 53 *, 3 /, 0 calls
+accelerations: 17 +-, 39 *, 3 /, 0 calls
 state: 12 +-, 23 *, 1 /, 0 calls
 residuals: 3 +-, 5 *, 0 /, 0 calls
 positions: 4 +-, 4 *, 0 /, 0 calls
@@ -219,36 +219,32 @@ def accelerations(
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # from the parameters alone
-        k1 = (I2 - I3) / I1
-        k2 = (I1 - I3) / I2
-        k3 = (I1 - I2) / I3
+        k1 = I2 - I3
+        k2 = I1 - I3
+        k3 = 1.0 / I1
+        k4 = 1.0 / I2
+        k5 = (I1 - I2) / I3
         # from the state
-        z1 = R_2 * w3
-        z2 = R_3 * w2
-        z3 = w3 * w3
-        z4 = R_0 * w2
-        z5 = R_1 * w3
-        s1 = w1 * (2.0 * (z1 * k2) - (R_0 * w1 + 2.0 * (z2 * k3)))
-        z6 = s1 - (R_0 * z3 + w2 * (z4 + 2.0 * (z5 * k1)))
-        z7 = R_2 * w2
-        z8 = R_3 * w3
-        z9 = R_1 * w2
-        z10 = R_0 * w3
-        s2 = w1 * (2.0 * (z7 * k3) - (R_1 * w1 - 2.0 * (z8 * k2)))
-        z11 = s2 - (R_1 * z3 + w2 * (z9 - 2.0 * (z10 * k1)))
-        s3 = w1 * (2.0 * (z10 * k2) + (R_2 * w1 + 2.0 * (z9 * k3)))
-        z12 = s3 + (R_2 * z3 + w2 * (z7 - 2.0 * (z8 * k1)))
-        s4 = w1 * (2.0 * (z4 * k3) - (R_3 * w1 + 2.0 * (z5 * k2)))
-        z13 = s4 - (R_3 * z3 + w2 * (z2 + 2.0 * (z1 * k1)))
+        z1 = w3 * w3 + (w1 * w1 + w2 * w2)
+        z2 = k4 * (w3 * k2)
+        z3 = R_3 * w2
+        z4 = R_1 * w2
+        z5 = k3 * (w3 * k1)
+        z6 = R_2 * w2
+        z7 = R_0 * w2
+        s1 = 2.0 * (w1 * (R_2 * z2 - z3 * k5) - z4 * z5) - R_0 * z1
+        s2 = 2.0 * (w1 * (z6 * k5 + R_3 * z2) + z7 * z5) - R_1 * z1
+        s3 = R_2 * z1 + 2.0 * (w1 * (R_0 * z2 + z4 * k5) - z3 * z5)
+        s4 = 2.0 * (w1 * (z7 * k5 - R_1 * z2) - z6 * z5) - R_3 * z1
         qddot: list[float] = [
             # R_0'' (I.2.15)
-            0.25 * z6,
+            s1 * 0.25,
             # R_1'' (I.2.15)
-            0.25 * z11,
+            s2 * 0.25,
             # R_2'' (I.2.15)
-            -0.25 * z12,
+            -0.25 * s3,
             # R_3'' (I.2.15)
-            0.25 * z13,
+            s4 * 0.25,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

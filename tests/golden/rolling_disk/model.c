@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:f88b850eb2d187ac)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:781c3a624788a133)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -460,8 +460,8 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -479,17 +479,16 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     const double k5 = g * k1;
     const double k6 = 1.0 / k3;
     const double k7 = 1.0 - k2 / k4;
-    const double k8 = A * k6;
+    const double k8 = k4 * k6;
 
     /* from the state */
-    const double z1 = s_theta * k6;
-    const double z2 = w_u * (w_n * (1.0 / s_theta - k4 * z1) + c_theta * w_u * k8) + c_theta * (w_t * w_t -
-        k5 * z1);
-    const double z3 = w_t * w_u * k7;
+    const double z1 = w_t * w_u * k7;
+    const double z2 = c_theta * (w_t * w_t + k6 * (A * (w_u * w_u) - s_theta * k5)) + w_u * w_n * (1.0 /
+        s_theta - s_theta * k8);
     /* (I.4.1) 25:5 */
-    lambda[0] = k1 * (s_phi * z2 + c_phi * z3); /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = k1 * (c_phi * z1 + s_phi * z2); /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 26:5 */
-    lambda[1] = (s_phi * z3 - c_phi * z2) * k1; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = k1 * (s_phi * z1 - c_phi * z2); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(A) > 0.0 && fabs(s_theta) > 1e-12)) {
         /* the mass matrix is singular, or the velocities that are kept are */
@@ -533,7 +532,7 @@ double rolling_disk_energy(double t, const double *y, const double *p)
     const double z1 = w_t * w_t;
     const double z2 = w_n * w_n;
     const double s_theta = sin(theta);
-    const double z3 = k1 * (0.5 * (R * (z1 + z2)) + g * s_theta) + 0.5 * (A * (z1 + w_u * w_u) + C * z2);
+    const double z3 = k1 * (0.5 * (R * (z1 + z2)) + g * s_theta) + 0.5 * (A * (w_u * w_u + z1) + C * z2);
     return z3;
 }
 
@@ -567,8 +566,8 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     const double k5 = 1.0 / k2;
     const double k6 = 1.0 / A;
     const double k7 = k1 / k3;
-    const double k8 = C * k6;
-    const double k9 = -k3 * k5;
+    const double k8 = -k3 * k5;
+    const double k9 = C * k6;
 
     /* from the state */
     const double z = R * s_theta;
@@ -598,11 +597,11 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     J[39] = 1.0;
     J[43] = k5 * (s_theta * k4 - A * (z4 * (w_u * w_u)));
     J[46] = (2.0 * z8 - w_n * k3) * k5;
-    J[47] = w_u * k9;
+    J[47] = w_u * k8;
     J[51] = w_t * z5;
     J[53] = k6 * (C * w_n - z8);
     J[54] = -w_t * z7;
-    J[55] = w_t * k8;
+    J[55] = w_t * k9;
     J[61] = w_u * k7;
     J[62] = w_t * k7;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

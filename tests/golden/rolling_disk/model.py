@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:6aefd621c4ea40d1).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:62798ddea1d8a378).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -413,24 +413,23 @@ def reactions(
         k5 = g * k1
         k6 = 1.0 / k3
         k7 = 1.0 - k2 / k4
-        k8 = A * k6
+        k8 = k4 * k6
         # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
             raise _refuse(abs(s_theta), 1e-12, 1, "reactions")
-        s_phi = math.sin(phi)
-        z1 = s_theta * k6
-        c_theta = math.cos(theta)
-        s1 = w_u * (w_n * (1.0 / s_theta - k4 * z1) + c_theta * w_u * k8)
-        z2 = s1 + c_theta * (w_t * w_t - k5 * z1)
         c_phi = math.cos(phi)
-        z3 = w_t * w_u * k7
+        z1 = w_t * w_u * k7
+        s_phi = math.sin(phi)
+        c_theta = math.cos(theta)
+        s1 = c_theta * (w_t * w_t + k6 * (A * (w_u * w_u) - s_theta * k5))
+        z2 = s1 + w_u * w_n * (1.0 / s_theta - s_theta * k8)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 25:5
-            k1 * (s_phi * z2 + c_phi * z3),
+            k1 * (c_phi * z1 + s_phi * z2),
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 26:5
-            (s_phi * z3 - c_phi * z2) * k1,
+            k1 * (s_phi * z1 - c_phi * z2),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -460,7 +459,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         z2 = w_n * w_n
         s_theta = math.sin(theta)
         s1 = k1 * (0.5 * (R * (z1 + z2)) + g * s_theta)
-        z3 = s1 + 0.5 * (A * (z1 + w_u * w_u) + C * z2)
+        z3 = s1 + 0.5 * (A * (w_u * w_u + z1) + C * z2)
         value1 = z3
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -505,8 +504,8 @@ def jacobian(
         k5 = 1.0 / k2
         k6 = 1.0 / A
         k7 = k1 / k3
-        k8 = C * k6
-        k9 = -k3 * k5
+        k8 = -k3 * k5
+        k9 = C * k6
         # from the state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -590,7 +589,7 @@ def jacobian(
             # (I.2.15)
             (2.0 * z8 - w_n * k3) * k5,
             # (I.2.15)
-            w_u * k9,
+            w_u * k8,
             0.0,
             0.0,
             0.0,
@@ -602,7 +601,7 @@ def jacobian(
             # (I.2.15)
             -w_t * z7,
             # (I.2.15)
-            w_t * k8,
+            w_t * k9,
             0.0,
             0.0,
             0.0,

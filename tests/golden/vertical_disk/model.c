@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:b519bc88dc69cad9)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:16c98d6e43433af0)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -355,7 +355,7 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
     /* from the parameters alone */
     const double k1 = m * R;
 
-    /* state */
+    /* from the state */
     const double z1 = k1 * (phi_dot * theta_dot);
     /* (I.4.1) 18:5 */
     lambda[0] = -s_phi * z1; /* reaction of roll_x: Q_i gains lambda_1 a_1i */

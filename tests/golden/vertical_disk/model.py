@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:ebb8fa6ab970d2c6).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:b57bbd613eb33836).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
