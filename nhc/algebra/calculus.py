@@ -9,7 +9,6 @@ from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 from fractions import Fraction
 
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.roots import size_of_part
 
 
 def reachable(
@@ -187,7 +186,7 @@ def _unary_derivative(g: Graph, op: str, node: Node, x: Node) -> Node:
     if op == "log":
         return g.inverse(x)
     if op == "sqrt":
-        size = size_of_part(g, x)
+        size = g.size_of_part(x)
         return g.inverse(g.mul(g.number(2), node if size is None else g.function("sqrt", size)))
     if op == "abs":
         return g.function("sign", x)
@@ -201,7 +200,7 @@ def _binary_partials(g: Graph, op: str, node: Node, x: Node, y: Node) -> tuple[N
         inverse = g.inverse(g.add(g.power(x, 2), g.power(y, 2)))
         return g.mul(y, inverse), g.neg(g.mul(x, inverse))
     if op == "powf":
-        size = size_of_part(g, x)
+        size = g.size_of_part(x)
         slope = g.mul(y, g.function("powf", x if size is None else size, g.sub(y, g.one)))
         growth = g.zero if g.value(y) is not None else g.mul(node, g.function("log", x))
         return slope, growth

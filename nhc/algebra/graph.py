@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from math import isqrt
 
+from nhc.algebra.known_values import known_value
 from nhc.algebra.nodes import (
     ADD,
     BINARY,
@@ -34,26 +34,11 @@ from nhc.algebra.nodes import (
     Symbol,
     exact_power,
 )
-from nhc.algebra.roots import join_root
 
 __all__ = ["ADD", "BINARY", "MUL", "NEG", "NUM", "PI", "POW", "SYM", "UNARY", "Graph", "Node", "Symbol"]
 
 _ODD = frozenset({"sin", "asin", "atan", "sinh", "tanh", "sign"})
 _EVEN = frozenset({"cos", "cosh", "abs"})
-# value at zero, where it is rational
-_AT_ZERO = {
-    "sin": 0,
-    "cos": 1,
-    "asin": 0,
-    "atan": 0,
-    "sinh": 0,
-    "cosh": 1,
-    "tanh": 0,
-    "exp": 1,
-    "sqrt": 0,
-    "abs": 0,
-    "sign": 0,
-}
 
 
 class Graph(NodeStore):
@@ -205,7 +190,7 @@ class Graph(NodeStore):
             if bx == by:
                 return self.mul_number(k, self.power(bx, ex + ey))
             if (ex > 0) != (ey > 0):
-                joined = join_root(self, bx, ex, by, ey)
+                joined = self._join_root(bx, ex, by, ey)
                 if joined is not None:
                     return self.mul_number(k, joined)
             if kind == MUL or other == MUL:
@@ -230,10 +215,37 @@ class Graph(NodeStore):
             else:
                 b, e = factor, 1
             if (e > 0) != (exponent > 0):
-                joined = self.power(base, e + exponent) if b == base else join_root(self, b, e, base, exponent)
+                joined = self.power(base, e + exponent) if b == base else self._join_root(b, e, base, exponent)
                 if joined is not None:
                     return self.mul(other, joined)
         return None
+
+    def _join_root(self, x: Node, m: int, y: Node, n: int) -> Node | None:
+        """x^m * sqrt(k x)^n, in either order, as one power of the root; None where neither is the other's root.
+
+        x^2/sqrt(x) would be 0/0 at x = 0, where sqrt(x)^3 is 0.  So would max(0, u)^2/sqrt(|u|), which is sqrt(max(0, u))^3.
+        """
+        if self.op[x] == "sqrt":
+            x, m, y, n = y, n, x, m
+        if self.op[y] != "sqrt":
+            return None
+        inner = self.a[y]
+        if self.core[inner] == x:
+            return self.mul_number(exact_power(Fraction(self.coefficient[inner]), -m), self.power(y, 2 * m + n))
+        if m > 0 and 2 * m + n > 0 and self.size_of_part(x) == inner:
+            return self.power(self.function("sqrt", x), 2 * m + n)
+        return None
+
+    def size_of_part(self, x: Node) -> Node | None:
+        """|u| where x = max(0, u), else None.
+
+        Slopes that are infinite at x = 0 are taken at |u|: the same where u > 0, and finite where u < 0, so that the slope of max,
+        which is 0 there, makes them 0.
+        """
+        if self.op[x] != "max" or self.zero not in self.kids[x]:
+            return None
+        first, second = self.kids[x]
+        return self.function("abs", second if first == self.zero else first)
 
     def product(self, factors: Iterable[Node]) -> Node:
         result = self.one
@@ -287,9 +299,9 @@ class Graph(NodeStore):
             return known
         value = self.value(x)
         if value is not None:
-            known = self._known(name, value)
-            if known is not None:
-                return known
+            exact = known_value(name, value)
+            if exact is not None:
+                return self.number(exact)
         if name in ("sin", "cos"):
             quarter = self._quarter_turns(x)
             if quarter is not None:
@@ -320,21 +332,6 @@ class Graph(NodeStore):
             if vx is not None and vy is not None:
                 return self.number(min(vx, vy) if name == "min" else max(vx, vy))
         return self._make(name, x, y, self.deps[x] | self.deps[y])
-
-    def _known(self, name: str, value: Fraction) -> Node | None:
-        if value == 0 and name in _AT_ZERO:
-            return self.number(_AT_ZERO[name])
-        if name == "log" and value == 1:
-            return self.zero
-        if name == "sqrt" and value > 0:
-            top, bottom = isqrt(value.numerator), isqrt(value.denominator)
-            if top * top == value.numerator and bottom * bottom == value.denominator:
-                return self.number(Fraction(top, bottom))
-        if name == "abs":
-            return self.number(abs(value))
-        if name == "sign":
-            return self.number((value > 0) - (value < 0))
-        return None
 
     def _quarter_turns(self, x: Node) -> int | None:
         """k where x is k*pi/2, else None."""
