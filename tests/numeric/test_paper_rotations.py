@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from nhc.algebra.calculus import substitute
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_zero
 from nhc.emit.text import print_derivation
 from nhc.language import Source, decode, read
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.resolve import resolve

@@ -7,12 +7,12 @@ from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass, field, replace
 
 from nhc.algebra.calculus import count, substitute
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import NEG, Node
-from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.exterior import Form
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.rotation import name_entries, rows_in_base
 from nhc.mechanics.system import Form as VelocityForm
 from nhc.mechanics.system import System
