@@ -126,7 +126,7 @@ def _motion_lines(found: Findings) -> list[str]:
     flow, steady = found.flow, found.linearisation.steady
     kind = "equilibrium" if steady.equilibrium else "steady motion"
     head = f"{flow.system.name}, {found.formulation.name} ({found.formulation.number}): {kind}"
-    lines = [head, f"  what should stand still does, {_short(steady.residual)}"]
+    lines = [head, f"  the rates that must vanish do, {_short(steady.residual)}"]
     width = max(len(name) for name in flow.names)
     for i, (name, value) in enumerate(zip(flow.names, steady.y, strict=True)):
         lines.append(
@@ -171,7 +171,9 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
     if made.family:
         lines.append(f"  {several(made.family, 'structural zero')}, left out: the steady motions form a family")
     if left_out:
-        lines.append(f"  {several(left_out, 'direction')} left out: the constraints, open or hidden, do not allow them")
+        lines.append(
+            f"  {several(left_out, 'direction')} left out: forbidden by the constraints, including hidden ones"
+        )
     if made.turns:
         lines.append(
             f"  {several(made.turns, 'direction')} left out: turns of the whole motion, on which nothing depends"

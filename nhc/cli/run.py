@@ -149,6 +149,8 @@ def command(
     for note in found.notes:
         say(f"note: {note}")
     if found.ended in ("done", "event"):
+        if until and found.ended != "event":
+            say("the expression of `--until` does not cross zero before the end of the scene")
         _deliver(found, target)
         return 0
     return _report(found, target)

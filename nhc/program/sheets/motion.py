@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.algebra.calculus import count, derivative, gradient, substitute
@@ -12,6 +13,7 @@ from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.formulations.euler_lagrange import quasi_energy
 from nhc.mechanics.formulations.lagrange import momenta
 from nhc.mechanics.formulations.multipliers import multiplier_symbols
+from nhc.mechanics.frame import Frame
 from nhc.mechanics.properties.constancy import has_jumps
 from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
 from nhc.mechanics.turning import moving
@@ -91,12 +93,27 @@ def motion_sheet(desk: Desk) -> DraftSheet:
 
 def _mass_matrix(desk: Desk) -> list[list[Node]]:
     """That of the equations; with rotations made again from T, where their entries still stand and can be read."""
-    frame, g = desk.formulation.frame, desk.graph
+    frame = desk.formulation.frame
     if not desk.system.rotations or frame is None or desk.formulation.name != "euler-lagrange":
         return [list(row) for row in desk.equations.mass]
+    return _inertia(desk, frame.free, frame)
+
+
+def _reaction_masses(desk: Desk) -> list[list[Node]]:
+    """The same for the rows of the reactions."""
+    frame = desk.formulation.frame
+    if not desk.system.rotations or frame is None or desk.formulation.name != "euler-lagrange":
+        return [list(row.mass) for row in desk.equations.reactions]
+    return _inertia(desk, frame.omega[: desk.system.l], frame)
+
+
+def _inertia(desk: Desk, rows: Sequence[Node], frame: Frame) -> list[list[Node]]:
+    """d2T/d omega_i d omega_mu on the constraints, for i in ``rows`` and mu free; rotations are written by their entries."""
+    g = desk.graph
+    momentum_nodes = gradient(g, desk.by_entries(quasi_energy(frame)), rows)
     held = dict.fromkeys(frame.omega[: desk.system.l], g.zero)
-    (energy,) = substitute(g, [desk.by_entries(quasi_energy(frame))], held, named=False)
-    return [gradient(g, p, frame.free) for p in gradient(g, energy, frame.free)]
+    slopes = [gradient(g, p, frame.free) for p in momentum_nodes]
+    return [substitute(g, row, held, named=False) for row in slopes]
 
 
 def _constraint_rates(desk: Desk, sheet: DraftSheet) -> None:
@@ -175,8 +192,9 @@ def reaction_sheet(desk: Desk) -> DraftSheet | None:
     sheet.add(REACTION)
     sheet.say("On the motion")
     rates = [desk.mark(rate) for rate in equations.motion.rates]
-    for symbol, row, form in zip(multiplier_symbols(system), equations.reactions, system.constraints, strict=True):
-        right = (*desk.linear(row.mass, rates), *desk.value(g.neg(row.force)))
+    rows = zip(multiplier_symbols(system), equations.reactions, _reaction_masses(desk), system.constraints, strict=True)
+    for symbol, row, mass, form in rows:
+        right = (*desk.linear(mass, rates), *desk.value(g.neg(row.force)))
         sheet.add(Draft(desk.name(desk.mark(symbol)), right, equation="I.4.1", place=form.place))
     return sheet
 
