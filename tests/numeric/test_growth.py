@@ -123,6 +123,24 @@ def steered(count: int) -> str:
     )
 
 
+def hung(count: int) -> str:
+    """A chain of rods that hangs at both ends."""
+    every, define = range(1, count + 1), []
+    for i in every:
+        x, y = (f"x{i - 1} + ", f"y{i - 1}") if i > 1 else ("", "")
+        define += [f"x{i}: {x}l*sin(b{i})", f"y{i}: {y}-l*cos(b{i})"]
+    return assemble(
+        [f"b{i}" for i in every],
+        {
+            "parameters": "{m: 0.5, l: 0.7, g: 9.81}",
+            "define": define,
+            "T": "m/2*(" + " + ".join(f"x{i}'^2 + y{i}'^2" for i in every) + ")",
+            "V": "m*g*(" + " + ".join(f"y{i}" for i in every) + ")",
+            "holonomic": [f"- x{count} = {0.5 * count}", f"- y{count} = 0"],
+        },
+    )
+
+
 def operations(text: str) -> int:
     (rhs,) = program(Source("many.yaml", text), Options(only=("rhs",))).functions
     return rhs.adds + rhs.multiplications + rhs.divisions
@@ -156,6 +174,11 @@ def test_any_order_of_pivots_solves_the_same(seed: int) -> None:
     assert not arrow or size < 3 or factors.order[0] != 0
     found = solve_factored(g, factors, right)
     assert are_equal(g, [g.dot(row, found) for row in matrix], right)
+
+
+def test_coframes_are_sought_among_few_sets_of_columns() -> None:
+    """Two rows on n columns have n^3/6 sets of minors."""
+    assert growth(hung, 12) < 1.6
 
 
 @pytest.mark.parametrize("text", [discs, balls], ids=lambda text: text.__name__)
