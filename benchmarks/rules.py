@@ -22,7 +22,10 @@ from nhc.program.ir import Program
 from nhc.program.model import build_program
 
 PAGE = ROOT / "docs" / "rewriting.md"
-SYSTEMS = ("sleigh", "disk", "trailers5", "snake5", "pendulum5", "bicycle", "snakeboard", "voronec_particle", "atoms3")
+SYSTEMS = (
+    *("sleigh", "disk", "trailers5", "snake5", "pendulum5", "bicycle"),
+    *("snakeboard", "smooth_tippe_top", "voronec_particle", "atoms3"),
+)
 
 
 @dataclass(frozen=True)

@@ -108,4 +108,4 @@ def _held(equations: Equations, tree: Elimination) -> tuple[list[Node], Pivots]:
     reactions = solve_factored(g, factors, right)
     columns = zip(tree.rates, *answers, strict=True)
     accelerations = [g.sum([a, *(g.mul(x, y) for x, y in zip(reactions, ys, strict=True))]) for a, *ys in columns]
-    return accelerations, [(d, matrix[k][k]) for k, d in enumerate(factors.pivots)]
+    return accelerations, [(d, matrix[k][k]) for k, d in zip(factors.order, factors.pivots, strict=True)]

@@ -88,5 +88,5 @@ def _dense(equations: Equations) -> MassRoute:
     g = equations.system.graph
     factors = factor(g, equations.mass)
     values = shorten(g, solve_factored(g, factors, equations.force))
-    pivots = [(pivot, equations.mass[k][k]) for k, pivot in enumerate(factors.pivots)]
+    pivots = [(pivot, equations.mass[k][k]) for k, pivot in zip(factors.order, factors.pivots, strict=True)]
     return MassRoute(g, equations, values, pivots, None, {}, _factors=factors)

@@ -100,17 +100,59 @@ def map_nodes(plan: FunctionPlan, change: Callable[[list[Node]], list[Node]]) ->
 
 @record
 class Factors:
-    """L (unit lower, below the diagonal), the pivots d and their reciprocals of a symmetric matrix L D L^T."""
+    """L (unit lower, below the diagonal), the pivots d and their reciprocals of a symmetric matrix L D L^T, whose rows and columns
+    are taken in this ``order``.
+    """
 
     lower: tuple[tuple[Node, ...], ...]
     pivots: tuple[Node, ...]
     reciprocals: tuple[Node, ...]
+    order: tuple[int, ...]
+
+
+def elimination_order(pattern: Sequence[int]) -> list[int]:
+    """The order in which the fewest entries arise; ``pattern[i]`` has the bits of row i's entries that are not zero.
+
+    As given, or each time a row with the fewest entries next (W. F. Tinney and J. W. Walker, Proc. IEEE 55 (1967) 1801), where
+    that takes fewer operations: any order is stable for a positive matrix.
+    """
+    size = len(pattern)
+    given, taken = _Elimination(pattern), _Elimination(pattern)
+    for k in range(size):
+        given.take(k)
+    left, order = list(range(size)), list[int]()
+    while left:
+        k = min(left, key=taken.width)
+        left.remove(k)
+        order.append(k)
+        taken.take(k)
+    return order if taken.work < given.work else list(range(size))
+
+
+class _Elimination:
+    """Which entries arise while rows are taken away, and the operations that this takes."""
+
+    def __init__(self, pattern: Sequence[int]) -> None:
+        self._rows = [row & ~(1 << i) for i, row in enumerate(pattern)]
+        self.work = 0
+
+    def width(self, k: int) -> int:
+        return self._rows[k].bit_count()
+
+    def take(self, k: int) -> None:
+        own, width = self._rows[k], self.width(k)
+        self.work += width * (width + 3)
+        for i in range(len(self._rows)):
+            if own >> i & 1:
+                self._rows[i] = (self._rows[i] | own) & ~(1 << i) & ~(1 << k)
 
 
 def factor(graph: Graph, matrix: Sequence[Sequence[Node]]) -> Factors:
     """L D L^T of a symmetric matrix, unrolled; structural zeros cost nothing."""
     size = len(matrix)
-    work = [list(row) for row in matrix]
+    pattern = [sum(1 << j for j, x in enumerate(row) if x != graph.zero) for row in matrix]
+    order = list(range(size)) if "order of pivots" in graph.off else elimination_order(pattern)
+    work = [[matrix[i][j] for j in order] for i in order]
     lower = [[graph.zero] * size for _ in range(size)]
     pivots, reciprocals = [], []
     for k in range(size):
@@ -128,13 +170,13 @@ def factor(graph: Graph, matrix: Sequence[Sequence[Node]]) -> Factors:
                 if work[j][k] != graph.zero:
                     work[i][j] = graph.sub(work[i][j], graph.mul(lower[i][k], work[j][k]))
                     work[j][i] = work[i][j]
-    return Factors(tuple(tuple(row) for row in lower), tuple(pivots), tuple(reciprocals))
+    return Factors(tuple(tuple(row) for row in lower), tuple(pivots), tuple(reciprocals), tuple(order))
 
 
 def solve_factored(graph: Graph, factors: Factors, right: Sequence[Node]) -> list[Node]:
     """x with L D L^T x = right."""
     size = len(right)
-    y = list(right)
+    y = [right[i] for i in factors.order]
     for i in range(size):
         for k in range(i):
             if factors.lower[i][k] != graph.zero and y[k] != graph.zero:
@@ -144,4 +186,5 @@ def solve_factored(graph: Graph, factors: Factors, right: Sequence[Node]) -> lis
         for k in range(i + 1, size):
             if factors.lower[k][i] != graph.zero and x[k] != graph.zero:
                 x[i] = graph.sub(x[i], graph.mul(factors.lower[k][i], x[k]))
-    return x
+    place = {i: k for k, i in enumerate(factors.order)}
+    return [x[place[i]] for i in range(size)]

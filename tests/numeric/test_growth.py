@@ -5,16 +5,21 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from math import log2
+from random import Random
 from types import FrameType
 
 import pytest
 
+from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.graph import Graph
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
+from nhc.pipeline import Options, program
 from nhc.program.model import build_program
+from nhc.program.plan import factor, solve_factored
 
 
 def count_calls(run: Callable[[], object]) -> int:
@@ -94,6 +99,86 @@ def balls(count: int) -> str:
             "constraints": rows,
         },
     )
+
+
+def steered(count: int) -> str:
+    """A snake whose links stand on wheels that are steered: the steering rates are free, each joined to the same two others."""
+    every, define, rows = range(1, count + 1), ["x1: x", "y1: y"], []
+    for i in every:
+        before = i - 1
+        if before:
+            define.append(f"x{i}: x{before} - a*cos(b{before}) - a*cos(b{i})")
+            define.append(f"y{i}: y{before} - a*sin(b{before}) - a*sin(b{i})")
+        rows.append(f"- -sin(b{i} + s{i})*x{i}' + cos(b{i} + s{i})*y{i}' = 0")
+    squares = " + ".join(f"x{i}'^2 + y{i}'^2 + J*b{i}'^2 + S*(b{i}' + s{i}')^2" for i in every)
+    return assemble(
+        ["x", "y", *(f"b{i}" for i in every), *(f"s{i}" for i in every)],
+        {
+            "parameters": "{a: 0.5, J: 0.1, S: 0.01}",
+            "define": define,
+            "T": f"({squares})/2",
+            "constraints": rows,
+            "quasi_velocities": ["v: cos(b1 + s1)*x' + sin(b1 + s1)*y'", "w: b1'", *(f"u{i}: s{i}'" for i in every)],
+        },
+    )
+
+
+def hung(count: int) -> str:
+    """A chain of rods that hangs at both ends."""
+    every, define = range(1, count + 1), []
+    for i in every:
+        x, y = (f"x{i - 1} + ", f"y{i - 1}") if i > 1 else ("", "")
+        define += [f"x{i}: {x}l*sin(b{i})", f"y{i}: {y}-l*cos(b{i})"]
+    return assemble(
+        [f"b{i}" for i in every],
+        {
+            "parameters": "{m: 0.5, l: 0.7, g: 9.81}",
+            "define": define,
+            "T": "m/2*(" + " + ".join(f"x{i}'^2 + y{i}'^2" for i in every) + ")",
+            "V": "m*g*(" + " + ".join(f"y{i}" for i in every) + ")",
+            "holonomic": [f"- x{count} = {0.5 * count}", f"- y{count} = 0"],
+        },
+    )
+
+
+def operations(text: str) -> int:
+    (rhs,) = program(Source("many.yaml", text), Options(only=("rhs",))).functions
+    return rhs.adds + rhs.multiplications + rhs.divisions
+
+
+def test_steered_links_cost_the_same_each() -> None:
+    """Two velocities meet all others, and these meet nothing else: taken last they leave no entries behind.
+
+    Written out, the sums along such a chain would double with every link.
+    """
+    four, eight, sixteen = (operations(steered(n)) for n in (4, 8, 16))
+    assert sixteen - eight <= 2.1 * (eight - four)
+    assert growth(steered, 8) < 1.4
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_any_order_of_pivots_solves_the_same(seed: int) -> None:
+    """Matrices with random zeros, and arrows: L D L^T in another order is the solution as a rational function."""
+    draw, g = Random(seed), Graph()
+    size = draw.randrange(2, 7)
+    entry = {(i, j): g.symbol(f"m{i}{j}") for i in range(size) for j in range(i + 1)}
+    arrow = seed % 2 == 0
+    gone = {(i, j) for i, j in entry if i != j and (j > 0 if arrow else draw.random() < 0.6)}
+    matrix = [
+        [g.zero if (max(i, j), min(i, j)) in gone else entry[max(i, j), min(i, j)] for j in range(size)]
+        for i in range(size)
+    ]
+    right = [g.symbol(f"r{i}") for i in range(size)]
+    factors = factor(g, matrix)
+    assert sorted(factors.order) == list(range(size))
+    assert not arrow or size < 3 or factors.order[0] != 0
+    found = solve_factored(g, factors, right)
+    assert are_equal(g, [g.dot(row, found) for row in matrix], right)
+
+
+def test_coframes_are_sought_among_few_sets_of_columns() -> None:
+    """Two rows on n columns have n^3/6 sets of minors."""
+    assert growth(hung, 12) < 1.6
 
 
 @pytest.mark.parametrize("text", [discs, balls], ids=lambda text: text.__name__)

@@ -41,6 +41,7 @@ WHOLE = {
     "moving axes": "trailers3",
     "leaning joints": "bicycle",
     "trees": "pendulum5",
+    "order of pivots": "smooth_tippe_top",
     "pieces": "voronec_particle",
     "related angles": "snakeboard",
     "equal values": "trailers3",

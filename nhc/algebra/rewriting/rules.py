@@ -59,6 +59,11 @@ RULES = (
         "program/mass_route.py",
     ),
     Rule(
+        "order of pivots",
+        "L D L^T takes rows with few entries first, where fewer entries arise on the way",
+        "program/plan.py",
+    ),
+    Rule(
         "shared products",
         "pairs of factors that stand in several products are multiplied once; parameters stand together in front",
         "algebra/rewriting/products.py",

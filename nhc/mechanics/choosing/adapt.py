@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Sequence
-from itertools import combinations
+from itertools import combinations, islice
 
 from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.dense import Singular
@@ -28,6 +28,7 @@ from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import rows_in_base
 
 _MOST_ROWS = 3
+_MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
 _ROUNDING = 1e-12
 _TURNS = 8  # orders of velocities to complete a coframe with that are tried
@@ -99,7 +100,7 @@ def _minor_form(
     known, constants = intervals(system), g.mask(system.p)
     own = {r: without_common(g, system.constraints[r].coefficients, constants) for r in rows}
     found: list[tuple[bool, int, tuple[int, ...], list[Node], Node]] = []
-    for subset in combinations(columns, size + 1):
+    for subset in islice(combinations(columns, size + 1), _MOST_SUBSETS):
         block = [[own[r][j] for j in subset] for r in rows]
         if rank(g, block) < size:
             continue
@@ -109,6 +110,8 @@ def _minor_form(
             minors.append(normalise(g, g.neg(minor) if k % 2 else minor, 120))
         gram = normalise(g, g.sum([g.power(m, 2) for m in minors]), 200)
         found.append((not cannot_vanish(g, gram, known), len(found), subset, minors, gram))
+        if not found[-1][0]:
+            break
     if not found:
         return None
     singular, _, subset, minors, _ = min(found)

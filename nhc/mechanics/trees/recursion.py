@@ -17,6 +17,7 @@ from nhc.algebra.monomials import Monomial, split_parameters, tidy
 Terms = dict[int, Node]
 Term = tuple[int, Node]  # rate and coefficient
 Weights = dict[tuple[int, int], Node]
+_MANY = 4  # terms of a form for each rate beyond which it is no sum along a chain
 _WIDE = 2.5  # terms per definition, on average, beyond which the forms are read again from their terms
 
 
@@ -156,6 +157,8 @@ def _by_terms(graph: Graph, wide: Recursion) -> Recursion:
     """The same forms with the prefixes that their terms share: terms that many forms have come first."""
     flat: list[list[Term]] = []
     for terms, constant in zip(wide.definitions, wide.constants, strict=True):
+        if sum(1 if i < wide.rates else len(flat[i - wide.rates]) for i in terms) > _MANY * wide.rates:
+            return wide  # definitions that hold several others each: written out, they double with every one
         flat.append(_flatten(graph, wide.rates, terms, flat))
         if constant != graph.zero or len(set(flat[-1])) < len(flat[-1]):
             return wide
