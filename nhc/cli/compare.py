@@ -81,7 +81,9 @@ def _compare_two(spec: str, other: str, maps: tuple[str, ...], as_json: bool) ->
     from nhc.cli.compare_specs import print_comparison, to_data
     from nhc.mechanics.pairs.verdict import compare_specs
 
-    made = compare_specs(*sources, maps, (spec, other) if spec != other else ("the first", "the second"))
+    first, second = ("stdin" if name == "-" else name for name in (spec, other))
+    names = ("the first", "the second") if first == second else (first, second)
+    made = compare_specs(*sources, maps, names)
     if as_json:
         put_json("nhc.compare-specs/1", to_data(made))
     else:

@@ -79,7 +79,7 @@ def _verdict(made: Comparison) -> str:
         what = "the same motion" if not any(_alone(made)) else f"the same motion of {_list(made)}"
         if made.is_sure:
             return f"{what}, {_for_which(made)}"
-        return f"{what} at {len(found.primes)} points; elsewhere it need not be, with so many signs"
+        return f"{what} at {len(found.primes)} points; elsewhere it need not be, with so many signs or roots"
     if not found.same_velocities:
         return "they DIFFER in the velocities that the constraints allow"
     if not found.same_places:
@@ -139,12 +139,19 @@ def _accelerations(made: Comparison) -> list[str]:
         elif abs(worst.first[k] - worst.second[k]) <= _SEEN * max(1.0, abs(worst.first[k])):
             far = f"by {off:.2g} at another state (relative)"
         else:
-            far = f"{worst.first[k]:.6g} in {made.names[0]}, {worst.second[k]:.6g} in {made.names[1]}"
+            x, y = _tell_apart(worst.first[k], worst.second[k])
+            far = f"{x} in {made.names[0]}, {y} in {made.names[1]}"
         lines.append(f"{name:{width}}  {word}; {far}")
     if worst is not None and not made.agrees and made.largest > _SEEN:
         shown = ", ".join(f"{name} = {value:.6g}" for name, value in worst.values)
         lines.append(f"this is where they differ most, {worst.state}: {shown}")
     return lines
+
+
+def _tell_apart(x: float, y: float) -> tuple[str, str]:
+    """Both with as many digits as it takes to see that they differ, six at least."""
+    digits = next((n for n in range(6, 17) if f"{x:.{n}g}" != f"{y:.{n}g}"), 17)
+    return f"{x:.{digits}g}", f"{y:.{digits}g}"
 
 
 def _rates(made: Comparison) -> list[str]:
@@ -191,8 +198,9 @@ def _left_out(made: Comparison) -> list[str]:
 def _exactness(made: Comparison) -> list[str]:
     bound = made.log10_bound
     small = f"10^{ceil(bound)}" if bound <= -1.0 else f"{ceil(100 * 10**bound) / 100:g}"
-    points = f"exact: {_count(len(made.found.primes), 'point')} modulo primes of 61 bits"
-    lines = [f"{points}; a difference passes unseen with a probability below {small}"]
+    lines = [f"exact: {_count(len(made.found.primes), 'point')} modulo primes of 61 bits"]
+    if any(made.found.equal):  # what is found to differ does
+        lines[0] += f"; a difference passes unseen with a probability below {small}"
     if not made.on_leaf:
         lines.append("  at all levels of the equations under `holonomic:`, not only where they are zero")
     return [*lines, "not compared: reactions, energies, outputs, scenes"]

@@ -31,6 +31,8 @@ LONGER, FIRST = 4, 400
 """Times the full model's steps, and that many more: a smaller model whose interpreted run needs more, for it sticks or slides along
 a jump, goes on to the C compiler.
 """
+PATIENT, _LEAST_MOST = 20, 50_000
+"""Times the steps of the full model's longest run, and that many more: what a run of a smaller model may take."""
 LARGE = 1500  # operations, beyond which the Jacobian takes too long for the sake of choosing a method
 _FAR = 2.0  # times the tolerance: no noise of a run makes up for that
 _BUDGET, _MOST = 0.02, 1_000_000
@@ -53,7 +55,7 @@ class Meter:
     """The reference, to hold models against; ``own`` are its own errors, ``sizes`` the quantities' largest magnitudes.
 
     ``quick``: steps up to which trials run the emitted Python, since the motion is short; the emitted C, which takes over there,
-    makes the same numbers to rounding.  0: it does all of them.
+    makes the same numbers to rounding.  0: it does all of them.  ``most``: steps after which a trial is given up.
     """
 
     scene: str
@@ -62,6 +64,7 @@ class Meter:
     method: str
     second: Settings
     quick: int
+    most: int
     job: Job
     compiled: bool
     needs: tuple[str, ...]
@@ -89,7 +92,7 @@ class Meter:
         return self._run(self.open(text), again)
 
     def _run(self, job: Job, again: bool) -> tuple[tuple[float, ...], Size]:
-        settings = self.second if again else self.settings
+        settings = replace(self.second if again else self.settings, most=self.most)
         try:
             found = None if again or not self.quick else run(job, replace(settings, compiled=False, most=self.quick))
             if found is None or found.outcome.kind == TOO_MANY:
@@ -98,6 +101,10 @@ class Meter:
             raise Refused(f"the run without it fails: {error}") from error
         if found.headings != self.needs:
             raise Refused("the model without it delivers other quantities")
+        if found.outcome.kind == TOO_MANY:
+            raise Refused(
+                f"the run without it takes more than {self.most} steps, and is at t = {found.outcome.t:.6g} then"
+            )
         if found.ended != "done":
             raise Refused(f"the run without it ends at t = {found.outcome.t:.6g}: {found.reason}")
         errors = errors_of(found.rows, self.rows, self.sizes)
@@ -179,8 +186,9 @@ def meter_of(source: Source, scene: str, formulation: str, tolerance: float) -> 
         )
     steps = plain.outcome.steps + plain.outcome.rejected
     quick = LONGER * steps + FIRST if plain.compiled and _is_quick(job, settings, steps) else 0
+    most = PATIENT * max(each.outcome.steps + each.outcome.rejected for each in (plain, best, other)) + _LEAST_MOST
     return Meter(
-        *(job.scene.name, formulation, tolerance, method, second, quick, job, plain.compiled),
+        *(job.scene.name, formulation, tolerance, method, second, quick, most, job, plain.compiled),
         *(best.headings, best.rows, sizes, own, size_of(plain), plain.notes),
     )
 
