@@ -14,30 +14,33 @@ from nhc.simulate.task import DONE, NO_SOLUTION, SINGULAR, STOPPED, TOO_MANY, Ne
 
 
 class NaturalModel(TextModel):
-    """A natural system; the rows of its outcomes are the program's states, like those of the other models."""
+    """A natural system; the rows of its outcomes are the program's states, like those of the other models.
+
+    ``unit`` is what L is multiplied by, which leaves the motion the same: a power of 2 that brings masses near 1, so that what
+    Newton's method takes for rounding, and the length that a discrete gradient is taken along, do not hang on the unit of mass.
+    """
 
     def __init__(self, program: Program) -> None:
         super().__init__(program)
         self.n, self.l = len(program.coordinates), len(program.constraints)
         self.p: Sequence[float] = ()
-        self.t, self.calls = 0.0, 0
+        self.t, self.calls, self.unit = 0.0, 0, 1.0
 
     # --- the system as the methods see it
 
     def mass(self, q: Sequence[float]) -> Matrix:
-        return self._block(self.module.mass(self.t, q, self._still, self.p), self.n)
+        return self._block([self.unit * x for x in self.module.mass(self.t, q, self._still, self.p)], self.n)
 
     def rows(self, q: Sequence[float]) -> Matrix:
         return self._block(self.module.rows(self.t, q, self._still, self.p), self.l)
 
     def slope(self, q: Sequence[float], v: Sequence[float]) -> list[float]:
         self.calls += 1
-        values: list[float] = self.module.slope(self.t, q, v, self.p)
-        return values
+        return [self.unit * x for x in self.module.slope(self.t, q, v, self.p)]
 
     def total(self, q: Sequence[float], v: Sequence[float]) -> float:
         values: list[float] = self.module.total(self.t, q, v, self.p)
-        return values[0]
+        return self.unit * values[0]
 
     @property
     def _still(self) -> list[float]:
@@ -45,6 +48,11 @@ class NaturalModel(TextModel):
 
     def _block(self, flat: list[float], count: int) -> Matrix:
         return [flat[k * self.n : (k + 1) * self.n] for k in range(count)]
+
+    def _find_unit(self, q: Sequence[float]) -> float:
+        self.unit = 1.0
+        largest = max((abs(x) for row in self.mass(q) for x in row), default=0.0)
+        return math.ldexp(1.0, 1 - math.frexp(largest)[1]) if 0.0 < largest < math.inf else 1.0
 
     # --- the run
 
@@ -57,6 +65,7 @@ class NaturalModel(TextModel):
         outcome = Outcome(DONE, 0, start, list(task.y), h, states=[list(task.y)])
         try:
             q = list(task.y[: self.n])
+            self.unit = self._find_unit(q)
             v = self.module.velocities(start, task.y, task.p)
             point = scheme.start(self, q, v, h)
             for k in range(1, count + 1):

@@ -1,14 +1,19 @@
-"""The energy error of DLA depends on where its velocity is read: at the nodes, or at the scheme's own midpoints."""
+"""Structure-preserving methods: where the energy error of DLA is read, and that the unit of mass means nothing."""
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
-from nhc.language import read
+from nhc.language import Source, read
 from nhc.simulate.methods import STRUCTURE
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, run
 from tests.support import spec_path
+
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 @pytest.mark.parametrize(
@@ -36,3 +41,29 @@ def test_energy_at_nodes_and_at_midpoints(name: str, h: float, nodes: float, mid
         at_midpoints = max(at_midpoints, abs(middle - energy))
     assert at_nodes == pytest.approx(nodes, rel=0.03)
     assert at_midpoints == pytest.approx(midpoints, rel=0.03)
+
+
+WHEELSET = """nhc: 1
+system: wheelset
+coordinates: [s, y, psi, chi]
+parameters: {m: MASS, Jx: 0.6*MASS, Jy: 0.1*MASS}
+T: m/2*(s'^2 + y'^2) + Jx/2*psi'^2 + Jy/2*chi'^2
+constraints: [y' - psi*s' = 0, 0.75*psi' + 0.05*y*chi' = 0, s' - chi'/2 = 0]
+scenes: {sway: {initial: {y: 0.005, s': 20}, time: [0, 1], need: [y, psi]}}
+"""
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("method", ["energy", "dla", "leapfrog", "perlmutter", "midpoint"])
+def test_the_unit_of_mass_means_nothing(method: str, compiled: bool) -> None:
+    """Klingel's motion: y goes as cos(w t) with w = v sqrt(0.05/(0.75 * 0.5)), whatever the wheelset weighs."""
+    ends = []
+    for mass in ("1", "1000", "1e8", "1e-9"):
+        text = WHEELSET.replace("0.6*MASS", f"{0.6 * float(mass)}").replace("0.1*MASS", f"{0.1 * float(mass)}")
+        job = open_scene(Source("wheelset.yaml", text.replace("MASS", mass)), method=method)
+        found = run(job, Settings(points=2, method=method, step=0.005, compiled=compiled))
+        assert found.ended == "done", (mass, found.reason)
+        ends.append(found.rows[-1])
+    assert ends[0][0] == pytest.approx(0.005 * math.cos(20 * math.sqrt(0.05 / 0.375)), abs=1e-5)
+    for end in ends[1:]:
+        assert end == pytest.approx(ends[0], rel=1e-9)
