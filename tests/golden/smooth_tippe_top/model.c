@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:57c0e67a3faa6265)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:70be2bb05c678335)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -217,10 +217,10 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double x_dot = y[5];
     const double y_dot = y[6];
     const double phi_dot = y[7];
@@ -234,41 +234,29 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
 
     /* from the parameters alone */
     const double k1 = m * e;
-    const double k2 = g * k1;
-    const double k3 = 1.0 / m;
-    const double k4 = I1 + e * k1;
-    const double k5 = I3 - k4;
+    const double k2 = 1.0 / m;
+    const double k3 = I1 - I3;
+    const double k4 = 1.0 / I1;
+    const double k5 = I3 * k4;
+    const double k6 = 2.0 - k5;
+    const double k7 = I1 + e * k1;
+    const double k8 = I3 - k7;
 
     /* from the state */
-    const double z1 = s_theta * k1;
-    const double z2 = s_phi * z1;
-    const double z3 = z2 * k3;
-    const double z4 = c_phi * z1;
-    const double z5 = z4 * k3;
-    const double z6 = I3 - s_theta * s_theta * k5;
-    const double z7 = z2 * z3 + (z4 * z5 - z6);
-    const double z8 = c_theta * k1;
-    const double z9 = c_phi * z8;
-    const double z10 = k3 * z9;
-    const double z11 = s_phi * z8;
-    const double z12 = k3 * z11;
-    const double z13 = z9 * z10 - (k4 - z11 * z12);
-    const double z14 = I3 * c_theta;
-    const double z15 = 1.0 / z7;
-    const double z16 = z14 * z15;
-    const double z17 = I3 + z14 * z16;
-    const double z18 = theta_dot * s_theta;
-    const double z19 = theta_dot * z18;
-    const double z20 = phi_dot * s_theta;
-    const double z21 = theta_dot * c_theta;
-    const double z22 = k1 * (s_phi * z19 + phi_dot * (s_phi * z20 - 2.0 * (c_phi * z21)));
-    const double z23 = psi_dot * I3;
-    const double z24 = phi_dot * c_theta * k5;
-    const double z25 = k1 * (c_phi * z19 + phi_dot * (c_phi * z20 + 2.0 * (s_phi * z21)));
-    const double z26 = z18 * (z23 + 2.0 * z24) - z5 * z22 + z3 * z25;
-    const double z27 = (I3 * (theta_dot * z20) + z16 * z26) / z17;
-    const double z28 = z15 * z26 - z16 * z27;
-    const double z29 = (s_theta * (k2 - phi_dot * (z23 + z24)) - z12 * z22 - z10 * z25) / z13;
+    const double z1 = s_theta * s_theta;
+    const double z2 = c_theta * k1;
+    const double z3 = c_phi * z2;
+    const double z4 = s_phi * z2;
+    const double z5 = k2 * (z3 * z3) - (k7 - k2 * (z4 * z4));
+    const double z6 = phi_dot * c_theta;
+    const double z7 = k4 * ((psi_dot + z6) * (theta_dot * I3));
+    const double z8 = theta_dot * theta_dot;
+    const double z9 = psi_dot * I3;
+    const double z10 = (phi_dot * (z9 - z6 * k3) - k1 * (g - e * (c_theta * z8))) / z5;
+    const double z11 = s_theta * (z8 + phi_dot * phi_dot - c_theta * z10);
+    const double z12 = 1.0 / s_theta;
+    const double z13 = phi_dot * (k5 * (s_theta - z12) - (s_theta - 2.0 * z12)) - c_theta * z9 / (I1 *
+        s_theta);
     /* (II.3) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
@@ -276,31 +264,33 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
     /* (II.3) 24:4 */
-    dydt[5] = k3 * z22 + z5 * z28 + z12 * z29; /* x'' */
-    dydt[6] = -(k3 * z25 - z3 * z28 + z10 * z29); /* y'' */
-    dydt[7] = -z28; /* phi'' */
-    dydt[8] = -z29; /* theta'' */
-    dydt[9] = z27; /* psi'' */
+    dydt[5] = (s_phi * z11 - c_phi * z7) * e; /* x'' */
+    dydt[6] = -e * (s_phi * z7 + c_phi * z11); /* y'' */
+    dydt[7] = (z9 * k4 - z6 * k6) * (theta_dot * z12); /* phi'' */
+    dydt[8] = s_theta * z10; /* theta'' */
+    dydt[9] = theta_dot * z13; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7] + dydt[8]) <= DBL_MAX
-        && fabs(-z7) > 1e-13 * z6
-        && fabs(-z13) > 1e-13 * k4
-        && fabs(z17) > 1e-13 * I3)) {
+    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7] + dydt[9]) <= DBL_MAX
+        && fabs(m) > 0.0
+        && fabs(I3) > 0.0
+        && fabs(I1 * z1) > 1e-13 * (I3 - z1 * k8)
+        && fabs(-z5) > 1e-13 * k7)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z7) > 1e-13 * z6)) {
-            return smooth_tippe_top_refuse(fabs(-z7), 1e-13 * z6, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(I3) > 0.0)) {
+            return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z13) > 1e-13 * k4)) {
-            return smooth_tippe_top_refuse(fabs(-z13), 1e-13 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(I1 * z1) > 1e-13 * (I3 - z1 * k8))) {
+            return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (I3 - z1 * k8),
+                SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z17) > 1e-13 * I3)) {
-            return smooth_tippe_top_refuse(fabs(z17), 1e-13 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-z5) > 1e-13 * k7)) {
+            return smooth_tippe_top_refuse(fabs(-z5), 1e-13 * k7, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(10, dydt);
     }
@@ -331,7 +321,6 @@ int smooth_tippe_top_velocities(double t, const double *y, const double *p, doub
     return SMOOTH_TIPPE_TOP_OK;
 }
 
-SMOOTH_TIPPE_TOP_SLOW
 int smooth_tippe_top_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
@@ -339,8 +328,8 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
-    const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
     const double phi_dot = y[7];
@@ -356,64 +345,58 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double k1 = m * e;
     const double k2 = I1 + m * (e * e);
     const double k3 = I3 - k2;
-    const double k4 = g * k1;
-    const double k5 = 1.0 / m;
+    const double k4 = 1.0 / m;
+    const double k5 = I1 - I3;
+    const double k6 = 1.0 / I1;
+    const double k7 = I3 * k6;
+    const double k8 = 2.0 - k7;
 
     /* from the state */
     const double z1 = I3 - s_theta * s_theta * k3;
     const double z2 = s_theta * k1;
     const double z3 = c_phi * z2;
-    const double z4 = z3 * k5;
-    const double z5 = s_phi * z2;
-    const double z6 = z5 * k5;
-    const double z7 = z1 - z3 * z4 - z5 * z6;
-    const double z8 = c_theta * k1;
-    const double z9 = c_phi * z8;
-    const double z10 = k5 * z9;
-    const double z11 = s_phi * z8;
-    const double z12 = k5 * z11;
-    const double z13 = z9 * z10 - (k2 - z11 * z12);
-    const double z14 = I3 * c_theta;
-    const double z15 = 1.0 / z7;
-    const double z16 = z14 * z15;
-    const double z17 = I3 - z14 * z16;
-    const double z18 = s_theta * theta_dot * theta_dot;
-    const double z19 = phi_dot * s_theta;
-    const double z20 = theta_dot * c_theta;
-    const double z21 = k1 * (s_phi * z18 + phi_dot * (s_phi * z19 - 2.0 * (c_phi * z20)));
-    const double z22 = phi_dot * c_theta * k3;
-    const double z23 = psi_dot * I3;
-    const double z24 = k1 * (c_phi * z18 + phi_dot * (c_phi * z19 + 2.0 * (s_phi * z20)));
-    const double z25 = theta_dot * s_theta * (2.0 * z22 + z23) - z4 * z21 + z6 * z24;
-    const double z26 = (I3 * (theta_dot * z19) - z16 * z25) / z17;
-    const double z27 = z15 * z25 - z16 * z26;
-    const double z28 = (s_theta * (phi_dot * (z22 + z23) - k4) + z12 * z21 + z10 * z24) / z13;
+    const double z4 = s_phi * z2;
+    const double z5 = c_theta * k1;
+    const double z6 = c_phi * z5;
+    const double z7 = s_phi * z5;
+    const double z8 = k4 * (z6 * z6) - (k2 - k4 * (z7 * z7));
+    const double z9 = phi_dot * c_theta;
+    const double z10 = k6 * ((psi_dot + z9) * (theta_dot * I3));
+    const double z11 = theta_dot * theta_dot;
+    const double z12 = psi_dot * I3;
+    const double z13 = (phi_dot * (z12 - z9 * k5) - k1 * (g - e * (c_theta * z11))) / z8;
+    const double z14 = s_theta * (z11 + phi_dot * phi_dot - c_theta * z13);
+    const double z15 = 1.0 / s_theta;
+    const double z16 = phi_dot * (k7 * (s_theta - z15) - (s_theta - 2.0 * z15)) - c_theta * z12 / (I1 *
+        s_theta);
     /* (II.3) */
-    qddot[0] = k5 * z21 - z4 * z27 - z12 * z28; /* x'' */
-    qddot[1] = z10 * z28 - (k5 * z24 + z6 * z27); /* y'' */
-    qddot[2] = z27; /* phi'' */
-    qddot[3] = z28; /* theta'' */
-    qddot[4] = z26; /* psi'' */
+    qddot[0] = (s_phi * z14 - c_phi * z10) * e; /* x'' */
+    qddot[1] = -e * (s_phi * z10 + c_phi * z14); /* y'' */
+    qddot[2] = (z12 * k6 - z9 * k8) * (theta_dot * z15); /* phi'' */
+    qddot[3] = s_theta * z13; /* theta'' */
+    qddot[4] = theta_dot * z16; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX
-        && fabs(z7) > 1e-13 * z1
-        && fabs(-z13) > 1e-13 * k2
-        && fabs(z17) > 1e-13 * I3)) {
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[4]) <= DBL_MAX
+        && fabs(m) > 0.0
+        && fabs(I3) > 0.0
+        && fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 * z4))) > 1e-13 * z1
+        && fabs(-z8) > 1e-13 * k2)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z7) > 1e-13 * z1)) {
-            return smooth_tippe_top_refuse(fabs(z7), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(I3) > 0.0)) {
+            return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z13) > 1e-13 * k2)) {
-            return smooth_tippe_top_refuse(fabs(-z13), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 * z4))) > 1e-13 * z1)) {
+            return smooth_tippe_top_refuse(fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 *
+                z4))), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z17) > 1e-13 * I3)) {
-            return smooth_tippe_top_refuse(fabs(z17), 1e-13 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-z8) > 1e-13 * k2)) {
+            return smooth_tippe_top_refuse(fabs(-z8), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(5, qddot);
     }
@@ -470,8 +453,8 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
-    const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
     const double m = p[0]; /* mass [kg] */
@@ -490,27 +473,26 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
     const double z2 = s_theta * k1;
     const double z3 = c_phi * z2;
     const double z4 = s_phi * z2;
-    const double z5 = z1 - k4 * (z3 * z3) - k4 * (z4 * z4);
-    const double z6 = c_theta * k1;
-    const double z7 = s_phi * z6;
-    const double z8 = c_phi * z6;
-    const double z9 = I3 * c_theta;
+    const double z5 = c_theta * k1;
+    const double z6 = c_phi * z5;
+    const double z7 = s_phi * z5;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(z5) > 1e-13 * z1)) {
-        return smooth_tippe_top_refuse(fabs(z5), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
+    if (!(fabs(I3) > 0.0)) {
+        return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(k2 - k4 * (z7 * z7) - k4 * (z8 * z8)) > 1e-13 * k2)) {
-        return smooth_tippe_top_refuse(fabs(k2 - k4 * (z7 * z7) - k4 * (z8 * z8)), 1e-13 * k2,
+    if (!(fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 * z4))) > 1e-13 * z1)) {
+        return smooth_tippe_top_refuse(fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 *
+            z4))), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k2 - k4 * (z7 * z7) - k4 * (z6 * z6)) > 1e-13 * k2)) {
+        return smooth_tippe_top_refuse(fabs(k2 - k4 * (z7 * z7) - k4 * (z6 * z6)), 1e-13 * k2,
             SMOOTH_TIPPE_TOP_SINGULAR_2);
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3 - z9 * z9 / z5) > 1e-13 * I3)) {
-        return smooth_tippe_top_refuse(fabs(I3 - z9 * z9 / z5), 1e-13 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     (void)lambda;
     return SMOOTH_TIPPE_TOP_OK;
@@ -578,142 +560,118 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
 
     /* from the parameters alone */
     const double k1 = m * e;
-    const double k2 = I1 + m * (e * e);
-    const double k3 = I3 - k2;
-    const double k4 = g * k1;
+    const double k2 = m * e * e;
+    const double k3 = I1 + k2;
+    const double k4 = I3 - k3;
     const double k5 = 1.0 / m;
+    const double k6 = I1 - I3;
+    const double k7 = 1.0 / I1;
+    const double k8 = I3 * k7;
+    const double k9 = 2.0 - k8;
+    const double k10 = 2.0 * g;
+    const double k11 = e * I3;
 
     /* from the state */
-    const double z1 = I3 - s_theta * s_theta * k3;
-    const double z2 = s_theta * k1;
-    const double z3 = c_phi * z2;
-    const double z4 = z3 * k5;
-    const double z5 = s_phi * z2;
-    const double z6 = z5 * k5;
-    const double z7 = z1 - z3 * z4 - z5 * z6;
-    const double z8 = s_phi * k1;
-    const double z9 = c_theta * z8;
-    const double z10 = z9 * k5;
-    const double z11 = c_phi * k1;
-    const double z12 = c_theta * z11;
-    const double z13 = z12 * k5;
-    const double z14 = k2 - z9 * z10 - z12 * z13;
-    const double z15 = I3 * c_theta;
-    const double z16 = 1.0 / z7;
-    const double z17 = z15 * z16;
-    const double z18 = I3 - z15 * z17;
-    const double z19 = phi_dot * k1;
-    const double z20 = c_theta * z19;
-    const double z21 = phi_dot * s_theta;
-    const double z22 = theta_dot * s_phi;
-    const double z23 = c_phi * z21 + 2.0 * (c_theta * z22);
-    const double z24 = theta_dot * theta_dot;
-    const double z25 = s_theta * z24;
-    const double z26 = k1 * (phi_dot * z23 + c_phi * z25);
-    const double z27 = theta_dot * c_phi;
-    const double z28 = s_phi * z21 - 2.0 * (c_theta * z27);
-    const double z29 = k1 * (phi_dot * z28 + s_phi * z25);
-    const double z30 = theta_dot * s_theta;
-    const double z31 = psi_dot * I3;
-    const double z32 = phi_dot * k3;
-    const double z33 = c_theta * z32;
-    const double z34 = z31 + 2.0 * z33;
-    const double z35 = z26 * z6 - (z29 * z4 - z30 * z34);
-    const double z36 = 1.0 / z18;
-    const double z37 = I3 * (phi_dot * theta_dot);
-    const double z38 = z36 * (s_theta * z37 - z17 * z35);
-    const double z39 = z16 * z35 - z17 * z38;
-    const double z40 = 2.0 * (theta_dot * z20) + z2 * z39;
-    const double z41 = 1.0 / z14;
-    const double z42 = k4 - phi_dot * (z31 + z33);
-    const double z43 = z41 * (z26 * z13 + (z29 * z10 - s_theta * z42));
-    const double z44 = k1 * z25 + z21 * z19 + k1 * (c_theta * z43);
-    const double z45 = k5 * (s_phi * z40 + c_phi * z44);
-    const double z46 = s_phi * z19;
-    const double z47 = s_theta * (2.0 * (z27 * z19) - z8 * z43) + c_theta * (phi_dot * z46 + (z24 * z8 - z11
-        * z39));
-    const double z48 = z30 * k3;
-    const double z49 = k5 * (s_phi * z44 - c_phi * z40);
-    const double z50 = s_theta * z39;
-    const double z51 = s_theta * (2.0 * (phi_dot * z48) - I3 * z38) - c_theta * (theta_dot * z34 + (k1 *
-        (s_phi * z45 - c_phi * z49) + 2.0 * (k3 * z50)));
-    const double z52 = c_phi * z19;
-    const double z53 = s_theta * (2.0 * (z22 * z19) + z11 * z43) - c_theta * (phi_dot * z52 + (z24 * z11 + z8
-        * z39));
-    const double z54 = z51 + z4 * z47 + z6 * z53;
-    const double z55 = z36 * (c_theta * z37 + I3 * z50 + z17 * z54);
-    const double z56 = z16 * z54 + z17 * z55;
-    const double z57 = c_theta * z42 + s_theta * (z21 * z32 + (z11 * z45 + z8 * z49)) - z10 * z47 + z13 * z53;
-    const double z58 = z41 * z57;
-    const double z59 = k1 * z28 + s_theta * z46;
-    const double z60 = k1 * z23 + s_theta * z52;
-    const double z61 = 2.0 * (c_theta * z48) - z4 * z59 + z6 * z60;
-    const double z62 = I3 * z30;
-    const double z63 = z36 * (z62 - z17 * z61);
-    const double z64 = z16 * z61 - z17 * z63;
-    const double z65 = z13 * z60 + (z10 * z59 + s_theta * z34);
-    const double z66 = z41 * z65;
-    const double z67 = c_phi * z20 - theta_dot * z5;
-    const double z68 = s_phi * z20 + theta_dot * z3;
-    const double z69 = z41 * (z10 * z67 - z13 * z68);
-    const double z70 = I3 * z21;
-    const double z71 = z36 * (z70 - z17 * z65);
-    const double z72 = z16 * z65 - z17 * z71;
-    const double z73 = z41 * z70;
-    const double z74 = z62 * (z17 * z36);
-    const double z75 = z16 * z62 + z17 * z74;
+    const double z1 = s_theta * s_theta;
+    const double z2 = I1 * z1;
+    const double z3 = c_theta * k1;
+    const double z4 = c_phi * z3;
+    const double z5 = s_phi * z3;
+    const double z6 = k5 * (z4 * z4) - (k3 - k5 * (z5 * z5));
+    const double z7 = theta_dot * I3;
+    const double z8 = s_phi * z7;
+    const double z9 = phi_dot * c_theta;
+    const double z10 = (psi_dot + z9) * k7;
+    const double z11 = s_theta * c_phi;
+    const double z12 = theta_dot * theta_dot;
+    const double z13 = z12 + phi_dot * phi_dot;
+    const double z14 = psi_dot * I3;
+    const double z15 = z9 * k6;
+    const double z16 = z14 - z15;
+    const double z17 = c_theta * z12;
+    const double z18 = k1 * (g - e * z17);
+    const double z19 = phi_dot * z16 - z18;
+    const double z20 = 1.0 / z6;
+    const double z21 = c_theta * z20;
+    const double z22 = z19 * z21;
+    const double z23 = z13 - z22;
+    const double z24 = theta_dot * s_theta;
+    const double z25 = phi_dot * I3;
+    const double z26 = k7 * (z24 * z25);
+    const double z27 = c_theta * c_theta;
+    const double z28 = k1 * (k10 - e * (3.0 * z17 - 2.0 * (z20 * (phi_dot * (z27 * z16) - z27 * z18))));
+    const double z29 = c_theta * z13 - z20 * (z19 - z1 * (phi_dot * (2.0 * z14 - 3.0 * z15) - z28));
+    const double z30 = c_phi * z7;
+    const double z31 = c_theta * k7;
+    const double z32 = s_theta * s_phi;
+    const double z33 = z27 * z20;
+    const double z34 = c_theta * z14;
+    const double z35 = 2.0 * (phi_dot * (1.0 + k6 * z33)) - z34 * z20;
+    const double z36 = I3 * z10;
+    const double z37 = s_phi * z24;
+    const double z38 = 1.0 - k2 * z33;
+    const double z39 = s_theta * k11;
+    const double z40 = c_phi * z24;
+    const double z41 = 1.0 / z2;
+    const double z42 = phi_dot * z21;
+    const double z43 = 1.0 / s_theta;
+    const double z44 = z43 * z43;
+    const double z45 = 1.0 / (I1 * s_theta);
+    const double z46 = z7 * z45;
+    const double z47 = phi_dot * (z34 - k6 * (phi_dot * (1.0 - 2.0 * z1))) - k1 * (g * c_theta - e * (z12 -
+        2.0 * (z1 * (z12 - z22))));
+    const double z48 = s_theta * z20;
+    const double z49 = k8 * (s_theta - z43) - (s_theta - 2.0 * z43);
     /* (II.3) */
     J[5] = 1.0;
     J[16] = 1.0;
     J[27] = 1.0;
     J[38] = 1.0;
     J[49] = 1.0;
-    J[52] = z45;
-    J[53] = k5 * z47 + z4 * z56 - z10 * z58;
-    J[57] = k5 * z59 - z4 * z64 + z10 * z66;
-    J[58] = -(2.0 * (z10 * z69) + (2.0 * (k5 * z67) + z4 * z72));
-    J[59] = z10 * z73 - z4 * z75;
-    J[62] = z49;
-    J[63] = k5 * z53 + z6 * z56 + z13 * z58;
-    J[67] = -(k5 * z60 + z6 * z64 + z13 * z66);
-    J[68] = 2.0 * (z13 * z69) - (2.0 * (k5 * z68) + z6 * z72);
-    J[69] = -(z13 * z73 + z6 * z75);
-    J[72] = 0.0;
-    J[73] = -z56;
-    J[77] = z64;
-    J[78] = z72;
-    J[79] = z75;
-    J[82] = 0.0;
-    J[83] = z58;
-    J[87] = -z66;
-    J[88] = 2.0 * z69;
-    J[89] = -z73;
-    J[92] = 0.0;
-    J[93] = z55;
-    J[97] = z63;
-    J[98] = z71;
-    J[99] = -z74;
+    J[52] = e * (z8 * z10 + z11 * z23);
+    J[53] = e * (c_phi * z26 + s_phi * z29);
+    J[57] = (z32 * z35 - z30 * z31) * e;
+    J[58] = (2.0 * (z37 * z38) - c_phi * z36) * e;
+    J[59] = -z39 * (z40 * z41 + s_phi * z42);
+    J[62] = (z32 * z23 - z30 * z10) * e;
+    J[63] = e * (s_phi * z26 - c_phi * z29);
+    J[67] = -e * (z8 * z31 + z11 * z35);
+    J[68] = -e * (s_phi * z36 + 2.0 * (z40 * z38));
+    J[69] = (c_phi * z42 - z37 * z41) * z39;
+    J[73] = theta_dot * z44 * (phi_dot * k9 - k7 * z34);
+    J[77] = -k9 * (theta_dot * c_theta * z43);
+    J[78] = (z14 * k7 - z9 * k9) * z43;
+    J[79] = z46;
+    J[83] = z20 * z47;
+    J[87] = (z14 - 2.0 * z15) * z48;
+    J[88] = 2.0 * (k2 * (z24 * z21));
+    J[89] = z25 * z48;
+    J[93] = theta_dot * (z9 * (k8 * (1.0 + z44) - (1.0 + 2.0 * z44)) + z14 * z41);
+    J[97] = theta_dot * z49;
+    J[98] = phi_dot * z49 - z34 * z45;
+    J[99] = -c_theta * z46;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[53] + J[57] + J[58] + J[59] + J[63] + J[67] + J[68] + J[69] + J[73] + J[87] + J[88] + J[89]
-        + J[99]) <= DBL_MAX
-        && fabs(z7) > 1e-13 * z1
-        && fabs(z14) > 1e-13 * k2
-        && fabs(z18) > 1e-13 * I3)) {
+    if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[73] + J[77]
+        + J[78] + J[83] + J[87] + J[88] + J[89] + J[93] + J[97] + J[98] + J[99]) <= DBL_MAX
+        && fabs(m) > 0.0
+        && fabs(I3) > 0.0
+        && fabs(z2) > 1e-13 * (I3 - z1 * k4)
+        && fabs(-z6) > 1e-13 * k3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z7) > 1e-13 * z1)) {
-            return smooth_tippe_top_refuse(fabs(z7), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(I3) > 0.0)) {
+            return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z14) > 1e-13 * k2)) {
-            return smooth_tippe_top_refuse(fabs(z14), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z2) > 1e-13 * (I3 - z1 * k4))) {
+            return smooth_tippe_top_refuse(fabs(z2), 1e-13 * (I3 - z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-13 * I3)) {
-            return smooth_tippe_top_refuse(fabs(z18), 1e-13 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-z6) > 1e-13 * k3)) {
+            return smooth_tippe_top_refuse(fabs(-z6), 1e-13 * k3, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(100, J);
     }
@@ -772,12 +730,18 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     smooth_tippe_top_lanes far = {0}; /* the squares of the angles */
     smooth_tippe_top_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
     smooth_tippe_top_bits bad = {0}; /* singular blocks */
-    const double I3 = fixed[0];
-    const double k1 = fixed[1];
-    const double k2 = fixed[2];
-    const double k3 = fixed[3];
-    const double k4 = fixed[4];
-    const double k5 = fixed[5];
+    const double e = fixed[0];
+    const double I1 = fixed[1];
+    const double I3 = fixed[2];
+    const double g = fixed[3];
+    const double k1 = fixed[4];
+    const double k2 = fixed[5];
+    const double k3 = fixed[6];
+    const double k4 = fixed[7];
+    const double k5 = fixed[8];
+    const double k6 = fixed[9];
+    const double k7 = fixed[10];
+    const double k8 = fixed[11];
     const smooth_tippe_top_lanes phi = smooth_tippe_top_get(y + 2 * stride);
     const smooth_tippe_top_lanes theta = smooth_tippe_top_get(y + 3 * stride);
     const smooth_tippe_top_lanes x_dot = smooth_tippe_top_get(y + 5 * stride);
@@ -786,50 +750,33 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes theta_dot = smooth_tippe_top_get(y + 8 * stride);
     const smooth_tippe_top_lanes psi_dot = smooth_tippe_top_get(y + 9 * stride);
     smooth_tippe_top_lanes sine1, cosine1;
-    smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(phi), &far, &sine1, &cosine1);
-    const smooth_tippe_top_lanes s_phi = sine1;
+    smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(theta), &far, &sine1, &cosine1);
+    const smooth_tippe_top_lanes s_theta = sine1;
+    const smooth_tippe_top_lanes z1 = s_theta * s_theta;
+    /* the mass matrix is singular */
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(I1 * z1)), 1e-13 * (I3 - z1
+        * k8));
     smooth_tippe_top_lanes sine2, cosine2;
-    smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(theta), &far, &sine2, &cosine2);
-    const smooth_tippe_top_lanes s_theta = sine2;
-    const smooth_tippe_top_lanes z1 = s_theta * k1;
-    const smooth_tippe_top_lanes z2 = s_phi * z1;
-    const smooth_tippe_top_lanes z3 = z2 * k3;
-    const smooth_tippe_top_lanes c_phi = cosine1;
-    const smooth_tippe_top_lanes z4 = c_phi * z1;
-    const smooth_tippe_top_lanes z5 = z4 * k3;
-    const smooth_tippe_top_lanes z6 = I3 - s_theta * s_theta * k5;
-    const smooth_tippe_top_lanes z7 = z2 * z3 + (z4 * z5 - z6);
+    smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(phi), &far, &sine2, &cosine2);
+    const smooth_tippe_top_lanes c_phi = cosine2;
+    const smooth_tippe_top_lanes c_theta = cosine1;
+    const smooth_tippe_top_lanes z2 = c_theta * k1;
+    const smooth_tippe_top_lanes z3 = c_phi * z2;
+    const smooth_tippe_top_lanes s_phi = sine2;
+    const smooth_tippe_top_lanes z4 = s_phi * z2;
+    const smooth_tippe_top_lanes z5 = k2 * (z3 * z3) - (k7 - k2 * (z4 * z4));
     /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z7)), 1e-13 * z6);
-    const smooth_tippe_top_lanes c_theta = cosine2;
-    const smooth_tippe_top_lanes z8 = c_theta * k1;
-    const smooth_tippe_top_lanes z9 = c_phi * z8;
-    const smooth_tippe_top_lanes z10 = k3 * z9;
-    const smooth_tippe_top_lanes z11 = s_phi * z8;
-    const smooth_tippe_top_lanes z12 = k3 * z11;
-    const smooth_tippe_top_lanes z13 = z9 * z10 - (k4 - z11 * z12);
-    /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z13)),
-        SMOOTH_TIPPE_TOP_SPREAD(1e-13 * k4));
-    const smooth_tippe_top_lanes z14 = I3 * c_theta;
-    const smooth_tippe_top_lanes z15 = 1.0 / z7;
-    const smooth_tippe_top_lanes z16 = z14 * z15;
-    const smooth_tippe_top_lanes z17 = I3 + z14 * z16;
-    /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z17)),
-        SMOOTH_TIPPE_TOP_SPREAD(1e-13 * I3));
-    const smooth_tippe_top_lanes z18 = theta_dot * s_theta;
-    const smooth_tippe_top_lanes z19 = theta_dot * z18;
-    const smooth_tippe_top_lanes z20 = phi_dot * s_theta;
-    const smooth_tippe_top_lanes z21 = theta_dot * c_theta;
-    const smooth_tippe_top_lanes z22 = k1 * (s_phi * z19 + phi_dot * (s_phi * z20 - 2.0 * (c_phi * z21)));
-    const smooth_tippe_top_lanes z23 = psi_dot * I3;
-    const smooth_tippe_top_lanes z24 = phi_dot * c_theta * k5;
-    const smooth_tippe_top_lanes z25 = k1 * (c_phi * z19 + phi_dot * (c_phi * z20 + 2.0 * (s_phi * z21)));
-    const smooth_tippe_top_lanes z26 = z18 * (z23 + 2.0 * z24) - z5 * z22 + z3 * z25;
-    const smooth_tippe_top_lanes z27 = (I3 * (theta_dot * z20) + z16 * z26) / z17;
-    const smooth_tippe_top_lanes z28 = z15 * z26 - z16 * z27;
-    const smooth_tippe_top_lanes z29 = (s_theta * (k2 - phi_dot * (z23 + z24)) - z12 * z22 - z10 * z25) / z13;
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z5)),
+        SMOOTH_TIPPE_TOP_SPREAD(1e-13 * k7));
+    const smooth_tippe_top_lanes z6 = phi_dot * c_theta;
+    const smooth_tippe_top_lanes z7 = k4 * ((psi_dot + z6) * (theta_dot * I3));
+    const smooth_tippe_top_lanes z8 = theta_dot * theta_dot;
+    const smooth_tippe_top_lanes z9 = psi_dot * I3;
+    const smooth_tippe_top_lanes z10 = (phi_dot * (z9 - z6 * k3) - k1 * (g - e * (c_theta * z8))) / z5;
+    const smooth_tippe_top_lanes z11 = s_theta * (z8 + phi_dot * phi_dot - c_theta * z10);
+    const smooth_tippe_top_lanes z12 = 1.0 / s_theta;
+    const smooth_tippe_top_lanes z13 = phi_dot * (k5 * (s_theta - z12) - (s_theta - 2.0 * z12)) - c_theta *
+        z9 / (I1 * s_theta);
     /* (II.3) */
     const smooth_tippe_top_lanes slope1 = x_dot;
     sum += slope1;
@@ -844,19 +791,19 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes slope5 = psi_dot;
     smooth_tippe_top_put(dydt + 4 * stride, slope5);
     /* (II.3) 24:4 */
-    const smooth_tippe_top_lanes slope6 = k3 * z22 + z5 * z28 + z12 * z29;
+    const smooth_tippe_top_lanes slope6 = (s_phi * z11 - c_phi * z7) * e;
     sum += slope6;
     smooth_tippe_top_put(dydt + 5 * stride, slope6);
-    const smooth_tippe_top_lanes slope7 = -(k3 * z25 - z3 * z28 + z10 * z29);
+    const smooth_tippe_top_lanes slope7 = -e * (s_phi * z7 + c_phi * z11);
     sum += slope7;
     smooth_tippe_top_put(dydt + 6 * stride, slope7);
-    const smooth_tippe_top_lanes slope8 = -z28;
+    const smooth_tippe_top_lanes slope8 = (z9 * k4 - z6 * k6) * (theta_dot * z12);
     sum += slope8;
     smooth_tippe_top_put(dydt + 7 * stride, slope8);
-    const smooth_tippe_top_lanes slope9 = -z29;
-    sum += slope9;
+    const smooth_tippe_top_lanes slope9 = s_theta * z10;
     smooth_tippe_top_put(dydt + 8 * stride, slope9);
-    const smooth_tippe_top_lanes slope10 = z27;
+    const smooth_tippe_top_lanes slope10 = theta_dot * z13;
+    sum += slope10;
     smooth_tippe_top_put(dydt + 9 * stride, slope10);
     smooth_tippe_top_put(check, smooth_tippe_top_mark(far + (sum - sum), bad));
 }
@@ -883,11 +830,22 @@ int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, c
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
     const double k1 = m * e;
-    const double k2 = g * k1;
-    const double k3 = 1.0 / m;
-    const double k4 = I1 + e * k1;
-    const double k5 = I3 - k4;
-    const double fixed[] = {I3, k1, k2, k3, k4, k5};
+    const double k2 = 1.0 / m;
+    const double k3 = I1 - I3;
+    const double k4 = 1.0 / I1;
+    const double k5 = I3 * k4;
+    const double k6 = 2.0 - k5;
+    const double k7 = I1 + e * k1;
+    const double k8 = I3 - k7;
+    /* the mass matrix is singular */
+    if (!(fabs(I3) > 0.0)) {
+        return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
+    }
+    const double fixed[] = {e, I1, I3, g, k1, k2, k3, k4, k5, k6, k7, k8};
     double check[1 * SMOOTH_TIPPE_TOP_LANES];
     int status = SMOOTH_TIPPE_TOP_OK;
     for (size_t i = 0; i < count; i += SMOOTH_TIPPE_TOP_LANES) {

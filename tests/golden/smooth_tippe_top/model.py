@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:2b34b40bcf85f0ca).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:082723cbd3990310).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -32,14 +32,14 @@ out[2] = p_x [kg*m/s]
 out[3] = p_y [kg*m/s]
 
 Operations:
-rhs: 25 +-, 60 *, 4 /, 4 calls
+rhs: 20 +-, 44 *, 5 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 25 +-, 62 *, 4 /, 4 calls
+accelerations: 23 +-, 53 *, 5 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
-reactions: 8 +-, 21 *, 2 /, 4 calls
+reactions: 8 +-, 21 *, 1 /, 4 calls
 energy: 11 +-, 25 *, 0 /, 4 calls
-jacobian: 77 +-, 184 *, 4 /, 4 calls
+jacobian: 50 +-, 138 *, 6 /, 4 calls
 outputs: 7 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -137,58 +137,44 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise _refuse(abs(I3), 0.0, 2, "rhs")
         # from the parameters alone
         k1 = m * e
-        k2 = g * k1
-        k3 = 1.0 / m
-        k4 = I1 + e * k1
-        k5 = I3 - k4
+        k2 = 1.0 / m
+        k3 = I1 - I3
+        k4 = 1.0 / I1
+        k5 = I3 * k4
+        k6 = 2.0 - k5
+        k7 = I1 + e * k1
+        k8 = I3 - k7
         # from the state
-        s_phi = math.sin(phi)
         s_theta = math.sin(theta)
-        z1 = s_theta * k1
-        z2 = s_phi * z1
-        z3 = z2 * k3
+        z1 = s_theta * s_theta
+        # the mass matrix is singular
+        if not abs(I1 * z1) > 1e-13 * (I3 - z1 * k8):
+            raise _refuse(abs(I1 * z1), 1e-13 * (I3 - z1 * k8), 2, "rhs")
         c_phi = math.cos(phi)
-        z4 = c_phi * z1
-        z5 = z4 * k3
-        z6 = I3 - s_theta * s_theta * k5
-        z7 = z2 * z3 + (z4 * z5 - z6)
-        # the mass matrix is singular
-        if not abs(-z7) > 1e-13 * z6:
-            raise _refuse(abs(-z7), 1e-13 * z6, 2, "rhs")
         c_theta = math.cos(theta)
-        z8 = c_theta * k1
-        z9 = c_phi * z8
-        z10 = k3 * z9
-        z11 = s_phi * z8
-        z12 = k3 * z11
-        z13 = z9 * z10 - (k4 - z11 * z12)
+        z2 = c_theta * k1
+        z3 = c_phi * z2
+        s_phi = math.sin(phi)
+        z4 = s_phi * z2
+        z5 = k2 * (z3 * z3) - (k7 - k2 * (z4 * z4))
         # the mass matrix is singular
-        if not abs(-z13) > 1e-13 * k4:
-            raise _refuse(abs(-z13), 1e-13 * k4, 2, "rhs")
-        z14 = I3 * c_theta
-        z15 = 1.0 / z7
-        z16 = z14 * z15
-        z17 = I3 + z14 * z16
-        # the mass matrix is singular
-        if not abs(z17) > 1e-13 * I3:
-            raise _refuse(abs(z17), 1e-13 * I3, 2, "rhs")
-        z18 = theta_dot * s_theta
-        z19 = theta_dot * z18
-        z20 = phi_dot * s_theta
-        z21 = theta_dot * c_theta
-        s1 = s_phi * z19 + phi_dot * (s_phi * z20 - 2.0 * (c_phi * z21))
-        z22 = k1 * s1
-        z23 = psi_dot * I3
-        z24 = phi_dot * c_theta * k5
-        s2 = c_phi * z19 + phi_dot * (c_phi * z20 + 2.0 * (s_phi * z21))
-        z25 = k1 * s2
-        z26 = z18 * (z23 + 2.0 * z24) - z5 * z22 + z3 * z25
-        z27 = (I3 * (theta_dot * z20) + z16 * z26) / z17
-        z28 = z15 * z26 - z16 * z27
-        s3 = s_theta * (k2 - phi_dot * (z23 + z24)) - z12 * z22
-        z29 = (s3 - z10 * z25) / z13
+        if not abs(-z5) > 1e-13 * k7:
+            raise _refuse(abs(-z5), 1e-13 * k7, 2, "rhs")
+        z6 = phi_dot * c_theta
+        z7 = k4 * ((psi_dot + z6) * (theta_dot * I3))
+        z8 = theta_dot * theta_dot
+        z9 = psi_dot * I3
+        s1 = phi_dot * (z9 - z6 * k3) - k1 * (g - e * (c_theta * z8))
+        z10 = s1 / z5
+        z11 = s_theta * (z8 + phi_dot * phi_dot - c_theta * z10)
+        z12 = 1.0 / s_theta
+        s2 = phi_dot * (k5 * (s_theta - z12) - (s_theta - 2.0 * z12))
+        z13 = s2 - c_theta * z9 / (I1 * s_theta)
         dydt: list[float] = [
             # x' (II.3)
             x_dot,
@@ -201,15 +187,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (II.3)
             psi_dot,
             # x'' (II.3) 24:4
-            k3 * z22 + z5 * z28 + z12 * z29,
+            (s_phi * z11 - c_phi * z7) * e,
             # y'' (II.3) 24:4
-            -(k3 * z25 - z3 * z28 + z10 * z29),
+            -e * (s_phi * z7 + c_phi * z11),
             # phi'' (II.3) 24:4
-            -z28,
+            (z9 * k4 - z6 * k6) * (theta_dot * z12),
             # theta'' (II.3) 24:4
-            -z29,
+            s_theta * z10,
             # psi'' (II.3) 24:4
-            z27,
+            theta_dot * z13,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -274,69 +260,62 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # from the parameters alone
         k1 = m * e
         k2 = I1 + m * (e * e)
         k3 = I3 - k2
-        k4 = g * k1
-        k5 = 1.0 / m
+        k4 = 1.0 / m
+        k5 = I1 - I3
+        k6 = 1.0 / I1
+        k7 = I3 * k6
+        k8 = 2.0 - k7
         # from the state
+        c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
         z2 = s_theta * k1
         z3 = c_phi * z2
-        z4 = z3 * k5
         s_phi = math.sin(phi)
-        z5 = s_phi * z2
-        z6 = z5 * k5
-        z7 = z1 - z3 * z4 - z5 * z6
+        z4 = s_phi * z2
+        s1 = c_theta * c_theta
+        s2 = k4 * (z3 * z3)
+        s3 = I3 * s1 - z1 + s2
+        s4 = -(s3 + k4 * (z4 * z4))
         # the mass matrix is singular
-        if not abs(z7) > 1e-13 * z1:
-            raise _refuse(abs(z7), 1e-13 * z1, 2, "accelerations")
-        c_theta = math.cos(theta)
-        z8 = c_theta * k1
-        z9 = c_phi * z8
-        z10 = k5 * z9
-        z11 = s_phi * z8
-        z12 = k5 * z11
-        z13 = z9 * z10 - (k2 - z11 * z12)
+        if not abs(s4) > 1e-13 * z1:
+            raise _refuse(abs(s4), 1e-13 * z1, 2, "accelerations")
+        z5 = c_theta * k1
+        z6 = c_phi * z5
+        z7 = s_phi * z5
+        z8 = k4 * (z6 * z6) - (k2 - k4 * (z7 * z7))
         # the mass matrix is singular
-        if not abs(-z13) > 1e-13 * k2:
-            raise _refuse(abs(-z13), 1e-13 * k2, 2, "accelerations")
-        z14 = I3 * c_theta
-        z15 = 1.0 / z7
-        z16 = z14 * z15
-        z17 = I3 - z14 * z16
-        # the mass matrix is singular
-        if not abs(z17) > 1e-13 * I3:
-            raise _refuse(abs(z17), 1e-13 * I3, 2, "accelerations")
-        z18 = s_theta * theta_dot * theta_dot
-        z19 = phi_dot * s_theta
-        z20 = theta_dot * c_theta
-        s1 = s_phi * z18 + phi_dot * (s_phi * z19 - 2.0 * (c_phi * z20))
-        z21 = k1 * s1
-        z22 = phi_dot * c_theta * k3
-        z23 = psi_dot * I3
-        s2 = c_phi * z18 + phi_dot * (c_phi * z19 + 2.0 * (s_phi * z20))
-        z24 = k1 * s2
-        s3 = theta_dot * s_theta * (2.0 * z22 + z23) - z4 * z21
-        z25 = s3 + z6 * z24
-        z26 = (I3 * (theta_dot * z19) - z16 * z25) / z17
-        z27 = z15 * z25 - z16 * z26
-        s4 = s_theta * (phi_dot * (z22 + z23) - k4) + z12 * z21
-        z28 = (s4 + z10 * z24) / z13
+        if not abs(-z8) > 1e-13 * k2:
+            raise _refuse(abs(-z8), 1e-13 * k2, 2, "accelerations")
+        z9 = phi_dot * c_theta
+        z10 = k6 * ((psi_dot + z9) * (theta_dot * I3))
+        z11 = theta_dot * theta_dot
+        z12 = psi_dot * I3
+        s5 = phi_dot * (z12 - z9 * k5) - k1 * (g - e * (c_theta * z11))
+        z13 = s5 / z8
+        z14 = s_theta * (z11 + phi_dot * phi_dot - c_theta * z13)
+        z15 = 1.0 / s_theta
+        s6 = phi_dot * (k7 * (s_theta - z15) - (s_theta - 2.0 * z15))
+        z16 = s6 - c_theta * z12 / (I1 * s_theta)
         qddot: list[float] = [
             # x'' (II.3)
-            k5 * z21 - z4 * z27 - z12 * z28,
+            (s_phi * z14 - c_phi * z10) * e,
             # y'' (II.3)
-            z10 * z28 - (k5 * z24 + z6 * z27),
+            -e * (s_phi * z10 + c_phi * z14),
             # phi'' (II.3)
-            z27,
+            (z12 * k6 - z9 * k8) * (theta_dot * z15),
             # theta'' (II.3)
-            z28,
+            s_theta * z13,
             # psi'' (II.3)
-            z26,
+            theta_dot * z16,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -423,12 +402,16 @@ def reactions(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise _refuse(abs(I3), 0.0, 2, "reactions")
         # from the parameters alone
         k1 = m * e
         k2 = I1 + m * (e * e)
         k3 = I3 - k2
         k4 = 1.0 / m
         # from the state
+        c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
@@ -436,24 +419,21 @@ def reactions(
         z3 = c_phi * z2
         s_phi = math.sin(phi)
         z4 = s_phi * z2
-        z5 = z1 - k4 * (z3 * z3) - k4 * (z4 * z4)
+        s1 = c_theta * c_theta
+        s2 = k4 * (z3 * z3)
+        s3 = I3 * s1 - z1 + s2
+        s4 = -(s3 + k4 * (z4 * z4))
         # the mass matrix is singular
-        if not abs(z5) > 1e-13 * z1:
-            raise _refuse(abs(z5), 1e-13 * z1, 2, "reactions")
-        c_theta = math.cos(theta)
-        z6 = c_theta * k1
-        z7 = s_phi * z6
-        z8 = c_phi * z6
-        s1 = k2 - k4 * (z7 * z7)
-        s2 = s1 - k4 * (z8 * z8)
+        if not abs(s4) > 1e-13 * z1:
+            raise _refuse(abs(s4), 1e-13 * z1, 2, "reactions")
+        z5 = c_theta * k1
+        z6 = c_phi * z5
+        z7 = s_phi * z5
+        s5 = k2 - k4 * (z7 * z7)
+        s6 = s5 - k4 * (z6 * z6)
         # the mass matrix is singular
-        if not abs(s2) > 1e-13 * k2:
-            raise _refuse(abs(s2), 1e-13 * k2, 2, "reactions")
-        z9 = I3 * c_theta
-        s3 = I3 - z9 * z9 / z5
-        # the mass matrix is singular
-        if not abs(s3) > 1e-13 * I3:
-            raise _refuse(abs(s3), 1e-13 * I3, 2, "reactions")
+        if not abs(s6) > 1e-13 * k2:
+            raise _refuse(abs(s6), 1e-13 * k2, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -526,106 +506,85 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # from the parameters alone
         k1 = m * e
-        k2 = I1 + m * (e * e)
-        k3 = I3 - k2
-        k4 = g * k1
+        k2 = m * e * e
+        k3 = I1 + k2
+        k4 = I3 - k3
         k5 = 1.0 / m
+        k6 = I1 - I3
+        k7 = 1.0 / I1
+        k8 = I3 * k7
+        k9 = 2.0 - k8
+        k10 = 2.0 * g
+        k11 = e * I3
         # from the state
         s_theta = math.sin(theta)
-        z1 = I3 - s_theta * s_theta * k3
+        z1 = s_theta * s_theta
+        z2 = I1 * z1
+        # the mass matrix is singular
+        if not abs(z2) > 1e-13 * (I3 - z1 * k4):
+            raise _refuse(abs(z2), 1e-13 * (I3 - z1 * k4), 2, "jacobian")
         c_phi = math.cos(phi)
-        z2 = s_theta * k1
-        z3 = c_phi * z2
-        z4 = z3 * k5
-        s_phi = math.sin(phi)
-        z5 = s_phi * z2
-        z6 = z5 * k5
-        z7 = z1 - z3 * z4 - z5 * z6
-        # the mass matrix is singular
-        if not abs(z7) > 1e-13 * z1:
-            raise _refuse(abs(z7), 1e-13 * z1, 2, "jacobian")
         c_theta = math.cos(theta)
-        z8 = s_phi * k1
-        z9 = c_theta * z8
-        z10 = z9 * k5
-        z11 = c_phi * k1
-        z12 = c_theta * z11
-        z13 = z12 * k5
-        z14 = k2 - z9 * z10 - z12 * z13
+        z3 = c_theta * k1
+        z4 = c_phi * z3
+        s_phi = math.sin(phi)
+        z5 = s_phi * z3
+        z6 = k5 * (z4 * z4) - (k3 - k5 * (z5 * z5))
         # the mass matrix is singular
-        if not abs(z14) > 1e-13 * k2:
-            raise _refuse(abs(z14), 1e-13 * k2, 2, "jacobian")
-        z15 = I3 * c_theta
-        z16 = 1.0 / z7
-        z17 = z15 * z16
-        z18 = I3 - z15 * z17
-        # the mass matrix is singular
-        if not abs(z18) > 1e-13 * I3:
-            raise _refuse(abs(z18), 1e-13 * I3, 2, "jacobian")
-        z19 = phi_dot * k1
-        z20 = c_theta * z19
-        z21 = phi_dot * s_theta
-        z22 = theta_dot * s_phi
-        z23 = c_phi * z21 + 2.0 * (c_theta * z22)
-        z24 = theta_dot * theta_dot
-        z25 = s_theta * z24
-        z26 = k1 * (phi_dot * z23 + c_phi * z25)
-        z27 = theta_dot * c_phi
-        z28 = s_phi * z21 - 2.0 * (c_theta * z27)
-        z29 = k1 * (phi_dot * z28 + s_phi * z25)
-        z30 = theta_dot * s_theta
-        z31 = psi_dot * I3
-        z32 = phi_dot * k3
-        z33 = c_theta * z32
-        z34 = z31 + 2.0 * z33
-        z35 = z26 * z6 - (z29 * z4 - z30 * z34)
-        z36 = 1.0 / z18
-        z37 = I3 * (phi_dot * theta_dot)
-        z38 = z36 * (s_theta * z37 - z17 * z35)
-        z39 = z16 * z35 - z17 * z38
-        z40 = 2.0 * (theta_dot * z20) + z2 * z39
-        z41 = 1.0 / z14
-        z42 = k4 - phi_dot * (z31 + z33)
-        z43 = z41 * (z26 * z13 + (z29 * z10 - s_theta * z42))
-        z44 = k1 * z25 + z21 * z19 + k1 * (c_theta * z43)
-        z45 = k5 * (s_phi * z40 + c_phi * z44)
-        z46 = s_phi * z19
-        s1 = c_theta * (phi_dot * z46 + (z24 * z8 - z11 * z39))
-        z47 = s_theta * (2.0 * (z27 * z19) - z8 * z43) + s1
-        z48 = z30 * k3
-        z49 = k5 * (s_phi * z44 - c_phi * z40)
-        z50 = s_theta * z39
-        s2 = k1 * (s_phi * z45 - c_phi * z49) + 2.0 * (k3 * z50)
-        s3 = s_theta * (2.0 * (phi_dot * z48) - I3 * z38)
-        z51 = s3 - c_theta * (theta_dot * z34 + s2)
-        z52 = c_phi * z19
-        s4 = c_theta * (phi_dot * z52 + (z24 * z11 + z8 * z39))
-        z53 = s_theta * (2.0 * (z22 * z19) + z11 * z43) - s4
-        z54 = z51 + z4 * z47 + z6 * z53
-        z55 = z36 * (c_theta * z37 + I3 * z50 + z17 * z54)
-        z56 = z16 * z54 + z17 * z55
-        s5 = s_theta * (z21 * z32 + (z11 * z45 + z8 * z49))
-        z57 = c_theta * z42 + s5 - z10 * z47 + z13 * z53
-        z58 = z41 * z57
-        z59 = k1 * z28 + s_theta * z46
-        z60 = k1 * z23 + s_theta * z52
-        z61 = 2.0 * (c_theta * z48) - z4 * z59 + z6 * z60
-        z62 = I3 * z30
-        z63 = z36 * (z62 - z17 * z61)
-        z64 = z16 * z61 - z17 * z63
-        z65 = z13 * z60 + (z10 * z59 + s_theta * z34)
-        z66 = z41 * z65
-        z67 = c_phi * z20 - theta_dot * z5
-        z68 = s_phi * z20 + theta_dot * z3
-        z69 = z41 * (z10 * z67 - z13 * z68)
-        z70 = I3 * z21
-        z71 = z36 * (z70 - z17 * z65)
-        z72 = z16 * z65 - z17 * z71
-        z73 = z41 * z70
-        z74 = z62 * (z17 * z36)
-        z75 = z16 * z62 + z17 * z74
+        if not abs(-z6) > 1e-13 * k3:
+            raise _refuse(abs(-z6), 1e-13 * k3, 2, "jacobian")
+        z7 = theta_dot * I3
+        z8 = s_phi * z7
+        z9 = phi_dot * c_theta
+        z10 = (psi_dot + z9) * k7
+        z11 = s_theta * c_phi
+        z12 = theta_dot * theta_dot
+        z13 = z12 + phi_dot * phi_dot
+        z14 = psi_dot * I3
+        z15 = z9 * k6
+        z16 = z14 - z15
+        z17 = c_theta * z12
+        z18 = k1 * (g - e * z17)
+        z19 = phi_dot * z16 - z18
+        z20 = 1.0 / z6
+        z21 = c_theta * z20
+        z22 = z19 * z21
+        z23 = z13 - z22
+        z24 = theta_dot * s_theta
+        z25 = phi_dot * I3
+        z26 = k7 * (z24 * z25)
+        z27 = c_theta * c_theta
+        s1 = 2.0 * (z20 * (phi_dot * (z27 * z16) - z27 * z18))
+        z28 = k1 * (k10 - e * (3.0 * z17 - s1))
+        s2 = z20 * (z19 - z1 * (phi_dot * (2.0 * z14 - 3.0 * z15) - z28))
+        z29 = c_theta * z13 - s2
+        z30 = c_phi * z7
+        z31 = c_theta * k7
+        z32 = s_theta * s_phi
+        z33 = z27 * z20
+        z34 = c_theta * z14
+        z35 = 2.0 * (phi_dot * (1.0 + k6 * z33)) - z34 * z20
+        z36 = I3 * z10
+        z37 = s_phi * z24
+        z38 = 1.0 - k2 * z33
+        z39 = s_theta * k11
+        z40 = c_phi * z24
+        z41 = 1.0 / z2
+        z42 = phi_dot * z21
+        z43 = 1.0 / s_theta
+        z44 = z43 * z43
+        z45 = 1.0 / (I1 * s_theta)
+        z46 = z7 * z45
+        s3 = k1 * (g * c_theta - e * (z12 - 2.0 * (z1 * (z12 - z22))))
+        z47 = phi_dot * (z34 - k6 * (phi_dot * (1.0 - 2.0 * z1))) - s3
+        z48 = s_theta * z20
+        z49 = k8 * (s_theta - z43) - (s_theta - 2.0 * z43)
+        s4 = z9 * (k8 * (1.0 + z44) - (1.0 + 2.0 * z44)) + z14 * z41
         J: list[float] = [
             0.0,
             0.0,
@@ -685,81 +644,78 @@ def jacobian(
             0.0,
             0.0,
             # (II.3)
-            z45,
+            e * (z8 * z10 + z11 * z23),
             # (II.3)
-            k5 * z47 + z4 * z56 - z10 * z58,
-            0.0,
-            0.0,
-            0.0,
-            # (II.3)
-            k5 * z59 - z4 * z64 + z10 * z66,
-            # (II.3)
-            -(2.0 * (z10 * z69) + (2.0 * (k5 * z67) + z4 * z72)),
-            # (II.3)
-            z10 * z73 - z4 * z75,
-            0.0,
-            0.0,
-            # (II.3)
-            z49,
-            # (II.3)
-            k5 * z53 + z6 * z56 + z13 * z58,
+            e * (c_phi * z26 + s_phi * z29),
             0.0,
             0.0,
             0.0,
             # (II.3)
-            -(k5 * z60 + z6 * z64 + z13 * z66),
+            (z32 * z35 - z30 * z31) * e,
             # (II.3)
-            2.0 * (z13 * z69) - (2.0 * (k5 * z68) + z6 * z72),
+            (2.0 * (z37 * z38) - c_phi * z36) * e,
             # (II.3)
-            -(z13 * z73 + z6 * z75),
+            -z39 * (z40 * z41 + s_phi * z42),
             0.0,
             0.0,
             # (II.3)
-            0.0,
+            (z32 * z23 - z30 * z10) * e,
             # (II.3)
-            -z56,
-            0.0,
-            0.0,
-            0.0,
-            # (II.3)
-            z64,
-            # (II.3)
-            z72,
-            # (II.3)
-            z75,
-            0.0,
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            z58,
+            e * (s_phi * z26 - c_phi * z29),
             0.0,
             0.0,
             0.0,
             # (II.3)
-            -z66,
+            -e * (z8 * z31 + z11 * z35),
             # (II.3)
-            2.0 * z69,
+            -e * (s_phi * z36 + 2.0 * (z40 * z38)),
             # (II.3)
-            -z73,
-            0.0,
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            z55,
+            (c_phi * z42 - z37 * z41) * z39,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            z63,
+            theta_dot * z44 * (phi_dot * k9 - k7 * z34),
+            0.0,
+            0.0,
+            0.0,
             # (II.3)
-            z71,
+            -k9 * (theta_dot * c_theta * z43),
             # (II.3)
-            -z74,
+            (z14 * k7 - z9 * k9) * z43,
+            # (II.3)
+            z46,
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            z20 * z47,
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            (z14 - 2.0 * z15) * z48,
+            # (II.3)
+            2.0 * (k2 * (z24 * z21)),
+            # (II.3)
+            z25 * z48,
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            theta_dot * s4,
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            theta_dot * z49,
+            # (II.3)
+            phi_dot * z49 - z34 * z45,
+            # (II.3)
+            -c_theta * z46,
         ]
         _finish("jacobian", J)
-        return [J[k6 : k6 + 10] for k6 in range(0, 100, 10)]
+        return [J[k12 : k12 + 10] for k12 in range(0, 100, 10)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 
