@@ -10,11 +10,11 @@ from types import FrameType
 
 import pytest
 
+from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph
-from nhc.algebra.modular import are_equal
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, program
