@@ -74,6 +74,7 @@ def set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
     g, known = system.graph, intervals(system)
     matrix = rows_in_base(system, system.constraints)
     rows, columns = list(range(system.l)), set[int]()
+    held = [sum(row[j] != g.zero for row in matrix) for j in range(system.n)]  # rows that stay with the column
     progress = True
     while progress:
         progress = False
@@ -81,10 +82,10 @@ def set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
             for j, entry in enumerate(matrix[row]):
                 if entry == g.zero or j in columns:
                     continue
-                elsewhere = any(matrix[r][j] != g.zero for r in rows if r != row)
-                if not elsewhere and cannot_vanish(g, normalise(g, entry, 60), known):
+                if held[j] == 1 and cannot_vanish(g, normalise(g, entry, 60), known):
                     rows.remove(row)
                     columns.add(j)
+                    held = [count - (x != g.zero) for count, x in zip(held, matrix[row], strict=True)]
                     progress = True
                     break
             if progress:
