@@ -244,6 +244,17 @@ def test_rank_loss() -> None:
         assert find_rank_loss(system_of(name)).regular is True, name
 
 
+def test_rank_is_lost_where_a_factor_of_all_minors_vanishes() -> None:
+    """Without their factor cos(th) the rows have rank 2 everywhere, by x' and y'."""
+    rows = ["cos(th)*((2 + sin(th))*x' + z') = 0", "cos(th)*(y' + cos(z)*z') = 0"]
+    system = constrained("x, y, z, th", *rows)
+    found = find_rank_loss(system)
+    g, th = system.graph, system.q[3]
+    assert (found.regular, found.minors) == (False, (g.function("cos", th),))
+    lines = describe(system, formulate(system), Bag(system.spec.origin)).lines
+    assert "rank of the constraints: lost where cos(th) = 0: the motion is undefined there" in lines
+
+
 CAR = ("x, y, th, de", "rear: sin(th)*x' = cos(th)*y'", "front: sin(th+de)*x' - cos(th+de)*y' = cos(de)*th'")
 TRIKKE = (
     "x, y, th, al, ph",

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from functools import reduce
 from itertools import combinations
+from operator import and_
 
-from nhc.algebra.bounds.interval import cannot_vanish
+from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.dense import symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import MUL, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.solving.blocks import determinant_of
@@ -60,7 +63,34 @@ def find_rank_loss(system: System) -> RankLoss:
         return RankLoss(True, ())
     if system.rotations and cannot_vanish_together(g, _unturned(system, gram, whole), known):
         return RankLoss(True, ())
-    return RankLoss(False, tuple(kept))
+    shared, rest = _split_shared(g, kept, known)
+    return RankLoss(False, (shared,) if cannot_vanish_together(g, rest, known) else tuple(kept))
+
+
+def _split_shared(graph: Graph, minors: Sequence[Node], known: Mapping[Node, Interval]) -> tuple[Node, list[Node]]:
+    """The factors that all minors have and that may vanish, as a product without powers, and what is left of the minors."""
+    g = graph
+    parts = [_factors(g, minor) for minor in minors]
+    shared = reduce(and_, parts)
+    for base in [base for base in shared if cannot_vanish(g, base, known)]:
+        del shared[base]
+    rest = [g.product(g.power(base, k) for base, k in (own - shared).items()) for own in parts]
+    return g.product(sorted(shared)), rest
+
+
+def _factors(graph: Graph, node: Node) -> Counter[Node]:
+    """Factors of a product with their exponents; its sign and its number are left out."""
+    found, stack = Counter[Node](), [(node, 1)]
+    while stack:
+        top, times = stack.pop()
+        top = graph.split_coefficient(top)[1]
+        if graph.op[top] == MUL:
+            stack += [(graph.a[top], times), (graph.b[top], times)]
+        elif graph.op[top] == POW and graph.b[top] > 0:
+            stack.append((graph.a[top], times * graph.b[top]))
+        elif top != graph.one:
+            found[top] += times
+    return found
 
 
 def _unturned(system: System, gram: Node, minors: Sequence[Node]) -> list[Node]:
