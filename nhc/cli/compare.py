@@ -14,7 +14,7 @@ from nhc.cli.terminal import Exit, Failure, describe_os_error, put, put_json, sa
 from nhc.cli.write import deliver
 
 if TYPE_CHECKING:
-    from nhc.mechanics.certificate import Certificate, Rejection
+    from nhc.mechanics.certificates.certificate import Certificate, Rejection
 
 
 @click.command("compare")
@@ -59,7 +59,7 @@ def command(
         raise click.UsageError("`--json` and `--certificate -` cannot both go to stdout")
     source = open_spec(spec)
     from nhc import pipeline
-    from nhc.mechanics.certificate_file import is_sound, to_data, write
+    from nhc.mechanics.certificates.file import is_sound, to_data, write
 
     if old is not None:
         return _check(pipeline.check_certificate(source, _read(old)), old)
@@ -77,7 +77,7 @@ def command(
 def _compare_two(spec: str, other: str, maps: tuple[str, ...], as_json: bool) -> int:
     sources = open_spec(spec), open_spec(other)
     from nhc.cli.compare_specs import print_comparison, to_data
-    from nhc.mechanics.pair_verdict import compare_specs
+    from nhc.mechanics.pairs.verdict import compare_specs
 
     first, second = ("stdin" if name == "-" else name for name in (spec, other))
     names = ("the first", "the second") if first == second else (first, second)
@@ -109,7 +109,7 @@ def _check(wrong: list[str], path: str) -> int:
 
 
 def _print(made: Certificate) -> None:
-    from nhc.mechanics.certificate_file import power_of_ten
+    from nhc.mechanics.certificates.file import power_of_ten
 
     names = len(made.agreements)
     verdict = f"{names} formulations agree" if made.holds else "the formulations disagree"

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from nhc.cli.terminal import put
 
 if TYPE_CHECKING:
-    from nhc.mechanics.pair_verdict import Comparison
+    from nhc.mechanics.pairs.verdict import Comparison
 
 _SEEN = 1e-12  # a smaller difference is rounding
 
@@ -29,7 +29,7 @@ def print_comparison(made: Comparison) -> None:
 
 def to_data(made: Comparison) -> dict[str, Any]:
     """The same as data."""
-    from nhc.mechanics.certificate_file import power_of_ten
+    from nhc.mechanics.certificates.file import power_of_ten
 
     pairing, found = made.pairing, made.found
     return {
@@ -122,7 +122,7 @@ def _velocities(made: Comparison) -> list[str]:
 
 
 def _accelerations(made: Comparison) -> list[str]:
-    from nhc.mechanics.certificate_file import power_of_ten
+    from nhc.mechanics.certificates.file import power_of_ten
 
     names, worst, states = _rates(made), made.measured.worst, _count(made.measured.states, "state")
     width, lines = max(len(name) for name in names), []

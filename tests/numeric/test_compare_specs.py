@@ -11,7 +11,7 @@ import pytest
 from nhc.cli.entry import main
 from nhc.diagnostics import Source, SpecError
 from nhc.language import decode, read
-from nhc.mechanics.pair_verdict import Comparison, compare_systems
+from nhc.mechanics.pairs.verdict import Comparison, compare_systems
 from nhc.mechanics.resolve import resolve
 from tests.support import spec_path
 

@@ -1,0 +1,1 @@
+"""Two specs held against one another: do they describe the same motion?"""
