@@ -232,8 +232,9 @@ def _advance(run: _Run) -> Outcome | None:
         run.rejected += 1
         run.growth, s.first = 1.0, True
         run.next = h * (max(_pace(run, error, True), 0.333) if error > 1.0 else 0.25)
-        square = error if isinstance(run.method, Explicit) else error * error
-        s.learn_sizes(square if error > 1.0 else sys.float_info.max)
+        if task.step <= 0:
+            square = error if isinstance(run.method, Explicit) else error * error
+            s.learn_sizes(square if error > 1.0 else sys.float_info.max)
         if task.step > 0 or run.next < 4 * _EPSILON * max(abs(s.t), 1e-3 * duration):
             return run.leave(reason, s.status)
         return None
