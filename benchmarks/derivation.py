@@ -19,7 +19,7 @@ from functools import partial
 from benchmarks.capped import CAP, run_capped
 from benchmarks.models import source
 from nhc.language import Spec, decode
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.program.model import build_program

@@ -13,9 +13,9 @@ from pathlib import Path
 from benchmarks.counting import count_instructions
 from benchmarks.models import FLAGS, names, nhc_sources, parameters, source, states
 from benchmarks.systems import ROOT
-from nhc.algebra.rules import RULES, WithoutRules
+from nhc.algebra.rewriting.rules import RULES, WithoutRules
 from nhc.language import decode
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.program.ir import Program

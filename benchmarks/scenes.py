@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from benchmarks.systems import ROOT
 from nhc.language import decode, read
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from nhc.diagnostics import Bag, Diagnostic, Source, SpecError
 from nhc.language import Spec, decode
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation, formulate
+from nhc.mechanics.choosing.choose import Formulation, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import check_scene_name, start_of
@@ -34,7 +34,7 @@ from nhc.records import record
 from nhc.stamp import stamp
 
 if TYPE_CHECKING:
-    from nhc.mechanics.certificate import Certificate
+    from nhc.mechanics.certificates.certificate import Certificate
     from nhc.program.paper import Derivation
     from nhc.program.scene_model import SceneModel
     from nhc.study.chart.case import Study
@@ -157,7 +157,7 @@ def check(source: Source, *, explain: bool = True) -> Report:
     Raises:
         SpecError: the spec has errors.
     """
-    from nhc.mechanics.facts import describe
+    from nhc.mechanics.properties.facts import describe
 
     spec = decode(source)
     system = resolve(spec)
@@ -185,7 +185,7 @@ def compare(source: Source) -> tuple[System, Certificate]:
     Raises:
         SpecError: the spec has errors.
     """
-    from nhc.mechanics.certificate import certify
+    from nhc.mechanics.certificates.certificate import certify
 
     system = resolve(decode(source))
     return system, certify(system)
@@ -197,7 +197,7 @@ def check_certificate(source: Source, text: str) -> list[str]:
     Raises:
         SpecError: the spec has errors.
     """
-    from nhc.mechanics.certificate_file import verify
+    from nhc.mechanics.certificates.file import verify
 
     return verify(text, resolve(decode(source)), source.text)[0]
 

@@ -22,7 +22,7 @@ from typing import Any
 import pytest
 
 from nhc.language import decode, read
-from nhc.mechanics.choose import applicable
+from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, emit
 

@@ -14,8 +14,8 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from nhc.algebra.calculus import reachable
+from nhc.algebra.exact.modular import Unlucky, is_zero
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, UNARY, Graph, Node
-from nhc.algebra.modular import Unlucky, is_zero
 
 if TYPE_CHECKING:
     import sympy

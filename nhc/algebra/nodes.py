@@ -46,7 +46,7 @@ class NodeStore:
     Node 0 is zero and node 1 is one.  ``coefficient[x]`` and ``core[x]`` are k and y of x = k*y, where y has no rational factor.
     """
 
-    off: frozenset[str] = frozenset()  # rules that are not applied (nhc.algebra.rules)
+    off: frozenset[str] = frozenset()  # rules that are not applied (nhc.algebra.rewriting.rules)
 
     def __init__(self) -> None:
         self.op: list[str] = []

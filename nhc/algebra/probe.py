@@ -2,7 +2,7 @@
 
 A running error analysis (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2002), sec. 3.3) goes with every
 value; a node whose value is ten thousand times its bound is not the zero function.  The other way round nothing is concluded: what
-looks like zero here is left to :mod:`nhc.algebra.modular`.
+looks like zero here is left to :mod:`nhc.algebra.exact.modular`.
 
 Each node of a graph is evaluated once, in the order of the numbers.
 """

@@ -14,7 +14,7 @@ from nhc.cli.terminal import Exit, Failure, describe_os_error, put, put_json, sa
 from nhc.cli.write import deliver
 
 if TYPE_CHECKING:
-    from nhc.mechanics.certificate import Certificate, Rejection
+    from nhc.mechanics.certificates.certificate import Certificate, Rejection
 
 
 @click.command("compare")
@@ -36,7 +36,7 @@ def command(spec: str, certificate: str | None, old: str | None, force: bool, as
         raise click.UsageError("`--json` and `--certificate -` cannot both go to stdout")
     source = open_spec(spec)
     from nhc import pipeline
-    from nhc.mechanics.certificate_file import is_sound, to_data, write
+    from nhc.mechanics.certificates.file import is_sound, to_data, write
 
     if old is not None:
         return _check(pipeline.check_certificate(source, _read(old)), old)
@@ -71,7 +71,7 @@ def _check(wrong: list[str], path: str) -> int:
 
 
 def _print(made: Certificate) -> None:
-    from nhc.mechanics.certificate_file import power_of_ten
+    from nhc.mechanics.certificates.file import power_of_ten
 
     names = len(made.agreements)
     verdict = f"{names} formulations agree" if made.holds else "the formulations disagree"

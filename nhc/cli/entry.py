@@ -155,7 +155,7 @@ def _report(error: Exception) -> Exit:
     if isinstance(error, SpecError):
         say(render_text(error.source, error.diagnostics, wants_colour(sys.stderr)))
         return Exit.FAILED
-    from nhc.algebra.field import Unlucky
+    from nhc.algebra.exact.field import Unlucky
     from nhc.emit.options import EmitError
 
     if isinstance(error, EmitError):

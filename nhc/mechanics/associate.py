@@ -15,14 +15,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, pullback_gradient, substitute, tangent
-from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
+from nhc.algebra.rewriting.gather import gather
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.motion import Motion
-from nhc.mechanics.moved import Moved, Weights
+from nhc.mechanics.moving.moved import Moved, Weights
 from nhc.mechanics.rotation import along, moving, virtual_work
 from nhc.mechanics.system import System
-from nhc.mechanics.tree import Elimination
+from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.turns import Vector, cross
 from nhc.records import record
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.system import System
 
 THESIS = (

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import Singular, solve_columns_modulo, solve_modulo
-from nhc.algebra.field import FieldPoint, Unlucky
+from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import bordered_system

@@ -8,22 +8,22 @@ from dataclasses import replace
 from nhc.algebra.calculus import count
 from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_zero
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations, Matrix, Projector, Row
-from nhc.mechanics.choose import Formulation
-from nhc.mechanics.determined import check_determined
+from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.formulations.multipliers import multiplier_symbols
 from nhc.mechanics.frame import coordinate_frame, form_value, total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.motion import Motion
-from nhc.mechanics.move import move
-from nhc.mechanics.moved import Moved
-from nhc.mechanics.multipliers import multiplier_symbols
+from nhc.mechanics.moving.move import move
+from nhc.mechanics.moving.moved import Moved
+from nhc.mechanics.regular.determined import check_determined
+from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
-from nhc.mechanics.tree import Elimination
-from nhc.mechanics.tree_choice import FEW, worthwhile_tree
-from nhc.mechanics.trials import trial_points
+from nhc.mechanics.trees.choice import FEW, worthwhile_tree
+from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.values import scene_values
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.records import record

@@ -13,9 +13,9 @@ from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import is_clearly_regular, solve_rows
+from nhc.algebra.solving.linear import is_clearly_regular, solve_rows
 from nhc.mechanics import rotation
-from nhc.mechanics.regularity import pivot_weakness
+from nhc.mechanics.regular.regularity import pivot_weakness
 from nhc.mechanics.rotation import Rotation, along, from_base, moving
 from nhc.mechanics.system import Form, System
 from nhc.thesis import equation

@@ -19,9 +19,9 @@ from functools import cached_property
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import is_zero
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
-from nhc.algebra.linear import degrees, linear_form
-from nhc.algebra.modular import is_zero
+from nhc.algebra.solving.linear import degrees, linear_form
 from nhc.mechanics import rotation
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import scene_values

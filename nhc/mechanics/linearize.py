@@ -13,16 +13,16 @@ from collections.abc import Mapping, Sequence
 
 from nhc.algebra.calculus import count, substitute
 from nhc.algebra.dense import Singular
+from nhc.algebra.exact.modular import Unlucky, are_zero, rank
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import depends, solve
-from nhc.algebra.modular import Unlucky, are_zero, rank
 from nhc.algebra.polynomial import normalise
-from nhc.mechanics.choose import Formulation, NotApplicable, build
+from nhc.algebra.solving.linear import depends, solve
+from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build
 from nhc.mechanics.dependence import find_dependence
-from nhc.mechanics.flag import growth_vector
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
-from nhc.mechanics.integrability import is_integrable, lie_bracket
+from nhc.mechanics.properties.flag import growth_vector
+from nhc.mechanics.properties.integrability import is_integrable, lie_bracket
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import System
 from nhc.records import record

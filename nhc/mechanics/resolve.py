@@ -10,15 +10,15 @@ from fractions import Fraction
 from nhc.algebra.calculus import Derivation
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NotLinear, depends, is_clearly_linear, linear_form
 from nhc.algebra.nodes import NumberTooLong
+from nhc.algebra.solving.linear import NotLinear, depends, is_clearly_linear, linear_form
 from nhc.diagnostics import Bag, Span
 from nhc.language import Spec
 from nhc.language.numbers import DOUBLES
 from nhc.language.spec import Rotation
 from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.mechanics import rotation as mechanics
-from nhc.mechanics.dependent_rows import check_freedom, check_rank
+from nhc.mechanics.regular.dependent_rows import check_freedom, check_rank
 from nhc.mechanics.system import Form, System
 
 _LARGEST = Fraction(sys.float_info.max)

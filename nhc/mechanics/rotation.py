@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NotLinear, linear_form
+from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.mechanics.turns import Vector, cross
 
 if TYPE_CHECKING:

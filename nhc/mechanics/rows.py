@@ -14,11 +14,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_zero
 from nhc.exterior import Form, interior
-from nhc.mechanics import euler_lagrange, lagrange, multipliers, newton, voronec
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.formulations import euler_lagrange, lagrange, multipliers, newton, voronec
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
 from nhc.records import record

@@ -17,9 +17,9 @@ from nhc.diagnostics import Bag, Span, quote, several, suggest
 from nhc.language.spec import Scene, Spec
 from nhc.language.syntax import Syntax
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.regular.regularity import choose_dependent
+from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.trials import velocity_units
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 

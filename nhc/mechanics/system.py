@@ -12,7 +12,7 @@ from functools import partial
 
 from nhc.algebra.calculus import derivative
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import linear_form
+from nhc.algebra.solving.linear import linear_form
 from nhc.language import Spec
 from nhc.language.derived_units import derive_units
 from nhc.mechanics.rotation import Rotation

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import MUL, NEG, Graph, Node
-from nhc.algebra.linear import degrees
+from nhc.algebra.solving.linear import degrees
 from nhc.mechanics.kinetic import Kinetic, list_atoms
 from nhc.mechanics.system import System
 

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from nhc.algebra.calculus import count
-from nhc.algebra.factors import find_factors
 from nhc.algebra.graph import Node
-from nhc.algebra.pieces import shorten_pieces
-from nhc.algebra.products import share_products
-from nhc.algebra.related import relate_angles
-from nhc.algebra.shorten import shorten
-from nhc.algebra.values import share_values
+from nhc.algebra.rewriting.factors import find_factors
+from nhc.algebra.rewriting.pieces import shorten_pieces
+from nhc.algebra.rewriting.products import share_products
+from nhc.algebra.rewriting.related import relate_angles
+from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.rewriting.values import share_values
 from nhc.mechanics.formulate import accelerations, reaction_values
 from nhc.mechanics.frame import form_value, kept_forms
 from nhc.mechanics.system import Form

@@ -20,11 +20,11 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.frame import form_value, total_derivative
-from nhc.mechanics.given_rank import given_states
 from nhc.mechanics.motion import Motion
+from nhc.mechanics.regular.given_rank import given_states
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.tree import Elimination
-from nhc.mechanics.tree_choice import FEW, tree_of
+from nhc.mechanics.trees.choice import FEW, tree_of
+from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.values import scene_values
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.program.plan import factor, solve_factored

@@ -14,11 +14,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import rank
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.constancy import shows_jumps
 from nhc.mechanics.frame import form_value
+from nhc.mechanics.properties.constancy import shows_jumps
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target
 from nhc.records import record
 

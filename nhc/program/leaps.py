@@ -12,10 +12,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from nhc.algebra.bounds.interval import Interval, bounds, cannot_vanish
 from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import POW, Graph, Node
-from nhc.algebra.interval import Interval, bounds, cannot_vanish
-from nhc.mechanics.regularity import intervals
+from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.rotation import moving
 from nhc.program.clock import CORNERS, STEPS, list_reached
 from nhc.program.ir import Leaps

@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.system import Form
-from nhc.mechanics.tree import Elimination
-from nhc.mechanics.tree_choice import CHAINED, FEW, tree_of, work
+from nhc.mechanics.trees.choice import CHAINED, FEW, tree_of, work
+from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.program.held_tree import held_tree
 from nhc.program.plan import Factors, factor, solve_factored

@@ -8,7 +8,7 @@ from fractions import Fraction
 from nhc.diagnostics import SpecError
 from nhc.language.spec import Parameter, Scene
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.scenes import kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value

@@ -11,9 +11,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import substitute
+from nhc.algebra.exact.modular import Unlucky
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import Unlucky
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.drawing import Sketch, sketch_of
 from nhc.mechanics.flow import flow_of

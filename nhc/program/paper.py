@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from nhc.language import Scene
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.system import System
 from nhc.program.sheets.data import data_sheet, reason_sheet
 from nhc.program.sheets.draft import Desk, DraftSheet

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import NEG, Node
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
+from nhc.mechanics.regular.trials import usual_digits
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import System
-from nhc.mechanics.trials import usual_digits
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.lower import lower_function
 from nhc.program.mass_route import mass_route

@@ -1,11 +1,11 @@
-"""The program of a scene: the smallest model that delivers what the scene needs (:mod:`nhc.mechanics.reduce`)."""
+"""The program of a scene: the smallest model that delivers what the scene needs (:mod:`nhc.mechanics.reduction.reduce`)."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.mechanics.reduce import keep_everything
+from nhc.mechanics.reduction.reduce import keep_everything
 from nhc.mechanics.scenes import kept_velocities
 from nhc.program.build import rewrite
 from nhc.program.clock import find_stops

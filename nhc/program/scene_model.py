@@ -7,19 +7,19 @@ from fractions import Fraction
 
 from nhc.algebra.calculus import count
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import Unlucky
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import Unlucky
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
-from nhc.mechanics.conditioning import find_start
+from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.choosing.conditioning import find_start
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import kept_forms
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
-from nhc.mechanics.quadrature import find_closed
-from nhc.mechanics.reduce import Reduction, keep_everything, reduce_equations
-from nhc.mechanics.regularity import intervals
-from nhc.mechanics.scene_frames import list_formulations, momentum_formulation
+from nhc.mechanics.reduction.quadrature import find_closed
+from nhc.mechanics.reduction.reduce import Reduction, keep_everything, reduce_equations
+from nhc.mechanics.reduction.scene_frames import list_formulations, momentum_formulation
+from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner, rewrite

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field, replace
 
 from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_zero
-from nhc.algebra.shorten import shorten
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.motion import Motion
-from nhc.mechanics.reduce import Reduction
+from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.build import Planner
 from nhc.program.ir import Quantity

@@ -12,10 +12,10 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, SpecError, quote
 from nhc.language.spec import Scene
-from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states
+from nhc.mechanics.regular.given_rank import find_dependent_as_given, find_dependent_row, given_states
+from nhc.mechanics.regular.trials import velocity_units
+from nhc.mechanics.regular.undefined import find_pole, find_undefined
 from nhc.mechanics.scenes import Start, kept_velocities, left_at_zero, place_of
-from nhc.mechanics.trials import velocity_units
-from nhc.mechanics.undefined import find_pole, find_undefined
 from nhc.program.build import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())

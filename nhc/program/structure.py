@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_zero
 from nhc.mechanics.rotation import regular_energy
 from nhc.mechanics.system import System
 from nhc.program.build import Planner

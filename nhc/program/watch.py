@@ -10,15 +10,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.algebra.blocks import determinant_of, row_scale, size_of
+from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Node
-from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.polynomial import normalise
-from nhc.mechanics.regularity import intervals
-from nhc.mechanics.singular import find_rank_loss
+from nhc.algebra.solving.blocks import determinant_of, row_scale, size_of
+from nhc.mechanics.properties.singular import find_rank_loss
+from nhc.mechanics.regular.regularity import intervals
+from nhc.mechanics.regular.trials import usual_digits
 from nhc.mechanics.system import System
-from nhc.mechanics.trials import usual_digits
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
 from nhc.program.planner import MASS_LOST

@@ -7,7 +7,7 @@ import math
 from html import escape
 
 from nhc.emit.environment import create_environment
-from nhc.mechanics.conserved import power_terms
+from nhc.mechanics.properties.conserved import power_terms
 from nhc.report.drawing import describe_drawing, shorten
 from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, time_axis
 from nhc.simulate.prepare import Job

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nhc.algebra.evaluate import evaluate
-from nhc.mechanics.choose import Formulation
-from nhc.mechanics.conditioning import Place
+from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.choosing.conditioning import Place
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import kept_velocities
 from nhc.mechanics.system import System

@@ -12,7 +12,7 @@ from nhc.language.parser import parse_expression
 from nhc.language.scope import Declared, Scope
 from nhc.language.spec import Definition, Scene
 from nhc.language.syntax import Name, Syntax, fold_tree, rebuild
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import Resolver, define_names, resolve
 from nhc.mechanics.scenes import check_scene_name, start_of

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from nhc.algebra.graph import Node
-from nhc.mechanics.conditioning import conditioning
-from nhc.mechanics.singular import smallest_singular_value
-from nhc.mechanics.undefined import find_undefined
+from nhc.mechanics.choosing.conditioning import conditioning
+from nhc.mechanics.properties.singular import smallest_singular_value
+from nhc.mechanics.regular.undefined import find_undefined
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import (
     CROSSED,

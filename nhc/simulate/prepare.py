@@ -9,7 +9,7 @@ from nhc.algebra.graph import Node
 from nhc.emit.statements import list_statuses
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.drawing import Sketch
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System

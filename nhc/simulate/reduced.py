@@ -7,7 +7,7 @@ from dataclasses import replace
 from nhc.algebra.calculus import count
 from nhc.emit.statements import list_statuses
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.clock import find_stops
 from nhc.program.leaps import find_leaps

@@ -1,7 +1,7 @@
 """One trajectory through several formulations and methods.
 
 Where a formulation becomes nearly singular the run goes on with another, the state being carried over by way of q and q'.  A change
-waits for a choice of free velocities that is better by a good factor (:mod:`nhc.mechanics.conditioning`), so that a run near the
+waits for a choice of free velocities that is better by a good factor (:mod:`nhc.mechanics.choosing.conditioning`), so that a run near the
 middle between two of them does not go back and forth.  Where the steps of an explicit method are held by its stability, the run
 goes on with an implicit one if that takes steps long enough to pay, and back where it no longer does.
 """
@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from nhc.mechanics.conditioning import Choice, conditioning, find_better, is_mass_sound, name_of
+from nhc.mechanics.choosing.conditioning import Choice, conditioning, find_better, is_mass_sound, name_of
 from nhc.program.planner import SINGULAR_FRAME
 from nhc.records import record
 from nhc.simulate.carrying import carry, is_same, make_job, place_of

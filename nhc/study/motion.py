@@ -17,15 +17,15 @@ from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 from nhc.language.scope import names_in
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation, build
-from nhc.mechanics.conditioning import adapted_choices
+from nhc.mechanics.choosing.choose import Formulation, build
+from nhc.mechanics.choosing.conditioning import adapted_choices
 from nhc.mechanics.flow import Flow, flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.linearize import Leaf, cyclic_of, is_autonomous, leaf_of, quantity, reduced, symbolic_matrix
-from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.properties.symmetry import Generator, turning_symmetries
+from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.scenes import Start, start_of
-from nhc.mechanics.symmetry import Generator, turning_symmetries
 from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record

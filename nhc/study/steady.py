@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from nhc.mechanics.regularity import relative_determinant
-from nhc.mechanics.trials import sampled_rows
+from nhc.mechanics.regular.regularity import relative_determinant
+from nhc.mechanics.regular.trials import sampled_rows
 from nhc.study.field import RANK, Hold, SteadyModel
 from nhc.study.units import Matrix, Vector, beside, is_steady, normal
 

@@ -13,7 +13,7 @@ EQUATIONS = (
         "I.1.1",
         "linear nonholonomic constraints",
         r"a_{\alpha i}\dot q_i + a_\alpha = 0",
-        ("nhc.mechanics.frame.form_value", "nhc.mechanics.multipliers.constraint_rates"),
+        ("nhc.mechanics.frame.form_value", "nhc.mechanics.formulations.multipliers.constraint_rates"),
     ),
     Equation(
         "I.1.2",
@@ -38,7 +38,7 @@ EQUATIONS = (
         "I.2.3",
         "differentials of quasi-coordinates: a coframe",
         r"d\pi_i = a_{ij}\,dq_j + a_{i,n+1}\,dt",
-        ("nhc.mechanics.euler_lagrange.full_coframe",),
+        ("nhc.mechanics.formulations.euler_lagrange.full_coframe",),
     ),
     Equation(
         "I.2.4",
@@ -101,7 +101,7 @@ EQUATIONS = (
         "the Euler-Lagrange expression on virtual displacements",
         r"\delta\pi_j\left[\frac{d}{dt}\frac{\partial T}{\partial\omega_j} + (\gamma^i_{mj}\omega_m + \epsilon^i_j)"
         r"\frac{\partial T}{\partial\omega_i} - \frac{\partial T}{\partial\pi_j} - P_j\right] = 0",
-        ("nhc.mechanics.euler_lagrange.printed_rows",),
+        ("nhc.mechanics.formulations.euler_lagrange.printed_rows",),
         errata=("E12",),
     ),
     Equation(
@@ -109,14 +109,14 @@ EQUATIONS = (
         "Euler-Lagrange (Poincaré) without constraints",
         r"\frac{d}{dt}\frac{\partial T}{\partial\omega_j} + (\gamma^i_{mj}\omega_m + \epsilon^i_j)"
         r"\frac{\partial T}{\partial\omega_i} - \frac{\partial T}{\partial\pi_j} = P_j",
-        ("nhc.mechanics.euler_lagrange.printed_rows",),
+        ("nhc.mechanics.formulations.euler_lagrange.printed_rows",),
     ),
     Equation(
         "I.2.15",
         "Euler-Lagrange (Hamel) with constraints; the sum on i runs over all n",
         r"\frac{d}{dt}\frac{\partial T}{\partial\omega_\mu} + (\gamma^i_{\nu\mu}\omega_\nu + \epsilon^i_\mu)"
         r"\frac{\partial T}{\partial\omega_i} - \frac{\partial T}{\partial\pi_\mu} = P_\mu = b_{i\mu}Q_i",
-        ("nhc.mechanics.euler_lagrange.printed_rows",),
+        ("nhc.mechanics.formulations.euler_lagrange.printed_rows",),
         "tests/thesis/test_agreement.py::test_hamel_agrees",
         errata=("E11",),
     ),
@@ -125,7 +125,7 @@ EQUATIONS = (
         "Čaplygin's equations and their hypotheses (boxed)",
         r"\frac{d}{dt}\frac{\partial T^*}{\partial\dot q_\mu} - \frac{\partial T^*}{\partial q_\mu} + p_\alpha\left("
         r"\frac{\partial b_{\alpha\nu}}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial q_\nu}\right)\dot q_\nu = Q_\mu",
-        ("nhc.mechanics.chaplygin.hypotheses", "nhc.mechanics.chaplygin.printed_rows"),
+        ("nhc.mechanics.formulations.chaplygin.hypotheses", "nhc.mechanics.formulations.chaplygin.printed_rows"),
         "tests/thesis/test_agreement.py::test_chaplygin_agrees",
         errata=("E1", "E10"),
     ),
@@ -140,7 +140,7 @@ EQUATIONS = (
         "d'Alembert's equations with the dependent displacements eliminated",
         r"\frac{d}{dt}\frac{\partial T}{\partial\dot q_\mu} - \frac{\partial T}{\partial q_\mu} - Q_\mu"
         r" + b_{\alpha\mu}\frac{d}{dt}\frac{\partial T}{\partial\dot q_\alpha} = 0",
-        ("nhc.mechanics.chaplygin.printed_rows",),
+        ("nhc.mechanics.formulations.chaplygin.printed_rows",),
         "tests/thesis/test_agreement.py::test_chaplygin_agrees",
     ),
     Equation(
@@ -148,7 +148,7 @@ EQUATIONS = (
         "momenta of T*",
         r"\frac{\partial T^*}{\partial\dot q_\mu} = \frac{\partial T}{\partial\dot q_\mu}"
         r" + \frac{\partial T}{\partial\dot q_\alpha}b_{\alpha\mu}",
-        ("nhc.mechanics.voronec.reduce",),
+        ("nhc.mechanics.formulations.voronec.reduce",),
     ),
     Equation(
         "I.3.4",
@@ -162,38 +162,38 @@ EQUATIONS = (
         "Lagrange's equations with multipliers, independent rows",
         r"\frac{d}{dt}\frac{\partial T}{\partial\dot q_\mu} - \frac{\partial T}{\partial q_\mu} - Q_\mu"
         r" + \lambda_\alpha b_{\alpha\mu} = 0",
-        ("nhc.mechanics.multipliers.printed_rows",),
+        ("nhc.mechanics.formulations.multipliers.printed_rows",),
     ),
     Equation(
         "I.4.2",
         "Lagrange's equations with multipliers, dependent rows",
         r"\frac{d}{dt}\frac{\partial T}{\partial\dot q_\beta} - \frac{\partial T}{\partial q_\beta} - Q_\beta - \lambda_\beta = 0",
-        ("nhc.mechanics.multipliers.printed_rows",),
+        ("nhc.mechanics.formulations.multipliers.printed_rows",),
     ),
     Equation(
         "I.4.3",
         "momenta of T*, as I.3.3",
         r"\frac{\partial T^*}{\partial\dot q_\mu} = \frac{\partial T}{\partial\dot q_\mu}"
         r" + \frac{\partial T}{\partial\dot q_\beta}b_{\beta\mu}",
-        ("nhc.mechanics.voronec.reduce",),
+        ("nhc.mechanics.formulations.voronec.reduce",),
     ),
     Equation(
         "I.4.4",
         "their rates",
         r"\frac{d}{dt}\frac{\partial T^*}{\partial\dot q_\mu} = \dot p_\mu + b_{\beta\mu}\dot p_\beta + p_\beta\dot b_{\beta\mu}",
-        ("nhc.mechanics.voronec.printed_rows",),
+        ("nhc.mechanics.formulations.voronec.printed_rows",),
     ),
     Equation(
         "I.4.5",
         "I.4.1 with a force function",
         r"\dot p_\mu = \frac{\partial(T+U)}{\partial q_\mu} - \lambda_\alpha b_{\alpha\mu}",
-        ("nhc.mechanics.multipliers.printed_rows",),
+        ("nhc.mechanics.formulations.multipliers.printed_rows",),
     ),
     Equation(
         "I.4.6",
         "I.4.2 with a force function",
         r"\dot p_\beta = \frac{\partial(T+U)}{\partial q_\beta} + \lambda_\beta",
-        ("nhc.mechanics.multipliers.printed_rows",),
+        ("nhc.mechanics.formulations.multipliers.printed_rows",),
     ),
     Equation(
         "I.4.7",
@@ -207,7 +207,7 @@ EQUATIONS = (
         "slopes of T and of T*",
         r"\frac{\partial T^*}{\partial q_j} = \frac{\partial T}{\partial q_j}"
         r" + p_\alpha\frac{\partial}{\partial q_j}(b_{\alpha\nu}\dot q_\nu + b_\alpha)",
-        ("nhc.mechanics.voronec.printed_rows",),
+        ("nhc.mechanics.formulations.voronec.printed_rows",),
         "tests/thesis/test_errata_in_print.py::test_E14",
         errata=("E14",),
     ),
@@ -218,7 +218,7 @@ EQUATIONS = (
         r" + b_{\beta\mu}\frac{\partial T^*}{\partial q_\beta} + Q_\mu + b_{\beta\mu}Q_\beta + p_\alpha\left\{\dot b_{\alpha\mu}"
         r" - \left(\frac{\partial}{\partial q_\mu} + b_{\beta\mu}\frac{\partial}{\partial q_\beta}\right)"
         r"(b_{\alpha\nu}\dot q_\nu + b_\alpha)\right\}",
-        ("nhc.mechanics.voronec.printed_rows",),
+        ("nhc.mechanics.formulations.voronec.printed_rows",),
         "tests/thesis/test_agreement.py::test_voronec_agrees",
     ),
 )

@@ -25,27 +25,27 @@ EQUATIONS = (
         "III.2.1",
         "the dynamic part in quasi-coordinates",
         r"\Omega_d = P_j\,d\pi_j\wedge dt",
-        ("nhc.mechanics.euler_lagrange.dynamic_two_form",),
+        ("nhc.mechanics.formulations.euler_lagrange.dynamic_two_form",),
     ),
     Equation(
         "III.2.2",
         "the part of the kinetic form beside dt; on a motion it gives the theorem of energy",
         r"d\left[(p^*_j\omega_j - T)\,dt\right] = d(p^*_j\omega_j - T)\wedge dt",
-        ("nhc.mechanics.conserved.power", "nhc.mechanics.euler_lagrange.kinetic_two_form"),
+        ("nhc.mechanics.properties.conserved.power", "nhc.mechanics.formulations.euler_lagrange.kinetic_two_form"),
         errata=("E4",),
     ),
     Equation(
         "III.2.3",
         "the part with the momenta's differentials",
         r"dp^*_j\wedge d\pi_j",
-        ("nhc.mechanics.euler_lagrange.kinetic_two_form",),
+        ("nhc.mechanics.formulations.euler_lagrange.kinetic_two_form",),
         errata=("E15",),
     ),
     Equation(
         "III.2.4",
         "the part with the differentials of dpi",
         r"p^*_j\,d(d\pi_j) = \tfrac12 p^*_j\gamma^j_{mi}\,d\pi_m\wedge d\pi_i - p^*_j\epsilon^j_i\,d\pi_i\wedge dt",
-        ("nhc.mechanics.euler_lagrange.kinetic_two_form",),
+        ("nhc.mechanics.formulations.euler_lagrange.kinetic_two_form",),
         "tests/property/test_structure.py::test_structure_equations",
         errata=("E2",),
     ),
@@ -54,7 +54,7 @@ EQUATIONS = (
         "Omega in all quasi-velocities",
         r"\Omega = dp^*_j\wedge d\pi_j + \tfrac12 p^*_j\gamma^j_{mi}\,d\pi_m\wedge d\pi_i - p^*_j\epsilon^j_i\,d\pi_i\wedge dt"
         r" - d(p^*_j\omega_j - T)\wedge dt + P_j\,d\pi_j\wedge dt",
-        ("nhc.mechanics.euler_lagrange.unconstrained_omega",),
+        ("nhc.mechanics.formulations.euler_lagrange.unconstrained_omega",),
         errata=("E2", "E5"),
     ),
     Equation(
@@ -62,7 +62,7 @@ EQUATIONS = (
         "Euler-Lagrange (Hamel), as I.2.15",
         r"\frac{d}{dt}\frac{\partial T}{\partial\omega_\mu} + (\gamma^i_{\nu\mu}\omega_\nu + \epsilon^i_\mu)"
         r"\frac{\partial T}{\partial\omega_i} - \frac{\partial T}{\partial\pi_\mu} = P_\mu",
-        ("nhc.mechanics.euler_lagrange.printed_rows",),
+        ("nhc.mechanics.formulations.euler_lagrange.printed_rows",),
         "tests/thesis/test_agreement.py::test_hamel_agrees",
         errata=("E3",),
     ),
@@ -73,7 +73,7 @@ EQUATIONS = (
         r"\frac{\partial b_{\alpha\nu}}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial q_\nu}\right)\dot q_\nu"
         r" + \frac{\partial b_\alpha}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial t}\right]"
         r" = Q_\mu + b_{\alpha\mu}Q_\alpha",
-        ("nhc.mechanics.chaplygin.printed_rows",),
+        ("nhc.mechanics.formulations.chaplygin.printed_rows",),
         "tests/thesis/test_diagrams.py::test_substitute_and_differentiate_do_not_commute",
         errata=("E4", "E5", "E15"),
     ),
@@ -81,7 +81,7 @@ EQUATIONS = (
         "III.3.1",
         "the dynamic part; Q_alpha = 0",
         r"Q_i\,dq_i\wedge dt = Q_\mu\,dq_\mu\wedge dt",
-        ("nhc.mechanics.voronec.omega",),
+        ("nhc.mechanics.formulations.voronec.omega",),
     ),
     Equation(
         "III.3.2",
@@ -138,7 +138,7 @@ EQUATIONS = (
         "Voronec's equations, last line of III.4, and the 2-form they are associated to",
         r"\tilde\Omega = \left(d\frac{\partial T^*}{\partial\dot q_\mu} - p_\alpha\,db_{\alpha\mu} - R_\mu\,dt\right)"
         r"\wedge(dq_\mu - \dot q_\mu\,dt)",
-        ("nhc.mechanics.voronec.omega", "nhc.mechanics.voronec.printed_rows"),
+        ("nhc.mechanics.formulations.voronec.omega", "nhc.mechanics.formulations.voronec.printed_rows"),
         "tests/thesis/test_errata_in_print.py::test_E16",
         errata=("E7", "E8"),
     ),
@@ -146,28 +146,28 @@ EQUATIONS = (
         "III.4.1",
         "the dynamic part",
         r"\Omega_d = (Q_\mu + b_{\beta\mu}Q_\beta)\,dq_\mu\wedge dt",
-        ("nhc.mechanics.voronec.omega",),
+        ("nhc.mechanics.formulations.voronec.omega",),
     ),
     Equation(
         "III.4.2",
         "the slopes of T on the constraints",
         r"\frac{\partial T}{\partial q_j} = \frac{\partial T^*}{\partial q_j}"
         r" - p_\gamma\frac{\partial}{\partial q_j}(b_{\gamma\nu}\dot q_\nu + b_\gamma)",
-        ("nhc.mechanics.voronec.omega",),
+        ("nhc.mechanics.formulations.voronec.omega",),
     ),
     Equation(
         "III.4.3",
         "the momenta against the velocities' differentials",
         r"p_i\,d\dot q_i\wedge dt = \frac{\partial T^*}{\partial\dot q_\mu}d\dot q_\mu\wedge dt"
         r" + p_\beta(\dot q_\mu\,db_{\beta\mu} + db_\beta)\wedge dt",
-        ("nhc.mechanics.voronec.omega",),
+        ("nhc.mechanics.formulations.voronec.omega",),
     ),
     Equation(
         "III.4.4",
         "the momenta's differentials against dq (the printed split into Hessian parts is false, the sum is right)",
         r"dp_i\wedge dq_i = \left(d\frac{\partial T^*}{\partial\dot q_\mu} - p_\alpha\,db_{\alpha\mu}\right)\wedge dq_\mu"
         r" + b_\alpha\,dp_\alpha\wedge dt",
-        ("nhc.mechanics.voronec.omega",),
+        ("nhc.mechanics.formulations.voronec.omega",),
         errata=("E6",),
     ),
     Equation(

@@ -86,6 +86,6 @@ _ERRATA_HEAD = """# Errata
 What does not hold as it stands in the available text of the thesis, whether by a slip of the mathematics, the pen or the scan.
 Each entry has a test that builds the printed formula with nhc's own graph and forms, and shows on systems of the gallery that it
 disagrees with Lagrange's equations with multipliers (or with an exact identity) where the corrected one agrees. The wrong variants
-themselves are kept in `nhc/mechanics/wrong.py`. This file is written from `nhc/thesis/errata.py`; `pytest --update tests/thesis`
+themselves are kept in `nhc/mechanics/certificates/wrong.py`. This file is written from `nhc/thesis/errata.py`; `pytest --update tests/thesis`
 rewrites it.
 """

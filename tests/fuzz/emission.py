@@ -15,7 +15,7 @@ from pathlib import Path
 from types import ModuleType
 
 from nhc.language import decode
-from nhc.mechanics.choose import applicable
+from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, emit
 from tests.generate import write_spec

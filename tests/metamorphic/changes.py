@@ -12,8 +12,8 @@ from functools import partial
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Differential, Name, Number, Prime, Syntax, decode, walk
 from nhc.language.syntax import Binary
-from nhc.mechanics.choose import NotApplicable, build
-from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.choosing.choose import NotApplicable, build
+from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.resolve import resolve
 from tests.generate import Writer
 from tests.metamorphic.models import State

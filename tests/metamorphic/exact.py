@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from nhc.algebra.exact.modular import FieldPoint, Unlucky
+from nhc.algebra.exact.residues import PRIMES
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import FieldPoint, Unlucky
-from nhc.algebra.residues import PRIMES
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import build
+from nhc.mechanics.choosing.choose import build
 from nhc.mechanics.formulate import accelerations, bordered_system, equations_of
 from nhc.mechanics.frame import coordinate_form, form_value
 from nhc.mechanics.system import System

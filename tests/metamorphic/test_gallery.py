@@ -14,7 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from nhc.algebra.modular import Unlucky
+from nhc.algebra.exact.modular import Unlucky
 from nhc.language import read
 from tests.generate import Writer, write_spec
 from tests.metamorphic.changes import Change, changes_for, write_as_forms, writer_for

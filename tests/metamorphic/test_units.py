@@ -16,8 +16,8 @@ from nhc.algebra.minors import balance_columns, relative_minors
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec, decode
 from nhc.language.units import parse_unit
-from nhc.mechanics.choose import formulate
-from nhc.mechanics.conditioning import conditioning
+from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.choosing.conditioning import conditioning
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import Start, start_of

@@ -17,7 +17,7 @@ import yaml
 
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.choose import applicable
+from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, check, emit
 from nhc.simulate.opening import open_scene

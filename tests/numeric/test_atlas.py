@@ -25,8 +25,8 @@ def test_scenario(scenario: Scenario) -> None:
 
 def test_the_wrong_motions_are_those_of_the_catalogue() -> None:
     """(x, y, theta) of the sleigh after 0.8 s, by three derivations."""
-    from nhc.mechanics.choose import applicable
-    from nhc.mechanics.claims import reference_claim, wrong_claims
+    from nhc.mechanics.certificates.claims import reference_claim, wrong_claims
+    from nhc.mechanics.choosing.choose import applicable
 
     system = open_system("chaplygin_sleigh")
     claims = {w.claim.name: w.claim for w in wrong_claims(system, applicable(system))}

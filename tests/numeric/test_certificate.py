@@ -9,15 +9,15 @@ from functools import cache
 
 import pytest
 
-from nhc.algebra.degree import Degrees
+from nhc.algebra.exact.degree import Degrees
 from nhc.algebra.graph import Graph
 from nhc.diagnostics import Source
 from nhc.language import decode, read
-from nhc.mechanics import certificate as module
-from nhc.mechanics.certificate import Certificate, certify
-from nhc.mechanics.certificate_file import is_sound, power_of_ten, verify, write
-from nhc.mechanics.choose import applicable
-from nhc.mechanics.claims import wrong_claims
+from nhc.mechanics.certificates import certificate as module
+from nhc.mechanics.certificates.certificate import Certificate, certify
+from nhc.mechanics.certificates.claims import wrong_claims
+from nhc.mechanics.certificates.file import is_sound, power_of_ten, verify, write
+from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from tests.support import GALLERY, spec_path

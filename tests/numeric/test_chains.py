@@ -9,11 +9,11 @@ from collections.abc import Iterator
 import pytest
 
 from nhc.algebra.calculus import count
+from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_equal
 from nhc.diagnostics import Source
-from nhc.mechanics.tree import Elimination
-from nhc.mechanics.tree_choice import tree_of
+from nhc.mechanics.trees.choice import tree_of
+from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.pipeline import Model, Options, emit, model, reduce_scene
 from nhc.program.build import Planner

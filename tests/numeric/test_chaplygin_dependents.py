@@ -7,7 +7,7 @@ import math
 import pytest
 
 from nhc.diagnostics import Source, SpecError
-from nhc.mechanics.choose import applicable
+from nhc.mechanics.choosing.choose import applicable
 from nhc.pipeline import Options, emit, model
 from tests.support import python_model
 

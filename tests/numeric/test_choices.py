@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from nhc.diagnostics import Source
-from nhc.mechanics.certificate import certify
-from nhc.mechanics.regularity import choose_dependent, relative_determinant
-from nhc.mechanics.trials import ordinary_points, sampled_rows
+from nhc.mechanics.certificates.certificate import certify
+from nhc.mechanics.regular.regularity import choose_dependent, relative_determinant
+from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
 from nhc.pipeline import Options, check, emit, model, program
 from tests.support import compile_c
 
@@ -91,7 +91,7 @@ def test_loads_that_only_a_sweep_reads_are_not_repeated(tmp_path: Path) -> None:
 
 def test_many_coordinates_are_completed_at_one_stroke(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first velocities of each pool do; a rank for each of them took half a minute for 200 coordinates."""
-    from nhc.mechanics import adapt
+    from nhc.mechanics.choosing import adapt
 
     asked: list[int] = []
     rank = adapt.rank

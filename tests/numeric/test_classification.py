@@ -10,20 +10,20 @@ import pytest
 import sympy
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.modular import rank
-from nhc.algebra.relations import find_relations, rational, without
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.exact.modular import rank
+from nhc.algebra.exact.relations import find_relations, rational, without
+from nhc.algebra.exact.residues import PRIMES
 from nhc.diagnostics import Bag, Source, SpecError
 from nhc.language import decode, read
-from nhc.mechanics.choose import dependent_of, formulate
-from nhc.mechanics.conserved import find_conserved, generalized_energy, power
-from nhc.mechanics.facts import Facts, describe
+from nhc.mechanics.choosing.choose import dependent_of, formulate
 from nhc.mechanics.frame import coordinate_frame, total_derivative
-from nhc.mechanics.integrability import classify
-from nhc.mechanics.integrals import find_position_integrals
+from nhc.mechanics.properties.conserved import find_conserved, generalized_energy, power
+from nhc.mechanics.properties.facts import Facts, describe
+from nhc.mechanics.properties.integrability import classify
+from nhc.mechanics.properties.integrals import find_position_integrals
+from nhc.mechanics.properties.sampling import Sampler
+from nhc.mechanics.properties.singular import find_rank_loss
 from nhc.mechanics.resolve import resolve
-from nhc.mechanics.sampling import Sampler
-from nhc.mechanics.singular import find_rank_loss
 from nhc.mechanics.system import System
 from tests.support import GALLERY, spec_path
 

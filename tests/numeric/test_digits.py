@@ -8,9 +8,9 @@ from typing import Any
 import mpmath as mp
 import pytest
 
-from nhc.algebra.digits import keep_digits, normalise_kept
 from nhc.algebra.graph import Graph
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.rewriting.digits import keep_digits, normalise_kept
 from nhc.language import Source
 from nhc.pipeline import Options, emit
 from tests.support import python_model

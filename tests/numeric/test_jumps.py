@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from nhc.algebra.jumps import jumps
+from nhc.algebra.bounds.jumps import jumps
 from nhc.diagnostics import Bag, Diagnostic
 from nhc.language import Source, decode
-from nhc.mechanics.choose import formulate
-from nhc.mechanics.conserved import find_conserved
-from nhc.mechanics.facts import describe
+from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.properties.conserved import find_conserved
+from nhc.mechanics.properties.facts import describe
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.pipeline import Options, check, reduce_scene

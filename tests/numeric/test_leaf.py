@@ -6,11 +6,11 @@ import pytest
 
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.conserved import find_conserved
 from nhc.mechanics.frame import Frame, coordinate_frame
-from nhc.mechanics.integrability import classify
-from nhc.mechanics.integrals import find_position_integrals
-from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.properties.conserved import find_conserved
+from nhc.mechanics.properties.integrability import classify
+from nhc.mechanics.properties.integrals import find_position_integrals
+from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 

@@ -8,22 +8,22 @@ import pytest
 import yaml
 
 from nhc.algebra.calculus import count, tangent
-from nhc.algebra.gather import gather, split
+from nhc.algebra.exact.modular import are_equal, are_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_equal, are_zero
-from nhc.algebra.rules import WithoutRules
+from nhc.algebra.rewriting.gather import gather, split
+from nhc.algebra.rewriting.rules import WithoutRules
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.associate import Row
-from nhc.mechanics.choose import applicable, formulate
+from nhc.mechanics.choosing.choose import applicable, formulate
 from nhc.mechanics.formulate import _route, equations_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.kinetic import kinetic_structure
-from nhc.mechanics.move import move
+from nhc.mechanics.moving.move import move
+from nhc.mechanics.moving.vectors import Reader
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Turn, add_spin, change_axes, cross
-from nhc.mechanics.vectors import Reader
 from nhc.pipeline import Options, emit
 from nhc.program.model import build_program
 from tests.support import ROOT, python_model, spec_path

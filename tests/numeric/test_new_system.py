@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from nhc.language import decode, read
-from nhc.mechanics.certificate import certify
+from nhc.mechanics.certificates.certificate import certify
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, check, emit
 from tests.support import compile_c, error, python_model

@@ -15,7 +15,7 @@ from scipy.integrate import quad, solve_ivp
 
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of

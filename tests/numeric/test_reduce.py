@@ -14,14 +14,14 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from benchmarks.scenes import Pair, list_pairs
-from nhc.algebra.modular import Unlucky
+from nhc.algebra.exact.modular import Unlucky
 from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import decode, read
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.reduce import _agree, _Model
+from nhc.mechanics.reduction.reduce import _agree, _Model
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, emit, program, reduce_scene
 from nhc.program.reduced import build_scene_program
@@ -399,7 +399,7 @@ def test_a_motion_that_no_field_point_tells_about_keeps_everything(monkeypatch: 
     def fail(*arguments: object) -> None:
         raise Unlucky
 
-    monkeypatch.setattr("nhc.mechanics.reduce.find_dependence", fail)
+    monkeypatch.setattr("nhc.mechanics.reduction.reduce.find_dependence", fail)
     source = read(str(spec_path("rolling_disk")))
     made = reduce_scene(source, Options(scene="lean", formulation="euler-lagrange"))
     assert made.reduction.state == made.full_state

@@ -19,14 +19,14 @@ from scipy.spatial.transform import Rotation
 from nhc.cli.entry import main
 from nhc.diagnostics import Source
 from nhc.language import decode, read
-from nhc.mechanics.certificate import certify
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.certificates.certificate import certify
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.linearize import cyclic_of
+from nhc.mechanics.properties.symmetry import turning_symmetries
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
-from nhc.mechanics.symmetry import turning_symmetries
 from nhc.pipeline import Options, emit
 from tests.support import ROOT, c_model, emitted_python, error, formulations, python_model, spec_path
 

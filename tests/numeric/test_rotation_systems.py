@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 from nhc.cli.entry import main
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.certificate import certify
+from nhc.mechanics.certificates.certificate import certify
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
 from nhc.pipeline import Options, emit

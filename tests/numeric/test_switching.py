@@ -12,7 +12,7 @@ import pytest
 
 from nhc.cli.entry import main
 from nhc.language import Source, read
-from nhc.mechanics.conditioning import GAIN
+from nhc.mechanics.choosing.conditioning import GAIN
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 from tests.support import spec_path

@@ -13,14 +13,14 @@ from pathlib import Path
 import pytest
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_zero
 from nhc.exterior import basis_form, wedge
 from nhc.language import decode, read
-from nhc.mechanics import chaplygin, euler_lagrange, lagrange, multipliers, voronec
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation, applicable
+from nhc.mechanics.choosing.choose import Formulation, applicable
 from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.formulations import chaplygin, euler_lagrange, lagrange, multipliers, voronec
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.rows import associated_rows, energy_identity, motion_components, omega_of
 from nhc.mechanics.system import System

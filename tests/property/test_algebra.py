@@ -11,14 +11,14 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from nhc.algebra.blocks import block_order
 from nhc.algebra.calculus import derivative, gradient, substitute, tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import Floats, Mpmath, evaluate
+from nhc.algebra.exact.modular import FieldPoint, Unlucky, are_zero, is_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NotLinear, linear_form, solve
-from nhc.algebra.modular import FieldPoint, Unlucky, are_zero, is_zero
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.solving.blocks import block_order
+from nhc.algebra.solving.linear import NotLinear, linear_form, solve
 from tests.property.expressions import (
     NAMES,
     QUIET,
@@ -225,7 +225,7 @@ def test_solve_solves(size: int, seed: int) -> None:
     try:
         result = solve(g, matrix, [column])
     except Singular:
-        from nhc.algebra.modular import rank
+        from nhc.algebra.exact.modular import rank
 
         assert rank(g, matrix) < size
         return

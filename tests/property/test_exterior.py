@@ -8,9 +8,9 @@ from itertools import combinations
 import pytest
 
 from nhc.algebra.dense import Singular
+from nhc.algebra.exact.modular import is_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import solve
-from nhc.algebra.modular import is_zero
+from nhc.algebra.solving.linear import solve
 from nhc.exterior import (
     Coframe,
     Form,

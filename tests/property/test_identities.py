@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.algebra import modular
+from nhc.algebra.exact import modular
+from nhc.algebra.exact.modular import are_zero, is_zero, rank
+from nhc.algebra.exact.residues import FULL_TURN, PRIMES, part_of_turn, square_root, turn
+from nhc.algebra.exact.signs import degree_in_signs
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_zero, is_zero, rank
 from nhc.algebra.probe import signed_probes
-from nhc.algebra.residues import FULL_TURN, PRIMES, part_of_turn, square_root, turn
-from nhc.algebra.signs import degree_in_signs
 from nhc.diagnostics import Bag, Source, Span
 from nhc.language.parser import parse_expression
 from nhc.language.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree

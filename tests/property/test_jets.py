@@ -9,12 +9,12 @@ from itertools import product
 import pytest
 
 from nhc.algebra.calculus import derivative
-from nhc.algebra.field import FieldPoint, Unlucky
+from nhc.algebra.exact.field import FieldPoint, Unlucky
+from nhc.algebra.exact.jets import Jets, make_box, plan_jets
+from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.jets import Jets, make_box, plan_jets
-from nhc.algebra.modular import rank
-from nhc.mechanics.flag import Field, growth_vector
-from nhc.mechanics.integrability import lie_bracket
+from nhc.mechanics.properties.flag import Field, growth_vector
+from nhc.mechanics.properties.integrability import lie_bracket
 
 LENGTHS, ORDER = (2, 1), 3
 

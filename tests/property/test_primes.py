@@ -5,15 +5,15 @@ from __future__ import annotations
 import pytest
 import sympy
 
-from nhc.algebra.field import PRIMES, FieldPoint
+from nhc.algebra.exact.field import PRIMES, FieldPoint
+from nhc.algebra.exact.modular import are_zero
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.residues import FULL_TURN, part_of_turn
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_zero
-from nhc.algebra.primes import primes_of
-from nhc.algebra.residues import FULL_TURN, part_of_turn
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.certificate import certify
-from nhc.mechanics.integrability import classify
+from nhc.mechanics.certificates.certificate import certify
+from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.resolve import resolve
 
 

@@ -6,9 +6,9 @@ import random
 
 import pytest
 
-from nhc.algebra.field import FieldPoint
+from nhc.algebra.exact.field import FieldPoint
+from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import rank
 from nhc.algebra.probe import Probe
 
 

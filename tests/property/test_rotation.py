@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_zero
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics import rotation as module

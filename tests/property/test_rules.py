@@ -13,12 +13,12 @@ from benchmarks.rules import PAGE, compile_without, count
 from benchmarks.systems import ROOT
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import NUM, PI, SYM, Graph, Node
-from nhc.algebra.modular import are_equal
-from nhc.algebra.rules import NAMES, RULES, WithoutRules
+from nhc.algebra.rewriting.rules import NAMES, RULES, WithoutRules
 from nhc.emit import EmitOptions, render
 from nhc.language import decode
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.program.build import Planner

@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nhc.algebra.angles import normalise_angles, split_angles
 from nhc.algebra.calculus import count, reachable
+from nhc.algebra.exact.modular import are_equal, is_zero
 from nhc.algebra.graph import Graph
-from nhc.algebra.modular import are_equal, is_zero
-from nhc.algebra.products import share_products
+from nhc.algebra.rewriting.angles import normalise_angles, split_angles
+from nhc.algebra.rewriting.products import share_products
 from tests.property.expressions import QUIET, Tree, build, smooth_trees
 
 

@@ -10,18 +10,18 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from nhc.algebra.blocks import form_size
 from nhc.algebra.calculus import Derivation, Replacement, substitute, tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.field import Unlucky
+from nhc.algebra.exact.modular import are_zero, is_zero, rank
 from nhc.algebra.expand import Expander, TooLarge
-from nhc.algebra.field import Unlucky
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import degrees, is_clearly_linear, is_clearly_regular, linear_form, solve_rows
 from nhc.algebra.minors import float_determinant, relative_minors
-from nhc.algebra.modular import are_zero, is_zero, rank
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.probe import probe_of
+from nhc.algebra.solving.blocks import form_size
+from nhc.algebra.solving.linear import degrees, is_clearly_linear, is_clearly_regular, linear_form, solve_rows
 from tests.property.expressions import NAMES, QUIET, Tree, build, build_raw, smooth_trees
 
 X, Y, Z = (("sym", k) for k in range(3))

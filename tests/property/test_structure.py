@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.algebra.modular import are_equal, is_zero
+from nhc.algebra.exact.modular import are_equal, is_zero
 from nhc.exterior import basis_form, d
-from nhc.mechanics.euler_lagrange import full_coframe
+from nhc.mechanics.formulations.euler_lagrange import full_coframe
 from nhc.mechanics.frame import Frame, make_frame
 from tests.thesis.scenery import generic_frame, system_of
 

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from nhc.algebra.common_zero import find_common_zero
+from nhc.algebra.bounds.common_zero import find_common_zero
+from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.subdivision import cannot_vanish_together
 
 GRAPH = Graph()
 X, Y = GRAPH.symbol("x"), GRAPH.symbol("y")

@@ -9,12 +9,12 @@ from hypothesis import given
 
 from nhc.algebra.calculus import count, reachable
 from nhc.algebra.evaluate import evaluate
-from nhc.algebra.factors import find_factors
+from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.exact.residues import PRIMES, circle_point, circle_points, invert
 from nhc.algebra.graph import ADD, POW, Graph, Node
-from nhc.algebra.modular import are_equal
-from nhc.algebra.residues import PRIMES, circle_point, circle_points, invert
-from nhc.algebra.rules import WithoutRules
-from nhc.algebra.values import share_values
+from nhc.algebra.rewriting.factors import find_factors
+from nhc.algebra.rewriting.rules import WithoutRules
+from nhc.algebra.rewriting.values import share_values
 from tests.property.expressions import QUIET, Tree, build, rational_trees
 
 

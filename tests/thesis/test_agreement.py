@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.algebra.modular import are_equal
+from nhc.algebra.exact.modular import are_equal
 from nhc.diagnostics import Source
 from nhc.language import decode, read
-from nhc.mechanics import chaplygin, euler_lagrange, voronec, wrong
+from nhc.mechanics.certificates import wrong
+from nhc.mechanics.formulations import chaplygin, euler_lagrange, voronec
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from tests.thesis.scenery import (

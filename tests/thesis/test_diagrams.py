@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import are_equal
 from nhc.exterior import Form, basis_form, coordinate_coframe, d, interior, one_form, pullback, wedge
-from nhc.mechanics import euler_lagrange, lagrange, voronec, wrong
+from nhc.mechanics.certificates import wrong
+from nhc.mechanics.formulations import euler_lagrange, lagrange, voronec
 from nhc.mechanics.frame import Frame
 from tests.thesis.scenery import any_states, error_of, generic_frame, rates_of, reduced_of, system_of
 

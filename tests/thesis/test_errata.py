@@ -6,10 +6,11 @@ import pytest
 
 from nhc.algebra.calculus import derivative, gradient, substitute
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import are_equal, are_zero, is_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_equal, are_zero, is_zero
 from nhc.exterior import Form, basis_form, d, one_form, wedge
-from nhc.mechanics import chaplygin, euler_lagrange, lagrange, voronec, wrong
+from nhc.mechanics.certificates import wrong
+from nhc.mechanics.formulations import chaplygin, euler_lagrange, lagrange, voronec
 from nhc.mechanics.frame import Frame, total_derivative
 from nhc.mechanics.system import System
 from tests.thesis.scenery import (

@@ -8,11 +8,11 @@ import pytest
 
 from nhc.algebra.calculus import derivative, gradient, substitute, tangent
 from nhc.algebra.evaluate import evaluate
-from nhc.algebra.modular import are_equal, are_zero, is_zero
+from nhc.algebra.exact.modular import are_equal, are_zero, is_zero
 from nhc.exterior import Form, basis_form, d, one_form, pullback, wedge
-from nhc.mechanics import euler_lagrange, lagrange, newton, voronec
+from nhc.mechanics.formulations import euler_lagrange, lagrange, newton, voronec
 from nhc.mechanics.frame import form_value, total_derivative
-from nhc.mechanics.regularity import relative_determinant
+from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.values import default_values
 from tests.thesis.scenery import (
     Values,

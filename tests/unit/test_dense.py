@@ -20,7 +20,7 @@ from nhc.algebra.dense import (
     solve_modulo,
     symmetric_eigenvalues,
 )
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.exact.residues import PRIMES
 
 P = PRIMES[0]
 Matrix = list[list[int]]

@@ -20,7 +20,7 @@ from nhc.emit.latex.spelling import escape, escape_breakable, spell_unit
 from nhc.emit.latex.width import estimate
 from nhc.emit.text.math import TextMath
 from nhc.language import Source, decode, read
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.program.ir import Binary, Call, Number, Pi, Power

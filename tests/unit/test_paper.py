@@ -15,15 +15,15 @@ from pathlib import Path
 import pytest
 
 from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_zero
 from nhc.emit.latex.document import render as render_latex
 from nhc.emit.layout import Piece, fill
 from nhc.emit.terms import flatten_product, flatten_sum
 from nhc.emit.text import derivation_json, print_derivation, print_equations, print_form, print_program
 from nhc.language import Source, decode, read
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref

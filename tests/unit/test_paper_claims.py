@@ -8,16 +8,16 @@ from pathlib import Path
 
 import pytest
 
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph
-from nhc.algebra.modular import are_zero
 from nhc.diagnostics import Bag
 from nhc.emit.latex.document import render
 from nhc.emit.terms import split_number
 from nhc.emit.text import print_derivation
 from nhc.language import Source, decode
-from nhc.mechanics.choose import applicable, formulate
-from nhc.mechanics.facts import describe
+from nhc.mechanics.choosing.choose import applicable, formulate
 from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.properties.facts import describe
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.program.ir import Ref

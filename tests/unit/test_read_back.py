@@ -14,7 +14,7 @@ from nhc.emit.latex.math import LatexMath
 from nhc.emit.latex.names import name_document
 from nhc.emit.text.math import TextMath, print_mark
 from nhc.language import Source, decode, read
-from nhc.mechanics.choose import applicable
+from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from nhc.algebra.modular import are_zero
+from nhc.algebra.exact.modular import are_zero
 from nhc.emit.text import print_derivation
 from nhc.language import Source, decode
-from nhc.mechanics.choose import applicable, formulate
+from nhc.mechanics.choosing.choose import applicable, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.program.paper import derivation

@@ -7,12 +7,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from nhc.algebra.calculus import count
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import NEG, Node
-from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.exterior import Form
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.system import System
 from nhc.program.sheets.model import LATIN, OTHER, Formula, Mark, Prose, Table
 from nhc.records import record

@@ -7,7 +7,7 @@ from dataclasses import replace
 from nhc.algebra.calculus import count, gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.exterior import Form, basis_form, one_form, wedge
-from nhc.mechanics import euler_lagrange, lagrange, multipliers, voronec
+from nhc.mechanics.formulations import euler_lagrange, lagrange, multipliers, voronec
 from nhc.mechanics.rows import omega_of
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
 from nhc.program.sheets.formulas import OMEGA, THETA, THETA_QUASI

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from nhc.diagnostics import Bag
-from nhc.mechanics.choose import formulate
-from nhc.mechanics.facts import describe
+from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.properties.facts import describe
 from nhc.mechanics.resolve import resolve
 from nhc.program.sheets.draft import Desk, DraftSheet
 

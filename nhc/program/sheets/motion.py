@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from nhc.algebra.calculus import count, derivative, substitute
 from nhc.algebra.dense import Singular
-from nhc.algebra.linear import solve
-from nhc.mechanics.constancy import has_jumps
+from nhc.algebra.solving.linear import solve
 from nhc.mechanics.formulate import bordered_system
-from nhc.mechanics.lagrange import momenta
-from nhc.mechanics.multipliers import multiplier_symbols
+from nhc.mechanics.formulations.lagrange import momenta
+from nhc.mechanics.formulations.multipliers import multiplier_symbols
+from nhc.mechanics.properties.constancy import has_jumps
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part

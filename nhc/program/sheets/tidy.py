@@ -11,8 +11,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nhc.algebra.calculus import count, reachable, rebuild, substitute
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
-from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftSheet, Part
 

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.linalg import expm
 
 from nhc.mechanics.about import scene_about, state_of
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System

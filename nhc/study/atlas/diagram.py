@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.mechanics.choose import applicable, dependent_of
-from nhc.mechanics.claims import Claim, reference_claim, solve_in_doubles, wrong_claims
+from nhc.mechanics.certificates.claims import Claim, reference_claim, solve_in_doubles, wrong_claims
+from nhc.mechanics.choosing.choose import applicable, dependent_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from nhc.mechanics.frame import coordinate_frame
-from nhc.mechanics.integrability import classify
-from nhc.mechanics.integrals import find_position_integrals
-from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.properties.integrability import classify
+from nhc.mechanics.properties.integrals import find_position_integrals
+from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, grid, open_runner, open_system
 
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.choose import applicable
-from nhc.mechanics.claims import wrong_claims
+from nhc.mechanics.certificates.claims import wrong_claims
+from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.resolve import resolve
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings

@@ -11,7 +11,7 @@ import numpy as np
 from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.about import scene_about
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import Start, start_of

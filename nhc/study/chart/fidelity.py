@@ -10,7 +10,7 @@ from pathlib import PurePath
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.language.spec import Scene, Spec
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of

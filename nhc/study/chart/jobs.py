@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.language.spec import Need, Scene, Spec
-from nhc.mechanics.choose import FORMULATIONS, Formulation, NotApplicable, build, formulate
+from nhc.mechanics.choosing.choose import FORMULATIONS, Formulation, NotApplicable, build, formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.reduce import Reduction
+from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.program.scene_model import reduce_one, scene_model

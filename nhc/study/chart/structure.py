@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 from nhc.language.spec import Scene
-from nhc.mechanics.choose import formulate
+from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System

@@ -10,15 +10,15 @@ import numpy as np
 
 from nhc.algebra.graph import Node
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
-from nhc.mechanics.conserved import Conserved, find_conserved, generalized_energy, power
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.frame import coordinate_frame, form_value
-from nhc.mechanics.integrability import classify
-from nhc.mechanics.integrals import find_position_integrals
-from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.properties.conserved import Conserved, find_conserved, generalized_energy, power
+from nhc.mechanics.properties.integrability import classify
+from nhc.mechanics.properties.integrals import find_position_integrals
+from nhc.mechanics.regular.regularity import choose_dependent
+from nhc.mechanics.regular.undefined import are_defined
 from nhc.mechanics.rotation import mass_matrix
 from nhc.mechanics.scenes import Start
-from nhc.mechanics.undefined import are_defined
 from nhc.program.build import Planner, build_functions
 from nhc.program.needed import Column, needed_function, reactions_of
 from nhc.program.stepping import LEAST_TOLERANCE, SAFETY

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation, build
+from nhc.mechanics.choosing.choose import Formulation, build
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import Start, start_of
 from nhc.records import record

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from nhc.algebra.graph import Node
 from nhc.mechanics.about import scene_about, state_of
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import kept_forms

@@ -1,0 +1,1 @@
+"""Where expressions may vanish or jump: bounds over boxes, and points that are searched."""

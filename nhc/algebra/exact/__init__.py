@@ -1,0 +1,1 @@
+"""Exact answers from random points of prime fields: identities, ranks, signs, degrees."""

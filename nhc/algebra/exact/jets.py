@@ -1,0 +1,195 @@
+"""Truncated Taylor series in several variables over the prime field.
+
+``series[i][k]`` is the coefficient of s^k times the monomial number i of a :class:`Box`: of the variables d_0, d_1, ... each up
+to a power of its own.  Sums and products are Cauchy's; a function f(u) has f' = f_u u' in every direction, which gives its
+coefficients one by one (A. Griewank and A. Walther, Evaluating Derivatives, 2nd ed. (2008), sec. 13.2); powers have
+u f' = n f u', so that they need no others.  Only the values at the point are :class:`~nhc.algebra.exact.field.FieldPoint`'s.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from itertools import product
+from operator import mul
+
+from nhc.algebra.calculus import partials, reachable
+from nhc.algebra.exact.field import FieldPoint, Unlucky
+from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.records import record
+
+Series = list[list[int]]
+"""Coefficients by the monomial of a box and the power of s."""
+
+_SCALE, _KEEP, _FUNCTION = "scale", "keep", "function"
+
+
+def close(graph: Graph, roots: Sequence[Node], mask: int) -> list[Node]:
+    """What the series of the roots need: the nodes below them and the derivatives of their functions, operands first."""
+    known = dict[Node, None]()
+    pending = list(roots)
+    while pending:
+        new = reachable(graph, pending, known=known)
+        known.update(dict.fromkeys(new))
+        pending = [part for node in new if _is_function(graph, node, mask) for part in slopes(graph, node)]
+    return reachable(graph, list(known))
+
+
+def _is_function(graph: Graph, node: Node, mask: int) -> bool:
+    return bool(graph.deps[node] & mask) and bool(graph.kids[node]) and graph.op[node] not in (ADD, MUL, NEG, POW)
+
+
+def slopes(graph: Graph, node: Node) -> tuple[Node, ...]:
+    """Derivatives of a function by its operands; those of x^y written with x^y itself, lest they never end."""
+    if graph.op[node] != "powf":
+        return partials(graph, node)
+    x, y = graph.a[node], graph.b[node]
+    growth = graph.zero if graph.value(y) is not None else graph.mul(node, graph.function("log", x))
+    return graph.mul(graph.mul(y, node), graph.inverse(x)), growth
+
+
+@record
+class Box:
+    """The monomials with exponents up to ``lengths``, the first one's running fastest.
+
+    ``parts``: for each monomial the pairs of monomials whose product it is, itself and 1 first.  ``slopes``: its exponent e in the
+    last variable that it has, and with each pair the one that the first of the two has in it: what belongs to it in f' is e f, and
+    the exponents' weights give the rest of a product with a derivative.
+    """
+
+    parts: tuple[tuple[tuple[int, int], ...], ...]
+    slopes: tuple[tuple[int, tuple[tuple[int, int, int], ...]], ...]
+
+
+@cache
+def make_box(lengths: tuple[int, ...]) -> Box:
+    """Tables of a box; without variables it has the monomial 1."""
+    monomials = [tuple(reversed(m)) for m in product(*(range(length + 1) for length in reversed(lengths)))]
+    number = {m: i for i, m in enumerate(monomials)}
+    parts, slopes = [], []
+    for whole in monomials:
+        below = [tuple(reversed(m)) for m in product(*(range(e, -1, -1) for e in reversed(whole)))]
+        pairs = [(number[m], number[tuple(e - x for e, x in zip(whole, m, strict=True))]) for m in below]
+        last = max((v for v, e in enumerate(whole) if e), default=-1)
+        weighted = [(m[last], *pair) for m, pair in zip(below, pairs, strict=True) if last >= 0 and m[last]]
+        parts.append(tuple(pairs))
+        slopes.append((whole[last] if last >= 0 else 0, tuple(weighted)))
+    return Box(tuple(parts), tuple(slopes))
+
+
+@record
+class JetPlan:
+    """How the series of ``roots`` follow from those of the variables: what moves with these, operands first."""
+
+    graph: Graph
+    roots: tuple[Node, ...]
+    variables: tuple[Node, ...]
+    nodes: tuple[Node, ...]  # all that need a value at the point
+    moving: tuple[tuple[str, Node, Node, Node], ...]  # operation, node, operands; a factor that is still comes first
+    still: tuple[Node, ...]  # what does not move and is asked for nevertheless
+
+
+def plan_jets(graph: Graph, roots: Sequence[Node], variables: Sequence[Node]) -> JetPlan:
+    """Made once for all points and boxes."""
+    mask, given = graph.mask(tuple(variables)), set(variables)
+    nodes = close(graph, roots, mask)
+    deps, moving = graph.deps, []
+    asked = dict.fromkeys(roots)
+    for node in nodes:
+        if not deps[node] & mask or node in given:
+            continue
+        kind, a, b = graph.op[node], graph.a[node], graph.b[node]
+        if kind in (ADD, MUL) and not deps[a] & mask:
+            a, b = b, a
+        if kind in (ADD, MUL) and not deps[b] & mask:
+            kind, a, b = (_KEEP, a, a) if kind == ADD else (_SCALE, b, a)
+        if _is_function(graph, node, mask):
+            kind = _FUNCTION
+            asked |= dict.fromkeys((*graph.kids[node], *slopes(graph, node)))
+        moving.append((kind, node, a, b))
+    still = tuple(node for node in asked if not deps[node] & mask)
+    return JetPlan(graph, tuple(roots), tuple(variables), tuple(nodes), tuple(moving), still)
+
+
+class Jets:
+    """Series of a plan's nodes over a box; ``place`` are those of the variables, which may grow term by term."""
+
+    def __init__(self, plan: JetPlan, point: FieldPoint, place: Sequence[Series], box: Box) -> None:
+        self.plan, self.prime, self.box = plan, point.prime, box
+        point.evaluate(plan.nodes)
+        self.values = point.values
+        sets = box.parts
+        self.series: dict[Node, Series] = {node: [[] for _ in sets] for _, node, _, _ in plan.moving}
+        self.series |= {node: [[] for _ in sets] for node in plan.still}
+        self.series |= zip(plan.variables, place, strict=True)
+        series = self.series
+        self._work = [
+            (kind, node, series[node], a, series.get(a, []), series.get(b, [])) for kind, node, a, b in plan.moving
+        ]
+
+    def extend(self, k: int) -> None:
+        """The coefficients of s^k, once those of lower powers are known and those of the variables reach so far.
+
+        Raises:
+            Unlucky: the point is a pole.
+        """
+        p, values, parts = self.prime, self.values, self.box.parts
+        for node in self.plan.still:
+            for i in range(len(parts)):
+                self.series[node][i].append(0 if k or i else values[node])
+        if not k:
+            for _, node, made, *_ in self._work:
+                made[0].append(values[node])
+        for whole in range(0 if k else 1, len(parts)):
+            pairs = parts[whole]
+            for kind, node, made, a, x, y in self._work:
+                if kind == MUL:
+                    new = 0
+                    for i, j in pairs:
+                        new += sum(map(mul, x[i], y[j][k::-1]))
+                elif kind == ADD:
+                    new = x[whole][k] + y[whole][k]
+                elif kind == _SCALE:
+                    new = values[a] * y[whole][k]
+                elif kind == _KEEP:
+                    new = x[whole][k]
+                elif kind == NEG:
+                    new = -x[whole][k]
+                elif kind == POW:
+                    new = self._power(made, x, self.plan.graph.b[node], whole, k)
+                else:
+                    new = self._function(node, whole, k)
+                made[whole].append(new % p)
+
+    def _function(self, node: Node, whole: int, k: int) -> int:
+        """f' = sum of f_u u', along s or, before it moves, along another variable."""
+        graph, series = self.plan.graph, self.series
+        exponent, weighted = self.box.slopes[whole]
+        total = 0
+        for child, slope in zip(graph.kids[node], slopes(graph, node), strict=True):
+            u, v = series[child], series[slope]
+            if k:
+                total += sum(_weighted(u[i], v[j], k) for i, j in self.box.parts[whole])
+            else:
+                total += sum(e * u[i][0] * v[j][0] for e, i, j in weighted)
+        return total * pow(k or exponent, -1, self.prime)
+
+    def _power(self, f: Series, u: Series, n: int, whole: int, k: int) -> int:
+        """f = u^n by u f' = n f u'."""
+        p, known = self.prime, 0
+        if not u[0][0]:
+            raise Unlucky
+        f[whole].append(0)  # in the place of the one that is looked for
+        exponent, weighted = self.box.slopes[whole]
+        if k:
+            for i, j in self.box.parts[whole]:
+                known += n * _weighted(u[i], f[j], k) - _weighted(f[i], u[j], k)
+        else:
+            known = sum(e * (n * u[i][0] * f[j][0] - f[i][0] * u[j][0]) for e, i, j in weighted)
+        f[whole].pop()
+        return known * pow((k or exponent) * u[0][0], -1, p)
+
+
+def _weighted(u: Sequence[int], v: Sequence[int], k: int) -> int:
+    """sum of j u_j v_{k-j} for j from 1 to k."""
+    return sum(map(mul, map(mul, range(1, k + 1), u[1 : k + 1]), v[k - 1 :: -1]))

@@ -1,0 +1,98 @@
+"""What is a product of two values at hand is made as this product, though nothing in it shows them as factors.
+
+``l^2 + 2 l r + r^2`` is the square of ``l + r`` where that is needed, too, and ``cos(a) x + cos(a) y`` a multiple of ``x + y``.
+Values modulo primes show it: a value divided by that of a symbol, a sine, a cosine or a power is looked up among all others, and so
+are squares of sums.  Sums of values at hand are not sought: digits may cancel in them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import count, reachable, rebuild_over
+from nhc.algebra.exact.field import FieldPoint
+from nhc.algebra.exact.residues import invert
+from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
+from nhc.algebra.rewriting.values import draw_points, find_poles
+
+_SIMPLE = frozenset({SYM, "sin", "cos", POW})
+_MOST = 20_000  # pairs of a value and a factor; beyond them it takes longer than it saves
+
+
+def find_factors(graph: Graph, roots: Sequence[Node]) -> list[Node]:
+    """Equal roots with products of what is at hand in the place of longer expressions."""
+    if "equal values" in graph.off:
+        return list(roots)
+    needed = reachable(graph, roots)
+    own = _count_own(graph, needed, roots)
+    wanted = [node for node in needed if own[node] > 1 and graph.op[node] in (ADD, MUL)]
+    simple = [node for node in needed if graph.op[node] in _SIMPLE]
+    points = draw_points(graph, needed) if len(wanted) * len(simple) <= _MOST else None
+    if not points:
+        return list(roots)
+    pairs = _find_pairs(graph, needed, wanted, simple, points)
+    new: dict[Node, Node] = {}
+    for node in needed:
+        if node in pairs:
+            first, second, opposite = pairs[node]
+            made = graph.mul(new.get(first, first), new.get(second, second))
+            new[node] = graph.neg(made) if opposite else made
+            if not opposite:
+                graph.pass_label(node, made)
+        elif (over := rebuild_over(graph, node, new)) is not None:
+            new[node] = over
+    found = [new.get(root, root) for root in roots]
+    return found if count(graph, found) < count(graph, roots) else list(roots)
+
+
+def _count_own(graph: Graph, needed: Sequence[Node], roots: Sequence[Node]) -> dict[Node, int]:
+    """For each node the operations that would go with it: its own, and of its operands those that nothing else uses."""
+    uses = dict.fromkeys(needed, 0)
+    for root in roots:
+        uses[root] += 1
+    for node in needed:
+        for kid in graph.kids[node]:
+            uses[kid] += 1
+    own: dict[Node, int] = {}
+    for node in needed:
+        kids = graph.kids[node]
+        cost = 0 if not kids or graph.op[node] == NEG else 1
+        own[node] = cost + sum(own[kid] for kid in kids if uses[kid] == 1)
+    return own
+
+
+def _find_pairs(
+    graph: Graph, needed: Sequence[Node], wanted: Sequence[Node], simple: Sequence[Node], points: Sequence[FieldPoint]
+) -> dict[Node, tuple[Node, Node, bool]]:
+    """(factor, factor, with a minus) of the wanted nodes that are products of nodes made before them."""
+    (p, values), (q, others) = ((point.prime, point.values) for point in points)
+    poles, deps = find_poles(graph, needed, values), graph.deps
+    at_hand = {p - values[node]: ~node for node in reversed(needed)}  # ~n: the opposite of n
+    at_hand |= {values[node]: node for node in reversed(needed)}
+    squares = {values[node] ** 2 % p: node for node in reversed(needed) if graph.op[node] == ADD}
+    simple = [node for node in simple if values[node]]
+    inverses = [*zip(simple, invert([values[node] for node in simple], p), map(deps.__getitem__, simple), strict=True)]
+    found: dict[Node, tuple[Node, Node, bool]] = {}
+
+    def fits(node: Node, first: Node, second: Node, opposite: bool) -> bool:
+        if not (first < node and second < node) or (poles[first] | poles[second]) & ~poles[node]:
+            return False
+        product = others[first] * others[second]
+        return (others[node] + product if opposite else others[node] - product) % q == 0
+
+    for node in wanted:
+        value, outside = values[node], ~deps[node]
+        root = squares.get(value)
+        if root is not None and fits(node, root, root, False):
+            found[node] = root, root, False
+            continue
+        for factor, inverse, own in inverses:
+            if own & outside:
+                continue
+            rest = at_hand.get(value * inverse % p)
+            if rest is not None:
+                other = rest if rest >= 0 else ~rest
+                if other > 1 and {factor, other}.isdisjoint(graph.kids[node]) and fits(node, factor, other, rest < 0):
+                    found[node] = factor, other, rest < 0
+                    break
+    return found

@@ -1,0 +1,44 @@
+"""Shorter equal expressions for a set of nodes: canonical polynomials where they cost less, judged on the shared graph."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import count
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.polynomial import normalise_all
+from nhc.algebra.rewriting.digits import keep_digits
+
+_TERMS = 40
+"""Terms of a canonical polynomial that may still be shorter than what it came from."""
+
+_SWOLLEN = 2000
+"""Terms before any of them cancel, beyond which none is tried either."""
+_LARGE = 1500
+"""Operations beyond which no canonical form is tried: it would cost time and find nothing."""
+
+
+_MIXED = 150
+"""Operations up to which each node is chosen on its own."""
+
+
+def shorten(graph: Graph, nodes: Sequence[Node], beside: Sequence[Node] = ()) -> list[Node]:
+    """Equal nodes, cheaper together (and with what is computed ``beside`` them) where canonical forms help."""
+    before = count(graph, nodes)
+    if before == 0 or before > _LARGE or "canonical forms" in graph.off:
+        return list(nodes)
+    canonical = keep_digits(graph, nodes, normalise_all(graph, nodes, _TERMS, _SWOLLEN))
+    if canonical == list(nodes):
+        return canonical
+    total, other = count(graph, [*nodes, *beside]), count(graph, [*canonical, *beside])
+    best, rest = (canonical, list(nodes)) if other < total else (list(nodes), canonical)
+    least = min(total, other)
+    if before > _MIXED:
+        return best
+    for k, node in enumerate(rest):
+        if node != best[k]:
+            trial = [*best[:k], node, *best[k + 1 :]]
+            cost = count(graph, [*trial, *beside])
+            if cost < least:
+                best, least = trial, cost
+    return best

@@ -1,0 +1,1 @@
+"""Linear forms and linear systems over the graph."""

@@ -1,0 +1,102 @@
+"""Differences in double precision, at states of the scenes and at random ones."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from nhc.algebra.dense import Singular
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Graph, Node
+from nhc.diagnostics import SpecError
+from nhc.mechanics.certificates.claims import Claim, Guards, Velocities, solve_in_doubles
+from nhc.mechanics.regular.trials import trial_points
+from nhc.mechanics.scenes import start_of
+from nhc.mechanics.system import System
+from nhc.records import record
+
+_SPECIAL = 4  # the first of the trial points stand where careless choices are singular
+
+_NEAR = 1e-7
+"""Relative to the scale of a determinant: states closer to a frame's singular set tell of its conditioning only."""
+
+
+@record
+class State:
+    """Values of every symbol, and what the reference says there."""
+
+    values: dict[Node, float]
+    accelerations: list[float]
+    reactions: list[float]
+
+
+@record
+class Distance:
+    """Largest differences from the reference, each relative to the larger of 1 and the largest component of the truth.
+
+    ``states`` is at how many states the derivation answers; its frame may be singular at others.
+    """
+
+    accelerations: float
+    reactions: float
+    states: int
+
+
+def states_of(system: System, velocities: Velocities, reference: Claim) -> list[State]:
+    """The scenes' starts and the random trial points where the reference has a motion; velocities satisfy the constraints."""
+    points: list[dict[Node, float]] = []
+    for scene in system.spec.scenes:
+        try:
+            points.append(start_of(system, scene).values(system))
+        except SpecError:
+            continue
+    points += trial_points(system)[_SPECIAL:]
+    states = []
+    for point in points:
+        try:
+            values = dict(point)
+            if not _is_regular(system.graph, velocities.guards, values):
+                continue
+            found = [float(x) for x in evaluate(system.graph, velocities.nodes, values)]
+            values.update(zip(velocities.symbols, found, strict=True))
+            q, r = solve_in_doubles(reference, system.graph, values)
+        except (Singular, ArithmeticError, ValueError):
+            continue
+        if all(math.isfinite(x) for x in (*q, *r)):
+            states.append(State(values, q, r))
+    return states
+
+
+def measure(system: System, claim: Claim, states: Sequence[State]) -> Distance:
+    """How far a claim is from the reference."""
+    far_q, far_r, answered = 0.0, 0.0, 0
+    for state in states:
+        found = (
+            _solve(claim, system.graph, state.values) if _is_regular(system.graph, claim.guards, state.values) else None
+        )
+        if found is None:
+            continue
+        answered += 1
+        far_q = max(far_q, _relative(found[0], state.accelerations))
+        if found[1]:
+            far_r = max(far_r, _relative(found[1], state.reactions))
+    return Distance(far_q, far_r, answered)
+
+
+def _is_regular(graph: Graph, guards: Guards, values: dict[Node, float]) -> bool:
+    """Whether the state is well away from where a frame does not exist."""
+    flat = [float(x) for x in evaluate(graph, [n for pair in guards for n in pair], values)]
+    return all(abs(flat[k]) > _NEAR * flat[k + 1] for k in range(0, len(flat), 2))
+
+
+def _solve(claim: Claim, graph: Graph, values: dict[Node, float]) -> tuple[list[float], list[float]] | None:
+    try:
+        found = solve_in_doubles(claim, graph, values)
+    except (Singular, ArithmeticError, ValueError):
+        return None
+    return found if all(math.isfinite(x) for part in found for x in part) else None
+
+
+def _relative(found: Sequence[float], truth: Sequence[float]) -> float:
+    scale = max([1.0, *(abs(x) for x in truth)])
+    return max((abs(x - y) for x, y in zip(found, truth, strict=True)), default=0.0) / scale

@@ -1,0 +1,1 @@
+"""Which formulation, on which coframe: candidates, measures, and the reason."""

@@ -1,0 +1,321 @@
+"""Regular adapted coframes: free forms that complete the constraints wherever the constraints themselves have full
+rank.
+
+Constraint rows with a pivot that cannot vanish are set aside, each with its column.  What remains, k rows, is
+completed on k + 1 columns by the row of its signed maximal minors: its determinant with the rows is the sum of the
+squares of all the minors (Cauchy-Binet), which vanishes only where the rows lose rank.  For a knife edge this is the
+velocity along the edge.  Rows that share no column are completed each by themselves.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Sequence
+from itertools import combinations
+
+from nhc.algebra.bounds.interval import cannot_vanish
+from nhc.algebra.dense import Singular
+from nhc.algebra.exact.modular import rank
+from nhc.algebra.graph import Node
+from nhc.algebra.rewriting.angles import normalise_angles as normalise
+from nhc.algebra.solving.blocks import determinant_of
+from nhc.mechanics.frame import coordinate_form
+from nhc.mechanics.regular.regularity import choose_dependent, coframe_weakness, intervals, relative_determinant
+from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
+from nhc.mechanics.rotation import rows_in_base
+from nhc.mechanics.system import Form, System
+
+_MOST_ROWS = 3
+_WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
+_ROUNDING = 1e-12
+_TURNS = 8  # orders of velocities to complete a coframe with that are tried
+
+
+def adapted_forms(system: System) -> tuple[Form, ...] | None:
+    """n - l free forms, or None where no small completion is found."""
+    rows, columns = set_pivots_aside(system)
+    free_columns = [j for j in range(system.n) if j not in columns]
+    made: list[Form] = []
+    used: set[int] = set()
+    for group in _apart(system, rows, free_columns):
+        if len(group) > _MOST_ROWS:
+            return None
+        seen = [
+            j for j in free_columns if any(system.constraints[r].coefficients[j] != system.graph.zero for r in group)
+        ]
+        best = _minor_form(system, group, seen, unused_name(system, "v", [form.name for form in made]))
+        if best is None or best[2]:
+            return None
+        made.append(best[0])
+        used.update(best[1])
+    return (*made, *(coordinate_form(system, j) for j in free_columns if j not in used))
+
+
+def _apart(system: System, rows: Sequence[int], columns: Sequence[int]) -> list[list[int]]:
+    """The rows in groups that share no column, each in its order: skates that roll by themselves."""
+    g = system.graph
+    groups: list[tuple[set[int], list[int]]] = []
+    for row in rows:
+        seen = {j for j in columns if system.constraints[row].coefficients[j] != g.zero}
+        joined = [group for group in groups if group[0] & seen]
+        groups = [group for group in groups if not group[0] & seen]
+        merged = seen.union(*(group[0] for group in joined))
+        groups.append((merged, sorted([*(r for group in joined for r in group[1]), row])))
+    return sorted((members for _, members in groups), key=lambda members: members[0])
+
+
+def set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
+    """(rows that stay, columns of the pivots): pivots cannot vanish, and the rows that stay do not contain their
+    columns.
+    """
+    g, known = system.graph, intervals(system)
+    matrix = rows_in_base(system, system.constraints)
+    rows, columns = list(range(system.l)), set[int]()
+    progress = True
+    while progress:
+        progress = False
+        for row in rows:
+            for j, entry in enumerate(matrix[row]):
+                if entry == g.zero or j in columns:
+                    continue
+                elsewhere = any(matrix[r][j] != g.zero for r in rows if r != row)
+                if not elsewhere and cannot_vanish(g, normalise(g, entry, 60), known):
+                    rows.remove(row)
+                    columns.add(j)
+                    progress = True
+                    break
+            if progress:
+                break
+    return rows, columns
+
+
+def _minor_form(
+    system: System, rows: Sequence[int], columns: Sequence[int], name: str
+) -> tuple[Form, tuple[int, ...], bool] | None:
+    """The row of signed minors on the best k + 1 columns, under that name; the rows must not reach outside them."""
+    g, size = system.graph, len(rows)
+    known = intervals(system)
+    found: list[tuple[bool, int, tuple[int, ...], list[Node], Node]] = []
+    for subset in combinations(columns, size + 1):
+        block = [[system.constraints[r].coefficients[j] for j in subset] for r in rows]
+        if rank(g, block) < size:
+            continue
+        minors = []
+        for k in range(size + 1):
+            minor = determinant_of(g, [[*row[:k], *row[k + 1 :]] for row in block])
+            minors.append(normalise(g, g.neg(minor) if k % 2 else minor, 120))
+        gram = normalise(g, g.sum([g.power(m, 2) for m in minors]), 200)
+        found.append((not cannot_vanish(g, gram, known), len(found), subset, minors, gram))
+    if not found:
+        return None
+    singular, _, subset, minors, _ = min(found)
+    coefficients = [g.zero] * system.n
+    sign = _leading_sign(system, minors)
+    for j, minor in zip(subset, minors, strict=True):
+        coefficients[j] = g.neg(minor) if sign < 0 else minor
+    outside = [j for j in columns if j not in subset]
+    reaches = any(system.constraints[r].coefficients[j] != g.zero for r in rows for j in outside)
+    return Form(name, tuple(coefficients), g.zero), subset, singular and reaches
+
+
+def _leading_sign(system: System, minors: Sequence[Node]) -> int:
+    """So that the first nonzero minor does not start with a minus sign."""
+    g = system.graph
+    first = next((m for m in minors if m != g.zero), g.one)
+    coefficient, _ = g.split_coefficient(first)
+    return -1 if coefficient < 0 else 1
+
+
+def unused_name(system: System, wish: str, others: Sequence[str] = ()) -> str:
+    """The wish, or the wish with a number, so that it is no name of the spec and none of the others."""
+    spec = system.spec
+    taken = {
+        *others,
+        *(c.name for c in spec.coordinates),
+        *(p.name for p in spec.parameters),
+        *(d.name for d in spec.definitions),
+        *(d.name for d in spec.quasi_velocities),
+        *(o.name for o in spec.outputs),
+    }
+    name, k = wish, 1
+    while name in taken:
+        k += 1
+        name = f"{wish}{k}"
+    return name
+
+
+def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
+    """The spec's quasi-velocities, completed to n - l free forms; (forms, names of what was added).
+
+    Raises:
+        nhc.algebra.dense.Singular: they are too many or no basis.
+    """
+    g, wanted = system.graph, system.n - system.l
+    turning = {name for rotation in system.spec.rotations for name in rotation.velocities}
+    forms = [form for form in system.quasi if form.name not in turning]
+    if len(forms) > wanted:
+        raise Singular
+    if len(forms) == wanted:
+        return tuple(forms), ()  # whoever solves for them finds out whether they are a basis
+    rows = [list(f.coefficients) for f in (*system.constraints, *forms)]
+    if rank(g, rows) < len(rows):
+        raise Singular
+    if system.rotations:
+        best = _least_weak_turning(system, forms)
+    else:
+        best = _least_weak(system, forms, wanted)
+    return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in turning)
+
+
+def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[Form, ...]:
+    """The completion that is least often near-singular; other velocities than the first ones only where that is gained."""
+
+    def weigh(pool: Sequence[Form]) -> tuple[tuple[int, float], tuple[Form, ...]]:
+        made = _extend(system, forms, wanted, pool)
+        return coframe_weakness(system, (*system.constraints, *made)), made
+
+    pools = _pools(system)
+    (weak, _), best = min((weigh(pool) for pool in pools), key=lambda weighed: weighed[0])
+    own = pools[0][: -system.n]
+    for k in range(1, min(len(own), _TURNS) if forms else 0):
+        if weak == 0:
+            break
+        (trial, _), made = weigh([*own[k:], *pools[0]])
+        if trial < weak:
+            weak, best = trial, made
+    return best
+
+
+def _pools(system: System) -> list[list[Form]]:
+    """Forms to complete with, the preferred ones first: what the spec's dependent velocities leave free, what nhc's
+    own choice of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
+    """
+    every = [coordinate_form(system, j) for j in range(system.n)]
+    choices = [system.dependent] if system.dependent else []
+    choices.append(choose_dependent(system).dependent)
+    pools = [[every[j] for j in range(system.n) if j not in dependent] + every for dependent in choices]
+    adapted = adapted_forms(system)
+    if adapted is not None:
+        pools.append([*adapted, *every])
+    return pools
+
+
+def turning_choices(system: System, forms: Sequence[Form] = ()) -> list[tuple[Form, ...]]:
+    """Completions of ``forms`` by angular velocities and other velocities, which differ in what the constraints take."""
+    pools = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])
+    return _in_one_order([_extend(system, forms, system.n - system.l, pool) for pool in pools], pools[0])
+
+
+def _least_weak_turning(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
+    """The completion by angular and other velocities that is least weak at the scenes' starts, the first of equals.
+
+    Where each that :func:`turning_choices` offers is singular there, the starts themselves say which velocities are free.
+    """
+    candidates = turning_choices(system, forms)
+    best = max(candidates, key=lambda made: round(_least_at_starts(system, made), 2))
+    if _least_at_starts(system, best) >= _WEAK**system.l:
+        return best
+    pool = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])[0]
+    angular = [form for form in pool if any(form is quasi for quasi in system.quasi)]
+    # the rates of quaternions may be regular at more places, but nobody speaks in them
+    strong = _strongest(system, forms, [angular, pool[len(angular) : -system.n]])
+    made = _in_one_order([_extend(system, forms, system.n - system.l, [*strong, *pool])], pool)
+    return max([best, *made], key=lambda made: round(_least_at_starts(system, made), 2))
+
+
+def _strongest(system: System, forms: Sequence[Form], groups: Sequence[Sequence[Form]]) -> list[Form]:
+    """Of each group in turn as many as are clearly independent of all before them at every start, the farthest from these first."""
+    points = _start_points(system)
+    before = [*system.constraints, *forms]
+    offered = [form for group in groups for form in group]
+    left = [[_unit(row) for row in matrix] for matrix in sampled_rows(system, [*before, *offered], points)]
+    chosen: list[Form] = []
+
+    def leave(k: int) -> None:
+        """Only what of the rows is across the k-th one stays."""
+        for rows in left:
+            own = _unit(rows[k])
+            for i, row in enumerate(rows):
+                along = sum(map(operator.mul, row, own))
+                rows[i] = [x - along * y for x, y in zip(row, own, strict=True)]
+
+    for k in range(len(before)):
+        leave(k)
+    place = len(before)
+    for group in groups:
+        places = range(place, place + len(group))
+        place += len(group)
+        while left and places:
+            far = {k: round(min(math.hypot(*rows[k]) for rows in left), 2) for k in places}
+            best = max(places, key=lambda k: far[k])
+            if far[best] < _WEAK:
+                break
+            chosen.append(offered[best - len(before)])
+            leave(best)
+    return chosen
+
+
+def _unit(row: Sequence[float]) -> list[float]:
+    """Of length 1; nothing where only rounding is left."""
+    length = math.hypot(*row)
+    return [x / length for x in row] if length > _ROUNDING else [0.0] * len(row)
+
+
+def _turning_pools(system: System, every: Sequence[Form]) -> list[list[Form]]:
+    """Angular velocities first, then the velocities of coordinates that are no quaternion's.
+
+    Where constraints take some of the angular velocities, the order says which: each rotation's components in turn, the first
+    body's or the last one's.
+    """
+    places = {k for rotation in system.rotations for k in rotation.places}
+    by_name = {form.name: form for form in system.quasi}
+    groups = [[by_name[w] for w in rotation.velocities if w in by_name] for rotation in system.spec.rotations]
+    rest = [*(form for j, form in enumerate(every) if j not in places), *every]
+    orders = [groups, groups[::-1]] if len(groups) > 1 else [groups]
+    turned = [[form for group in order for form in (*group[k:], *group[:k])] for k in (0, 2, 1) for order in orders]
+    return [[*own, *rest] for own in turned]
+
+
+def _extend(system: System, forms: Sequence[Form], wanted: int, pool: Sequence[Form]) -> tuple[Form, ...]:
+    """The forms with the first of the pool that are independent of them and of the constraints."""
+    made = list(forms)
+    rows = [list(f.coefficients) for f in (*system.constraints, *made)]
+    first = [*made, *pool[: wanted - len(made)]]
+    trial = [list(f.coefficients) for f in (*system.constraints, *first)]
+    if rank(system.graph, trial) == len(trial):  # as nearly always; one by one takes n times as long
+        return tuple(first)
+    for form in pool:
+        if len(made) == wanted:
+            break
+        trial = [*rows, list(form.coefficients)]
+        if rank(system.graph, trial) == len(trial):
+            rows = trial
+            made.append(form)
+    return tuple(made)
+
+
+def _in_one_order(candidates: Sequence[tuple[Form, ...]], pool: Sequence[Form]) -> list[tuple[Form, ...]]:
+    """Different choices, each in the order of the pool (what the user gave stays in front)."""
+    rank_of = {id(form): k for k, form in reversed(list(enumerate(pool)))}
+    sets: dict[tuple[int, ...], tuple[Form, ...]] = {}
+    for made in candidates:
+        ordered = tuple(sorted(made, key=lambda form: rank_of.get(id(form), -1)))
+        sets.setdefault(tuple(id(form) for form in ordered), ordered)
+    return list(sets.values())
+
+
+def _least_at_starts(system: System, made: Sequence[Form]) -> float:
+    """How near to singular the coframe comes at the scenes' starts and beside them."""
+    matrices = sampled_rows(system, (*system.constraints, *made), _start_points(system))
+    return min((relative_determinant(m, range(system.n)) ** system.n for m in matrices), default=0.0)
+
+
+def _start_points(system: System) -> list[dict[Node, float]]:
+    points = ordinary_points(system)  # the last two are those of no scene
+    return points[:-2] or points
+
+
+def _spelled(system: System, form: Form) -> str:
+    """The velocity of a form as the language writes it."""
+    return f"{form.name}'" if form.name in system.q_names else form.name

@@ -1,0 +1,275 @@
+"""Which formulation, on which coframe, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from nhc.algebra.dense import Singular
+from nhc.algebra.exact.modular import rank
+from nhc.diagnostics import Bag, Span, several
+from nhc.mechanics.choosing.adapt import complete, turning_choices
+from nhc.mechanics.choosing.reach import becomes_singular
+from nhc.mechanics.formulations import chaplygin
+from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
+from nhc.mechanics.regular.regularity import Choice as DependentChoice
+from nhc.mechanics.regular.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
+from nhc.mechanics.system import System
+from nhc.records import record
+
+FORMULATIONS = ("newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
+NUMBERS = {
+    "newton": "II.1.3",
+    "lagrange": "II.3",
+    "chaplygin": "III.3",
+    "voronec": "I.4.9",
+    "multipliers": "I.4.1",
+}
+
+
+@record
+class Formulation:
+    """A formulation with its frame (None: the coordinate velocities themselves).
+
+    ``broken`` are hypotheses of the thesis that fail although the generalized equations hold.
+    """
+
+    name: str
+    number: str
+    frame: Frame | None
+    dependent: DependentChoice | None
+    added: tuple[str, ...]
+    reason: str
+    broken: tuple[str, ...] = ()
+
+
+class NotApplicable(Exception):
+    """The formulation does not apply; ``reasons`` say why, ``where`` is the place to look at."""
+
+    def __init__(self, formulation: str, reasons: Iterable[str], code: str = "E0411", key: str = "constraints") -> None:
+        self.formulation, self.reasons, self.code, self.key = formulation, tuple(reasons), code, key
+        super().__init__(formulation, self.reasons)
+
+
+def formulate(system: System, name: str = "") -> Formulation:
+    """The formulation of that name (or of the spec, or the best) on this system.
+
+    Raises:
+        nhc.diagnostics.SpecError: it does not apply.
+    """
+    wanted = name or system.spec.formulation or "auto"
+    try:
+        return choose(system) if wanted == "auto" else build(system, wanted)
+    except NotApplicable as error:
+        _refuse(system, error, system.spec.key_span(error.key if name else "formulation"))
+        raise
+
+
+def checked_dependent(system: System) -> DependentChoice:
+    """:func:`dependent_of`, also where the formulation does not ask for it.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec's are too few, too many, or singular everywhere.
+    """
+    try:
+        return dependent_of(system)
+    except NotApplicable as error:
+        _refuse(system, error, system.spec.key_span(error.key))
+        raise
+
+
+def _refuse(system: System, error: NotApplicable, place: Span) -> None:
+    """Raise the diagnostic; ``place`` is where a formulation that does not apply (E0411) is said."""
+    bag = Bag(system.spec.origin)
+    general = error.code == "E0411"
+    bag.error(
+        error.code,
+        f"`{error.formulation}` does not apply to this system" if general else error.reasons[0],
+        place if general else system.spec.key_span(error.key),
+        notes=error.reasons if general else error.reasons[1:],
+        help=(_help(system, error),),
+    )
+    bag.raise_if_errors()
+
+
+def _help(system: System, error: NotApplicable) -> str:
+    if error.code == "E0406":
+        return "give forms that are independent of each other and of the constraints, or fewer: nhc completes them"
+    if error.code == "E0407":
+        return "choose other dependent velocities, or leave `dependent:` out: nhc chooses them"
+    if error.formulation in ("newton", "lagrange"):
+        return "use `formulation: multipliers`, or leave it out"
+    if not system.constraints:
+        return "use `formulation: lagrange` or `euler-lagrange`, or leave it out"
+    return "use `formulation: voronec` or `euler-lagrange`, or leave it out"
+
+
+def build(system: System, name: str) -> Formulation:
+    """The named formulation.
+
+    Raises:
+        NotApplicable: a hypothesis that it cannot do without is broken.
+    """
+    if name == "newton":
+        from nhc.mechanics.formulations import newton  # here, for a command that needs it not starts sooner
+
+        reasons = newton.broken_hypotheses(system)
+        if reasons:
+            raise NotApplicable(name, reasons)
+        return Formulation(name, NUMBERS[name], None, None, (), "free particles with constant masses")
+    if name == "lagrange":
+        if system.constraints:
+            raise NotApplicable(
+                name, [f"the system has {system.l} constraint(s), and Lagrange's equations of T* are wrong"]
+            )
+        return Formulation(name, NUMBERS[name], None, None, (), "no constraints")
+    if name == "multipliers":
+        reason = "all velocities kept, reactions as unknowns"
+        return Formulation(name, NUMBERS[name], None, None, (), reason)
+    if name == "euler-lagrange":
+        return _euler_lagrange(system)
+    return _reduced(system, name)
+
+
+def _euler_lagrange(system: System) -> Formulation:
+    try:
+        forms, added = complete(system)
+        frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
+    except Singular:
+        raise NotApplicable(
+            "euler-lagrange",
+            [
+                f"these quasi-velocities are no basis together with the {several(system.l, 'constraint')}"
+                if system.l
+                else "these quasi-velocities are no basis"
+            ],
+            "E0406",
+            "quasi_velocities",
+        ) from None
+    number = "I.2.15" if system.l else "I.2.14"
+    own = (
+        "quasi-velocities of the spec"
+        if not system.rotations
+        else "angular velocities and quasi-velocities of the spec"
+    )
+    reason = own if not added else f"coframe completed by nhc with {', '.join(added)}"
+    return Formulation("euler-lagrange", number, frame, None, added, reason)
+
+
+def turning_formulations(system: System) -> Iterator[Formulation]:
+    """The Euler-Lagrange equations in each set of angular velocities that the constraints may leave (none without rotations)."""
+    for forms in turning_choices(system) if system.rotations else ():
+        try:
+            frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
+        except Singular:
+            continue
+        yield Formulation(
+            "euler-lagrange", "I.2.15", frame, None, (), "angular velocities that the constraints leave free"
+        )
+
+
+def dependent_of(system: System) -> DependentChoice:
+    """The spec's dependent velocities, or nhc's choice.
+
+    Raises:
+        NotApplicable: the spec's are too few, too many, or singular everywhere.
+    """
+    if not system.dependent:
+        return choose_dependent(system)
+    if len(system.dependent) != system.l:
+        reasons = [f"`dependent` names {len(system.dependent)} velocities, the constraints determine {system.l}"]
+        raise NotApplicable("voronec", reasons, "E0407", "dependent")
+    dependent = tuple(sorted(system.dependent))
+    block = [[form.coefficients[j] for j in dependent] for form in system.constraints]
+    if rank(system.graph, block) < system.l:
+        names = ", ".join(f"`{system.q_names[i]}'`" for i in dependent)
+        reasons = [f"the constraints cannot be solved for {names}: the block is singular everywhere"]
+        raise NotApplicable("voronec", reasons, "E0407", "dependent")
+    return judge(system, dependent)
+
+
+def _reduced(system: System, name: str) -> Formulation:
+    if not system.constraints:
+        raise NotApplicable(name, ["the system has no constraints: these are Lagrange's equations"])
+    choice = dependent_of(system)
+    reason = "dependent velocities of the spec" if system.dependent else "dependent velocities chosen by nhc"
+    if name == "voronec":
+        return Formulation(name, NUMBERS[name], coordinate_frame(system, choice.dependent), choice, (), reason)
+    choice, frame, found = chaplygin_dependent(system, choice)
+    if found.fatal:
+        raise NotApplicable(name, found.fatal)
+    return Formulation(name, NUMBERS[name], frame, choice, (), reason, found.broken)
+
+
+def chaplygin_dependent(system: System, choice: DependentChoice) -> tuple[DependentChoice, Frame, chaplygin.Hypotheses]:
+    """The dependent velocities of Čaplygin's equations, with their frame and hypotheses.
+
+    They are ``choice`` where it allows these equations and where the spec gives it; else the best of the others that allow them,
+    so that no system is refused for what nhc chose.
+    """
+    frame = coordinate_frame(system, choice.dependent)
+    found = chaplygin.hypotheses(frame, choice.dependent)
+    if system.dependent or not found.fatal:
+        return choice, frame, found
+    for other in ranked(system, chaplygin.possible(system), chaplygin.seem_free(system)):
+        others = coordinate_frame(system, other.dependent)
+        hypotheses = chaplygin.hypotheses(others, other.dependent)
+        if not hypotheses.fatal:
+            return other, others, hypotheses
+    return choice, frame, found
+
+
+def choose(system: System) -> Formulation:
+    """The cheapest formulation that is valid and regular.
+
+    The spec's own quasi-velocities come first.  Dependent velocities are taken where their block cannot vanish; else the adapted
+    coframe, unless it is weak at an ordinary state where the constraints are not: then the multipliers.
+    """
+    if system.quasi:
+        return build(system, "euler-lagrange")
+    if not system.constraints:
+        return build(system, "lagrange")
+    choice = dependent_of(system)
+    if choice.regular:
+        return _reduced_or_voronec(system)
+    try:
+        adapted = build(system, "euler-lagrange")
+    except NotApplicable:
+        return build(system, "multipliers")
+    assert adapted.frame is not None
+    if weak_where_constraints_are_not(system, adapted.frame.forms):
+        multipliers = build(system, "multipliers")
+        why = "every coframe that was tried is singular at an ordinary state; all velocities kept"
+        return replace(multipliers, reason=why)
+    if becomes_singular(system, adapted.frame.forms):
+        multipliers = build(system, "multipliers")
+        why = "every coframe that was tried is singular at positions that the motion can reach; all velocities kept"
+        return replace(multipliers, reason=why)
+    names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
+    whose = "of the spec" if system.dependent else "that nhc would choose"
+    return replace(
+        adapted, reason=f"{adapted.reason}: the dependent velocities {whose} ({names}) are singular somewhere"
+    )
+
+
+def _reduced_or_voronec(system: System) -> Formulation:
+    try:
+        reduced = build(system, "chaplygin")
+    except NotApplicable as error:
+        if error.code != "E0411":
+            raise
+        return build(system, "voronec")
+    regular = reduced.dependent is not None and reduced.dependent.regular
+    return reduced if regular else build(system, "voronec")
+
+
+def applicable(system: System) -> list[Formulation]:
+    """Every formulation that applies, the reference (multipliers or Lagrange) first."""
+    order = ("multipliers", "lagrange", "newton", "euler-lagrange", "voronec", "chaplygin")
+    found = []
+    for name in order:
+        try:
+            found.append(build(system, name))
+        except NotApplicable:
+            continue
+    return found

@@ -1,0 +1,1 @@
+"""The thesis's formulations, each with its coframe and its Omega."""

@@ -1,0 +1,1 @@
+"""What is true of a system: integrals, conserved quantities, integrability, kinks."""

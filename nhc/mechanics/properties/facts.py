@@ -1,0 +1,339 @@
+"""What ``nhc check --explain`` says of a system: facts as lines, as data, and as warnings with places."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, field
+from typing import Any
+
+from nhc.algebra.bounds.common_zero import find_common_zero
+from nhc.algebra.bounds.subdivision import cannot_vanish_together
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
+from nhc.algebra.graph import Node
+from nhc.algebra.rewriting.angles import normalise_angles
+from nhc.algebra.solving.linear import degrees
+from nhc.diagnostics import Bag, several
+from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
+from nhc.mechanics.frame import coordinate_frame
+from nhc.mechanics.properties.conserved import Integral, find_conserved
+from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
+from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals
+from nhc.mechanics.properties.named import named_text
+from nhc.mechanics.properties.rough import list_torn, warn_rough
+from nhc.mechanics.properties.singular import find_rank_loss, never_changes
+from nhc.mechanics.regular.regularity import choose_dependent, intervals
+from nhc.mechanics.regular.trials import trial_points
+from nhc.mechanics.system import System
+
+_ROUNDING = 1e-12
+
+
+@dataclass
+class Facts:
+    """Lines for people, data for programs."""
+
+    lines_by_key: dict[str, str] = field(default_factory=dict)
+    data: dict[str, Any] = field(default_factory=dict)
+
+    def say(self, key: str, value: object, line: str) -> None:
+        self.data[key] = value
+        self.lines_by_key[key] = line
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        return tuple(self.lines_by_key.values())
+
+
+def describe(system: System, formulation: Formulation, bag: Bag, *, explain: bool = True) -> Facts:
+    """Facts of the system; warnings go to the bag.  Without ``explain`` what is conserved is not searched for."""
+    facts = Facts()
+    n, lower = system.n, system.l
+    parts = ((n, "coordinate", "coordinates"), (lower, "constraint", "constraints"))
+    text = ", ".join(_numbered(*part) for part in (*parts, (n - lower, "free velocity", "free velocities")))
+    facts.say("degrees", {"n": n, "l": lower}, text)
+    _kinetic(system, facts)
+    integrals: tuple[PositionIntegral, ...] = ()
+    torn = list_torn(system)
+    if lower:
+        integrals = _constraints(system, formulation, facts, torn, bag)
+        _dependent(system, formulation, facts, bag)
+    _quasi(system, formulation, bag)
+    cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
+    facts.say("cyclic", cyclic, f"cyclic coordinates: {', '.join(cyclic) or 'none'}")
+    if explain:
+        try:
+            _conserved(system, formulation, integrals, facts)
+        except Unlucky:
+            facts.say(
+                "conserved", [], "constants of the motion: not decided (too many nested roots for the exact test)"
+            )
+    names = [f.name for f in applicable(system)]
+    facts.say("applicable", names, f"formulations that apply: {', '.join(names)}")
+    line = f"formulation: {formulation.name} ({formulation.number}), {formulation.reason}"
+    facts.say(
+        "formulation", {"name": formulation.name, "number": formulation.number, "reason": formulation.reason}, line
+    )
+    warn_rough(system, torn, bag)
+    return facts
+
+
+def _numbered(number: int, one: str, several: str) -> str:
+    return f"{number} {one if number == 1 else several}"
+
+
+def _kinetic(system: System, facts: Facts) -> None:
+    degree = degrees(system.graph, system.v)[system.T]
+    text = {2: "quadratic in the velocities"}.get(degree, "no polynomial of degree 2 in the velocities")
+    timed = system.graph.depends(system.T, system.graph.deps[system.t])
+    facts.say("rheonomic", timed, f"T: {text}{', contains the time' if timed else ''}")
+
+
+def _constraints(
+    system: System, formulation: Formulation, facts: Facts, torn: Collection[str], bag: Bag
+) -> tuple[PositionIntegral, ...]:
+    found = classify(system, formulation.frame)
+    kinds = [word for word, holds in (("affine", found.affine), ("time-dependent", found.rheonomic)) if holds]
+    kind = ", ".join(kinds) or "homogeneous, scleronomic"
+    growth = ", ".join(str(r) for r in found.growth)
+    facts.say("growth", list(found.growth), f"constraints: {kind}; growth vector of ker A: ({growth})")
+    facts.data.update({"affine": found.affine, "time_dependent": found.rheonomic, "kinds": _kinds(system, found)})
+    special = classify_as_given(system, found)
+    text = _count_hidden(system, found)
+    if special:
+        text += f" (for arbitrary parameters; with their values in the spec: {_count_hidden(*special)})"
+    apart = [form.name for form in system.constraints if form.name in torn]
+    if apart and (found.hidden or special):
+        text += f"; at each side of where {', '.join(apart)} {'jumps' if len(apart) == 1 else 'jump'}"
+    facts.say("hidden", found.hidden, f"integrability: {text}")
+    integrals = _integrals(system, found, facts)
+    if special:
+        own = _integrals(*special, facts, "_as_given")
+        facts.data["hidden_as_given"] = special[1].hidden
+        _warn_integrable(special[0], special[1], own, torn, bag, " with the values under `parameters:`")
+    else:
+        _warn_integrable(system, found, integrals, torn, bag)
+    _rank_loss(system, facts)
+    return integrals
+
+
+def _count_hidden(system: System, found: Integrability) -> str:
+    if found.hidden == system.l:
+        return "all constraints are integrable: the system is holonomic"
+    if found.hidden:
+        return f"{found.hidden} of {system.l} constraints integrable (holonomic in disguise), the others truly nonholonomic"
+    return "no integrable combination: truly nonholonomic"
+
+
+def _kinds(system: System, found: Integrability) -> list[dict[str, object]]:
+    """Each constraint by itself."""
+    g = system.graph
+    kinds: list[dict[str, object]] = []
+    for form in system.constraints:
+        timed = any(g.depends(x, g.deps[system.t]) for x in (*form.coefficients, form.constant))
+        affine = not is_zero(g, form.constant)
+        alone = form.name in found.closed
+        kinds.append({"name": form.name, "affine": affine, "time_dependent": timed, "integrable_alone": alone})
+    return kinds
+
+
+def _integrals(system: System, found: Integrability, facts: Facts, given: str = "") -> tuple[PositionIntegral, ...]:
+    """``given`` marks what holds for the parameters' values in the spec only."""
+    if not found.hidden:
+        return ()
+    frame = coordinate_frame(system, choose_dependent(system).dependent)
+    integrals = find_position_integrals(system, frame, found.hidden, found.closed)
+    data = [{"integral": i.text, "constraints": list(i.names)} for i in integrals]
+    lost = found.hidden - len(integrals)
+    lines = [f"{i.text} = const (from {' and '.join(i.names)})" for i in integrals]
+    if lost:
+        lines.append(f"{lost} not found in elementary functions")
+    where = " with the parameters' values in the spec" if given else ""
+    facts.say(f"integrals{given}", data, f"integrals{where}: {'; '.join(lines)}")
+    return integrals
+
+
+def _warn_integrable(
+    system: System,
+    found: Integrability,
+    integrals: tuple[PositionIntegral, ...],
+    torn: Collection[str],
+    bag: Bag,
+    given: str = "",
+) -> None:
+    """Integrable constraints that the spec does not give under ``holonomic:``; ``given``: with which values they are.
+
+    Those that are ``torn`` are so at each side of a jump only, with a constant of its own: there is nothing to be held to.
+    """
+    spans = {c.name: c.span for c in system.spec.constraints}
+    written = {form.name for form in system.constraints if form.equation is not None}
+    named = [name for name in found.closed if name not in written]
+    for name in named:
+        if name in torn:
+            bag.warning(
+                "W0410",
+                f"the constraint `{name}` is integrable{given}, but it jumps: its integral is another one at each side",
+                spans[name],
+                help=(
+                    "write it with continuous functions, or as one constraint for the side that the motion keeps to",
+                ),
+            )
+            continue
+        own = [i.text for i in integrals if i.names == (name,)]
+        bag.warning(
+            "W0410",
+            f"the constraint `{name}` is integrable{given}: it is a holonomic constraint in disguise",
+            spans[name],
+            notes=(f"its integral is `{own[0]} = const`",) if own else (),
+            help=("give its integral under `holonomic:`, so that positions are held to it too",),
+        )
+    combined = found.hidden - len(written) - len(named)
+    if combined > 0:
+        growth, verb = ", ".join(str(r) for r in found.growth), "is" if combined == 1 else "are"
+        aside = " where they do not jump" if any(name in torn for name in spans if name not in found.closed) else ""
+        texts = [f"an integral is `{i.text} = const`" for i in integrals if len(i.names) > 1]
+        bag.warning(
+            "W0410",
+            f"{several(combined, 'combination')} of the constraints {verb} integrable{given}{aside} (holonomic in disguise)",
+            system.spec.key_span("constraints"),
+            notes=(f"the growth vector of the allowed directions is ({growth}) in {system.n} coordinates", *texts),
+            help=("positions are not held to the integral by the velocities alone: watch the drift",),
+        )
+
+
+def _rank_loss(system: System, facts: Facts) -> None:
+    found, full = find_rank_loss(system), None
+    minors = [named_text(system, minor, 100) for minor in found.minors]
+    if found.regular is None:
+        text = "too large to decide where it is lost"
+    elif found.regular:
+        text, full = "full everywhere", True
+    elif find_common_zero(system.graph, found.minors, (*system.q, system.t), trial_points(system)) is not None:
+        text, full = f"lost where {' = '.join(minors)} = 0: the motion is undefined there", False
+    else:
+        text = f"full wherever it was tried; it would be lost where {' = '.join(minors)} = 0"
+    facts.say("rank", {"full": full, "lost_where_all_vanish": minors}, f"rank of the constraints: {text}")
+
+
+def _conserved(system: System, formulation: Formulation, integrals: tuple[PositionIntegral, ...], facts: Facts) -> None:
+    """Energy or its balance, and the constants of the motion that were found."""
+    frame = coordinate_frame(system, choose_dependent(system).dependent) if system.l else None
+    found = find_conserved(system, frame, formulation.frame, [i.node for i in integrals])
+    if found.energy:
+        line = "energy: T + V is conserved"
+        if found.torn:
+            line += f" (for the parameters' values in the spec and its scenes; {' and '.join(found.torn)} may jump for others)"
+    else:
+        line = f"energy: T + V is not conserved: {', '.join(found.power)}"
+    if found.jacobi is not None:
+        line += f"; p q' - T + V is{'' if found.jacobi else ' not'}"
+    facts.say(
+        "energy",
+        {
+            "conserved": found.energy,
+            "power": list(found.power),
+            "generalized": found.jacobi,
+            "torn_elsewhere": list(found.torn),
+        },
+        line,
+    )
+    data = [{"integral": i.text, "where_zero": list(i.where), "moving_energy": i.moving} for i in found.integrals]
+    texts = [_spell(i) for i in found.integrals]
+    facts.say("conserved", data, f"constants of the motion: {', '.join(texts) or 'none'} (sought among {found.tried})")
+    if found.outputs:
+        facts.say("constant_outputs", list(found.outputs), f"outputs that are constant: {', '.join(found.outputs)}")
+
+
+def _spell(integral: Integral) -> str:
+    kind = "the moving energy " if integral.moving else ""
+    where = f" (for {', '.join(f'{name} = 0' for name in integral.where)})" if integral.where else ""
+    return f"{kind}{integral.text}{where}"
+
+
+def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag) -> None:
+    choice = formulation.dependent or checked_dependent(system)
+    names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
+    who = "given" if system.dependent else "chosen"
+    if choice.determinant is None:
+        limit = "the determinant is too large to print"
+    else:
+        limit = f"determinant {named_text(system, choice.determinant)}"
+    never = choice.regular or _cannot_vanish(system, choice.determinant)
+    regular = "never singular" if never else "singular where it vanishes"
+    facts.say(
+        "dependent",
+        [system.q_names[i] for i in choice.dependent],
+        f"dependent velocities ({who}): {names}; {limit}, {regular}",
+    )
+    used = system.dependent or formulation.dependent is not None
+    if used and not never and choice.determinant is not None:
+        own = bool(system.dependent)
+        advice = "leave `dependent:` out" if own else "name others under `dependent:`, leave `formulation:` out"
+        bag.warning(
+            "W0408",
+            f"the dependent velocities {names} are singular where `{_zero_text(system, choice.determinant)} = 0`",
+            system.spec.key_span("dependent" if own else "formulation"),
+            notes=() if own else ("nhc chose them; no choice is known to be regular everywhere",),
+            help=(f"{advice}, or use quasi-velocities that stay regular",),
+        )
+    try:
+        other, _, found = chaplygin_dependent(system, choice)
+    except ArithmeticError:
+        return
+    text = "; ".join(found.broken) if found.broken else "all hold"
+    if other.dependent != choice.dependent:
+        names = ", ".join(f"{system.q_names[i]}'" for i in other.dependent)
+        text = f"with {names} dependent, {text}"
+    facts.say("chaplygin", list(found.broken), f"Čaplygin's hypotheses (I.3): {text}")
+
+
+def _cannot_vanish(system: System, node: Node | None) -> bool:
+    return node is not None and cannot_vanish_together(system.graph, [node], intervals(system))
+
+
+def _is_zero_as_given(system: System, node: Node) -> bool:
+    """Whether a node that is the same at every state vanishes for the parameters' values in the spec."""
+    try:
+        value = float(evaluate(system.graph, [node], trial_points(system)[-1])[0])
+    except (ArithmeticError, ValueError):
+        return False
+    return abs(value) < _ROUNDING
+
+
+def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
+    """A set of quasi-velocities that loses rank somewhere."""
+    if formulation.frame is None or not system.quasi:
+        return
+    for guard, _ in formulation.frame.guards:
+        if _cannot_vanish(system, guard) or (never_changes(system, guard) and not _is_zero_as_given(system, guard)):
+            continue
+        where = _entry_text(system, guard) or _zero_text(system, guard)
+        own = len(system.quasi) > 3 * len(system.rotations)
+        other = ", take the other `frame` of the rotation" if system.rotations else ""
+        bag.warning(
+            "W0408",
+            f"the quasi-velocities are singular where `{where} = 0`",
+            system.spec.key_span("quasi_velocities" if own else "rotation"),
+            help=(f"choose forms that stay independent there{other}, or keep away from it",),
+        )
+
+
+def _zero_text(system: System, node: Node) -> str:
+    """The shortest known expression with the same zeros, without a number in front."""
+    graph = system.graph
+    plain = graph.split_coefficient(node)[1]
+    other = graph.split_coefficient(normalise_angles(graph, plain, 40))[1]
+    return min((named_text(system, each, 400) for each in (plain, other)), key=len)
+
+
+def _entry_text(system: System, node: Node) -> str:
+    """The name of the entry of a rotation's matrix that the node is, with its sign; empty where it is none."""
+    g = system.graph
+    for rotation, declared in zip(system.rotations, system.spec.rotations, strict=True):
+        entries = [entry for row in rotation.matrix for entry in row]
+        for sign in ("", "-"):
+            apart = [g.add(node, entry) if sign else g.sub(node, entry) for entry in entries]
+            found = [name for name, zero in zip(declared.entries, are_zero(g, apart), strict=True) if zero]
+            if found:
+                return sign + found[0]
+    return ""

@@ -1,0 +1,211 @@
+"""Integrals f(q, t) = const of integrable constraints, in elementary functions.
+
+The integrals are the functions that the allowed motions leave constant: e_mu(f) = 0 for every free direction and X_0(f) = 0 for
+the drift.  Among candidate functions (coordinates, the functions and named definitions that the constraints are made of,
+products of coordinates, each also times a parameter of the constraints; antiderivatives of the constraints' terms) all constant
+combinations with this property are found by exact linear algebra at random points of a prime field.  That finds integrals of single
+constraints and of combinations alike, with no integrating factor; each is tested again modulo another prime.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations_with_replacement
+
+from nhc.algebra.calculus import gradient, reachable, tangent
+from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
+from nhc.algebra.exact.modular import Unlucky, are_zero
+from nhc.algebra.exact.primes import primes_of
+from nhc.algebra.exact.relations import find_relations, without
+from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
+from nhc.mechanics.frame import Frame
+from nhc.mechanics.properties.conserved import Candidate, combine
+from nhc.mechanics.properties.leaf import Leaf, has_values, leaf_of, rank_on
+from nhc.mechanics.properties.named import named_text
+from nhc.mechanics.properties.primitives import find_primitives
+from nhc.mechanics.system import Form, System
+from nhc.records import record
+
+_MOST = 150  # candidates
+_PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}  # up to a factor, integrals of each other
+_SPARE = 8  # equations more than candidates
+_LONGEST = 160  # characters of a text that is still worth printing
+
+
+@record
+class PositionIntegral:
+    """``node`` = const on every motion; ``names`` are the constraints that imply it (several: a combination of them)."""
+
+    node: Node
+    text: str
+    names: tuple[str, ...]
+
+
+def find_position_integrals(
+    system: System, frame: Frame, hidden: int, closed: Sequence[str] = ()
+) -> tuple[PositionIntegral, ...]:
+    """Up to ``hidden`` functionally independent integrals; fewer where the rest is not among the candidates.
+
+    ``closed`` are names of constraints that are integrable by themselves.
+    """
+    found: list[PositionIntegral] = []
+    leaf = leaf_of(system, [x for e in (*frame.free_vectors, frame.drift) for x in e])
+    for form in system.constraints:
+        if form.equation is not None and _is_new(system, leaf, found, form.equation):
+            found.append(PositionIntegral(form.equation, _text(system, form.equation), (form.name,)))
+    for candidates in _stages(system, closed):
+        if len(found) >= hidden:
+            break
+        for node in _search(system, leaf, frame, candidates):
+            if len(found) < hidden and _is_new(system, leaf, found, node):
+                names = tuple(form.name for form in system.constraints if _is_used(system, leaf, node, form))
+                found.append(PositionIntegral(node, _text(system, node), names))
+    return tuple(found)
+
+
+def _text(system: System, node: Node) -> str:
+    return named_text(system, system.graph.split_coefficient(node)[1], _LONGEST)
+
+
+def _is_new(system: System, leaf: Leaf, found: Sequence[PositionIntegral], node: Node) -> bool:
+    rows = [gradient(system.graph, x, (*system.q, system.t)) for x in (*(f.node for f in found), node)]
+    return rank_on(system.graph, rows, leaf) == len(rows)
+
+
+def _is_used(system: System, leaf: Leaf, node: Node, form: Form) -> bool:
+    """Whether df needs this constraint: it is no combination of the others."""
+    g = system.graph
+    others = [[*f.coefficients, f.constant] for f in system.constraints if f is not form]
+    slope = gradient(g, node, (*system.q, system.t))
+    return rank_on(g, [*others, slope], leaf) > len(others)
+
+
+# --- candidates -------------------------------------------------------------------------------------------
+
+
+def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
+    """Candidate sets, the small ones first; those at the end are for constraints that are integrable by themselves."""
+    g = system.graph
+    coordinates = [*system.q, system.t] if _contains_time(system) else list(system.q)
+    products = [g.mul(x, y) for x, y in combinations_with_replacement(coordinates, 2)]
+    parameters = [s for s in system.p if any(g.depends(x, g.deps[s]) for x in _entries(system.constraints))]
+    outputs = [node for _, node in system.outputs if not g.depends(node, g.mask(system.v))]
+    scaled = [g.mul(s, x) for s in parameters for x in coordinates]
+    pairs = [g.mul(g.mul(s, r), x) for s, r in combinations_with_replacement(parameters, 2) for x in coordinates]
+    atoms = _functions(system, system.constraints)
+    stages = [
+        [*coordinates, *products],
+        [*coordinates, *outputs],
+        [*coordinates, *scaled],
+        [*coordinates, *atoms],
+        [*coordinates, *scaled, *(g.mul(s, x) for s in parameters for x in (*atoms, *_partners(g, atoms)))],
+        [*coordinates, *scaled, *pairs],
+        [*coordinates, *scaled, *products, *(g.mul(s, x) for s in parameters for x in products)],
+        [*coordinates, *find_primitives(system)],
+        [*coordinates, *scaled, *_elementary(g, coordinates)],
+    ]
+    for form in system.constraints:
+        if form.name not in closed:
+            continue
+        own = [x for x, a in zip(coordinates, (*form.coefficients, form.constant), strict=False) if a != g.zero]
+        inside = [x for x in _functions(system, [form]) if not g.deps[x] & g.mask(coordinates) & ~g.mask(own)]
+        inside += _partners(g, inside)
+        held = [s for s in parameters if any(g.depends(x, g.deps[s]) for x in _entries([form]))]
+        stages.append([*own, *inside, *(g.mul(s, x) for s in held for x in inside)])
+        stages.append([*own, *inside, *(g.mul(x, y) for x in own for y in inside), *products])
+    return [[Candidate("", node) for node in _unique(g, stage)[:_MOST]] for stage in stages]
+
+
+def _partners(g: Graph, functions: Sequence[Node]) -> list[Node]:
+    return [g.function(_PARTNERS[g.op[x]], g.a[x]) for x in functions if g.op[x] in _PARTNERS]
+
+
+def _elementary(g: Graph, coordinates: Sequence[Node]) -> list[Node]:
+    """Logarithms, sines, cosines and quotients of the coordinates, and their products with coordinates: for small systems."""
+    if len(coordinates) > 5:
+        return []
+    waves = [g.function(name, x) for x in coordinates for name in ("sin", "cos")]
+    logs = [g.function("log", x) for x in (*coordinates, *waves)]
+    quotients = [g.div(x, y) for x in (g.one, *coordinates) for y in coordinates if x != y]
+    return [*waves, *logs, *quotients, *(g.mul(x, wave) for x in coordinates for wave in waves)]
+
+
+def _entries(forms: Sequence[Form]) -> list[Node]:
+    return [x for form in forms for x in (*form.coefficients, form.constant)]
+
+
+def _contains_time(system: System) -> bool:
+    g = system.graph
+    return any(g.depends(x, g.deps[system.t]) for x in _entries(system.constraints)) or any(
+        form.constant != g.zero for form in system.constraints
+    )
+
+
+def _functions(system: System, forms: Sequence[Form]) -> list[Node]:
+    """Functions of position that the forms are made of: sin, sqrt and their like, and the spec's definitions; short ones first."""
+    g = system.graph
+    allowed = g.mask((*system.q, system.t))
+    found = [
+        node
+        for node in reachable(g, _entries(forms))
+        if g.depends(node, allowed)
+        and not g.depends(node, g.mask(system.v))
+        and (node in g.labels or g.op[node] not in (ADD, MUL, NEG, POW, SYM))
+    ]
+    return sorted(found, key=lambda node: (len(reachable(g, [node])), node))
+
+
+def _unique(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
+    return [node for node in dict.fromkeys(nodes) if graph.value(node) is None]
+
+
+# --- the search -------------------------------------------------------------------------------------------
+
+
+def _search(system: System, leaf: Leaf, frame: Frame, candidates: Sequence[Candidate]) -> list[Node]:
+    """Constant combinations that every allowed motion leaves constant, less those that are constants anyway."""
+    g, places = system.graph, (*system.q, system.t)
+    if leaf.steps:
+        candidates = [c for c in candidates if has_values(g, leaf, gradient(g, c.node, places))]
+    nodes, width = [c.node for c in candidates], len(candidates)
+    along = [tangent(g, nodes, dict(zip(system.q, e, strict=True))) for e in frame.free_vectors]
+    along.append(tangent(g, nodes, {**dict(zip(system.q, frame.drift, strict=True)), system.t: g.one}))
+    slopes = [tangent(g, nodes, {x: g.one}) for x in places]
+    prime = primes_of(g)[0]
+    rows = _rows(g, leaf, along, width)
+    constant = find_relations(rows, width, prime)
+    if not constant:
+        return []
+    trivial = find_relations(_rows(g, leaf, slopes, width), width, prime)
+    found = []
+    for vector in without(constant, trivial):
+        node = combine(g, vector, candidates)
+        rates = [tangent(g, [node], dict(zip(system.q, e, strict=True)))[0] for e in frame.free_vectors]
+        rates += tangent(g, [node], {**dict(zip(system.q, frame.drift, strict=True)), system.t: g.one})
+        if _vanish(g, leaf, rates):
+            found.append(node)
+    return found
+
+
+def _vanish(graph: Graph, leaf: Leaf, rates: Sequence[Node]) -> bool:
+    """Whether all rates are zero where the constraints allow positions; tested modulo another prime than they were found with."""
+    if not leaf.steps:
+        return all(are_zero(graph, rates))
+    return rank_on(graph, [rates], leaf, primes_of(graph)[1]) == 0
+
+
+def _rows(graph: Graph, leaf: Leaf, directions: Sequence[Sequence[Node]], width: int) -> list[list[int]]:
+    """Values of every candidate's derivatives at enough points: one row for each direction and point."""
+    rows: list[list[int]] = []
+    flat = [node for row in directions for node in row]
+    for _, point in draw_points(
+        graph, flat, primes_of(graph)[0], range(7_000_003, 7_000_003 + MOST_DRAWS), settle=leaf.settle
+    ):
+        try:
+            values = point.evaluate(flat)
+        except Unlucky:
+            continue
+        rows += [values[k : k + width] for k in range(0, len(values), width)]
+        if len(rows) >= width + _SPARE * len(directions):
+            return rows
+    raise Unlucky

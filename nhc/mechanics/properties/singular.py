@@ -1,0 +1,106 @@
+"""Where the constraints themselves lose rank: there the equations of motion are undefined in every formulation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import combinations
+
+from nhc.algebra.bounds.interval import cannot_vanish
+from nhc.algebra.bounds.subdivision import cannot_vanish_together
+from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.dense import symmetric_eigenvalues
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import are_zero
+from nhc.algebra.graph import Node
+from nhc.algebra.polynomial import normalise
+from nhc.algebra.rewriting.angles import normalise_angles
+from nhc.algebra.solving.blocks import determinant_of
+from nhc.mechanics.choosing.adapt import set_pivots_aside
+from nhc.mechanics.regular.regularity import intervals
+from nhc.mechanics.rotation import along, from_base, rows_in_base
+from nhc.mechanics.system import System
+from nhc.records import record
+
+_MOST_ROWS = 3
+_MOST_MINORS = 60
+
+
+@record
+class RankLoss:
+    """``regular``: shown to have full rank everywhere (None: too large to decide); else only where all of ``minors`` vanish."""
+
+    regular: bool | None
+    minors: tuple[Node, ...]
+
+
+def find_rank_loss(system: System) -> RankLoss:
+    """Rows with a pivot that cannot vanish are set aside; the others are judged by the squares of their maximal minors."""
+    g, known = system.graph, intervals(system)
+    rows, columns = set_pivots_aside(system)
+    matrix = rows_in_base(system, system.constraints)
+    if not rows:
+        return RankLoss(True, ())
+    free = [j for j in range(system.n) if j not in columns]
+    free = [j for j in free if any(matrix[r][j] != g.zero for r in rows)]
+    if len(rows) > _MOST_ROWS or math.comb(len(free), len(rows)) > _MOST_MINORS:
+        return RankLoss(None, ())
+    minors, whole = set[Node](), list[Node]()
+    for subset in combinations(free, len(rows)):
+        block = [[matrix[r][j] for j in subset] for r in rows]
+        minor = normalise_angles(g, determinant_of(g, block), 120)
+        if minor != g.zero:
+            minors.add(g.split_coefficient(minor)[1])
+            whole.append(minor)
+    kept = sorted(minors)
+    if any(cannot_vanish(g, minor, known) for minor in kept):
+        return RankLoss(True, ())
+    gram = normalise(g, g.sum([g.power(minor, 2) for minor in whole]), 200)
+    if cannot_vanish(g, gram, known) or cannot_vanish_together(g, kept, known):
+        return RankLoss(True, ())
+    if system.rotations and cannot_vanish_together(g, _unturned(system, gram, whole), known):
+        return RankLoss(True, ())
+    return RankLoss(False, tuple(kept))
+
+
+def _unturned(system: System, gram: Node, minors: Sequence[Node]) -> list[Node]:
+    """The minors where the bodies have not turned, as far as their turns do not change the sum of the squares (rows and columns
+    of R have one length everywhere).
+    """
+    g, start = system.graph, dict[Node, Node]()
+    for rotation in system.rotations:
+        if not any(_slopes(system, gram, rotation.places[1:])):
+            start |= dict(zip((system.q[k] for k in rotation.places), (g.one, g.zero, g.zero, g.zero), strict=True))
+    return substitute(g, minors, start, named=False)
+
+
+def never_changes(system: System, node: Node) -> bool:
+    """Whether the node has one value wherever the quaternions keep their length."""
+    g = system.graph
+    if g.depends(node, g.deps[system.t]):
+        return False
+    lengths = {rotation.places[0] for rotation in system.rotations}
+    return not any(_slopes(system, node, [k for k in range(system.n) if k not in lengths]))
+
+
+def _slopes(system: System, node: Node, places: Sequence[int]) -> list[bool]:
+    """Whether the node changes along each of these vectors of the base."""
+    g, slopes = system.graph, list[Node]()
+    for k in places:
+        unit = [g.one if j == k else g.zero for j in range(system.n)]
+        slopes += tangent(g, [node], along(system, from_base(system, unit, system.rotations)))
+    return [not zero for zero in are_zero(g, slopes)]
+
+
+def smallest_singular_value(system: System, place: dict[Node, float]) -> float:
+    """sigma_min of the constraint matrix at a state (``place`` gives t, q and p their values); infinite without constraints.
+
+    The square root of the smallest eigenvalue of A A^T, by Jacobi's rotations; zero to rounding where the rank is lost.
+    """
+    if not system.constraints:
+        return math.inf
+    flat = [a for form in system.constraints for a in form.coefficients]
+    values = [float(x) for x in evaluate(system.graph, flat, place)]
+    rows = [values[k * system.n : (k + 1) * system.n] for k in range(system.l)]
+    gram = [[sum(x * y for x, y in zip(r, s, strict=True)) for s in rows] for r in rows]
+    return math.sqrt(max(0.0, min(symmetric_eigenvalues(gram))))

@@ -1,0 +1,1 @@
+"""The smallest exact model of what a scene needs."""

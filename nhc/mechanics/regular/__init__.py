@@ -1,0 +1,1 @@
+"""Where a system, its constraints and its coframes are regular."""

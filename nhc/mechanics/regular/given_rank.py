@@ -1,0 +1,63 @@
+"""Are the constraints independent as the spec gives them: with its parameters' values, where its equations of positions hold?
+
+Rows may be independent at arbitrary states and for arbitrary parameters, and yet repeat one another on every motion that the
+spec describes: rows that differ in parameters of one value, or a mechanism with a rod too many.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from nhc.algebra.bounds.common_zero import find_common_zero
+from nhc.algebra.dense import RowSpace
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Node
+from nhc.mechanics.regular.trials import ordinary_points, trial_points, velocity_units
+from nhc.mechanics.system import Form, System
+
+_STATES = 4
+_OF_NO_SCENE = 2  # of the ordinary points, the last
+_DRAWN = 8  # of the trial points are random ones, the last
+
+
+def given_states(system: System) -> list[dict[Node, float]]:
+    """Random states with the parameters' values in the spec, at positions that the holonomic constraints allow.
+
+    Near the scenes' starts where there are scenes: a mechanism may have other positions, in which it does not move.
+    """
+    equations = [form.equation for form in system.constraints if form.equation is not None]
+    near = ordinary_points(system)[1:-_OF_NO_SCENE:2]
+    found: list[dict[Node, float]] = []
+    for point in near or trial_points(system)[-_DRAWN:]:
+        place = find_common_zero(system.graph, equations, system.q, [point]) if equations else point
+        if place is not None:
+            found.append(place)
+        if len(found) == _STATES:
+            break
+    return found
+
+
+def find_dependent_row(system: System, place: Mapping[Node, float]) -> Form | None:
+    """The first constraint whose row vanishes, or depends on those before it, at a state; None also where there is no row.
+
+    Holonomic ones come first: what repeats them is what can be left out.
+    """
+    space, units = RowSpace(system.n), velocity_units(system)
+    for form in sorted(system.constraints, key=lambda form: form.equation is None):
+        try:
+            row = [float(x) for x in evaluate(system.graph, form.coefficients, dict(place))]
+        except (ArithmeticError, ValueError, KeyError):
+            return None
+        if not all(map(math.isfinite, row)):
+            return None
+        if space.add([a * u for a, u in zip(row, units, strict=True)], 0.0) is not None:
+            return form
+    return None
+
+
+def find_dependent_as_given(system: System) -> Form | None:
+    """The constraint that depends on those before it at all states that :func:`given_states` draws; None where there is none."""
+    states = given_states(system)
+    found = [find_dependent_row(system, place) for place in states]
+    return found[0] if found and None not in found else None

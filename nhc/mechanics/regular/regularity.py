@@ -1,0 +1,228 @@
+"""Where a choice is regular: bounds, measures at trial points, and the choice of dependent velocities."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from itertools import combinations
+
+from nhc.algebra.bounds.interval import Interval, cannot_vanish
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Node
+from nhc.algebra.minors import relative_minors
+from nhc.algebra.polynomial import normalise
+from nhc.algebra.solving.blocks import determinant_of
+from nhc.mechanics.regular.trials import sampled_rows, scattered_points, start_points, trial_points
+from nhc.mechanics.system import Form, System
+from nhc.mechanics.values import parameter_ranges
+from nhc.records import record
+
+_WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per row)
+_NOTHING = 1e-9  # what rounding leaves of a pivot
+_MANY = 250  # subsets of columns that are tried one by one
+
+
+@record
+class Choice:
+    """Dependent velocities with the determinant of their block; ``regular`` if it can be shown never to vanish."""
+
+    dependent: tuple[int, ...]
+    determinant: Node | None
+    regular: bool
+
+
+def intervals(system: System) -> dict[Node, Interval]:
+    """Parameters over their values in the spec and its scenes, coordinates over their declared ranges."""
+    known: dict[Node, Interval] = dict(parameter_ranges(system))
+    for symbol, coordinate in zip(system.q, system.spec.coordinates, strict=True):
+        if coordinate.range is not None:
+            known[symbol] = (float(coordinate.range[0]), float(coordinate.range[1]))
+    return known
+
+
+def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[int]) -> float:
+    """|det| of the columns over the product of the norms of the whole rows (Hadamard), its l-th root: in [0, 1]."""
+    return relative_minors(matrix, [columns])[0]
+
+
+def pivot_weakness(system: System) -> Callable[[Sequence[Node], Sequence[Node]], list[int]]:
+    """A measure for elimination: at how many trial points a pivot is small against its row (its scale)."""
+    points: list[dict[Node, float]] = []
+
+    def measure(pivots: Sequence[Node], scales: Sequence[Node]) -> list[int]:
+        points.extend(() if points else trial_points(system))
+        counts = [0] * len(pivots)
+        for point in points:
+            try:
+                values = evaluate(system.graph, [*pivots, *scales], point)
+            except (ArithmeticError, ValueError):
+                continue
+            for k in range(len(pivots)):
+                counts[k] += not abs(values[k]) > _WEAK * abs(values[len(pivots) + k])
+        return counts
+
+    return measure
+
+
+def weakness(values: Sequence[float]) -> tuple[int, float]:
+    """How often a choice is close to singular, and how weak it is on the whole: smaller is better."""
+    if not values:
+        return 10**6, 0.0
+    low = sorted(values)[: max(1, len(values) // 2)]
+    return sum(value < _WEAK for value in values), -round(sum(low) / len(low), 3)
+
+
+def weak_where_constraints_are_not(system: System, forms: Sequence[Form]) -> int:
+    """At how many ordinary states (see :func:`ordinary_points`) the coframe is weak although the constraints have full rank."""
+    matrices = sampled_rows(system, forms, ordinary=True)
+    count = 0
+    for matrix in matrices:
+        if relative_determinant(matrix, range(system.n)) < _WEAK and _full_rank(matrix[: system.l]):
+            count += 1
+    return count
+
+
+def _full_rank(rows: Sequence[Sequence[float]], least: float = _WEAK) -> bool:
+    """Clearly independent rows: elimination with full pivoting leaves no small pivot."""
+    work = [list(row) for row in rows]
+    norms = [math.sqrt(sum(x * x for x in row)) for row in work]
+    for step in range(len(work)):
+        sizes = [max(map(abs, work[i])) / max(norms[i], 1e-300) for i in range(step, len(work))]
+        best = max(sizes)
+        if best < least:
+            return False
+        i = step + sizes.index(best)
+        j = max(range(len(work[i])), key=lambda j: abs(work[i][j]))
+        work[step], work[i] = work[i], work[step]
+        norms[step], norms[i] = norms[i], norms[step]
+        for k in range(step + 1, len(work)):
+            factor = work[k][j] / work[step][j]
+            if factor:
+                work[k] = [x - factor * y for x, y in zip(work[k], work[step], strict=True)]
+    return True
+
+
+def coframe_weakness(system: System, forms: Sequence[Form]) -> tuple[int, float]:
+    """The weakness of n forms as a coframe."""
+    every = range(system.n)
+    return weakness([relative_determinant(matrix, every) for matrix in sampled_rows(system, forms)])
+
+
+def choose_dependent(system: System) -> Choice:
+    """The l velocities to solve for: never singular where there is such a choice, else singular as rarely as possible.
+
+    The graph keeps the choice: a system with other values in the same constraints has the same one.
+    """
+    known: Choice | None = system.graph.memory.get("dependent velocities")
+    if known is None:
+        known = system.graph.memory["dependent velocities"] = _choose(system)
+    return known
+
+
+def _choose(system: System) -> Choice:
+    n, lower = system.n, system.l
+    if lower == 0:
+        return Choice((), system.graph.one, True)
+    samples = sampled_rows(system, system.constraints)
+    begun = sampled_rows(system, system.constraints, start_points(system))
+    if not any(_full_rank(matrix, _NOTHING) for matrix in samples):
+        samples, begun = sampled_rows(system, system.constraints, scattered_points(system)), []
+    if math.comb(n, lower) <= _MANY:
+        candidates = [list(c) for c in combinations(range(n), lower)]
+    else:
+        chosen = [
+            _greedy(system, points) for points in (begun, [*begun, *samples[-3:]], samples[-3:] or samples) if points
+        ]
+        candidates = [list(columns) for columns in dict.fromkeys(map(tuple, chosen))]
+    own = _own_columns(system, samples)
+    scored = _scored(candidates, samples, begun)
+    best: Choice | None = None
+    for first, weak, _, columns in scored[:8]:
+        choice = judge(system, tuple(columns))
+        if best is None or (choice.regular and not best.regular):
+            best = choice
+        if best.regular or (first, weak) > scored[0][:2]:
+            break
+    assert best is not None
+    if own and not all(set(columns) & set(best.dependent) for columns in own):
+        return judge(system, tuple(sorted(columns[0] for columns in own)))
+    return best
+
+
+def _scored(
+    candidates: Sequence[Sequence[int]],
+    samples: Sequence[Sequence[Sequence[float]]],
+    begun: Sequence[Sequence[Sequence[float]]],
+) -> list[tuple[int, int, float, list[int]]]:
+    """(how often lost at the scenes' starts, how often weak, how weak, columns) of each candidate, the best first."""
+    minors = [relative_minors(matrix, candidates) for matrix in samples]
+    begin = [relative_minors(matrix, candidates) for matrix in begun]
+    lost = [sum(row[k] < _WEAK for row in begin) for k in range(len(candidates))]
+    return sorted(
+        (lost[k], *weakness([row[k] for row in minors]), list(columns)) for k, columns in enumerate(candidates)
+    )
+
+
+def ranked(system: System, columns: Sequence[int], fits: Callable[[Sequence[int]], bool]) -> list[Choice]:
+    """Every choice of dependent velocities among ``columns`` alone that ``fits`` and is not singular at all the trial points, those
+    that never are first, then in the order of :func:`choose_dependent`; none where there are too many to try.
+    """
+    if math.comb(len(columns), system.l) > _MANY:
+        return []
+    samples = sampled_rows(system, system.constraints)
+    begun = sampled_rows(system, system.constraints, start_points(system))
+    scored = _scored([list(c) for c in combinations(columns, system.l)], samples, begun)
+    found = [judge(system, tuple(chosen)) for _, weak, _, chosen in scored if weak < len(samples) and fits(chosen)]
+    return sorted(found, key=lambda choice: not choice.regular)
+
+
+def _own_columns(system: System, samples: Sequence[Sequence[Sequence[float]]]) -> list[list[int]]:
+    """For each constraint the velocities that no other one contains and that it can always be solved for, the heaviest first.
+
+    Empty where a constraint has none: with one from each the block is diagonal, and there is nothing to solve.
+    """
+    g, known = system.graph, intervals(system)
+    rows, found = [form.coefficients for form in system.constraints], list[list[int]]()
+    for k, row in enumerate(rows):
+        columns = [
+            j
+            for j, entry in enumerate(row)
+            if entry != g.zero
+            and all(other[j] == g.zero for i, other in enumerate(rows) if i != k)
+            and cannot_vanish(g, normalise(g, entry, 60), known)
+        ]
+        if not columns:
+            return []
+        found.append(sorted(columns, key=lambda j: -min((abs(matrix[k][j]) for matrix in samples), default=0.0)))
+    return found
+
+
+def _greedy(system: System, samples: Sequence[Sequence[Sequence[float]]]) -> list[int]:
+    """Column by column: the one whose smallest pivot over the samples is largest (for systems with many constraints)."""
+    work = [[list(row) for row in matrix] for matrix in samples]
+    chosen: list[int] = []
+    for row in range(system.l):
+        best = max(
+            (j for j in range(system.n) if j not in chosen),
+            key=lambda j: (round(min(abs(m[row][j]) for m in work), 9), j),
+        )
+        chosen.append(best)
+        for matrix in work:
+            pivot = matrix[row][best]
+            if pivot == 0.0:
+                continue
+            for i in range(row + 1, system.l):
+                factor = matrix[i][best] / pivot
+                if factor:
+                    matrix[i] = [x - factor * y for x, y in zip(matrix[i], matrix[row], strict=True)]
+    return sorted(chosen)
+
+
+def judge(system: System, dependent: tuple[int, ...]) -> Choice:
+    """The block's determinant in canonical form (None for large blocks) and whether it can vanish."""
+    g = system.graph
+    block = [[form.coefficients[j] for j in dependent] for form in system.constraints]
+    if len(block) > 5:
+        return Choice(dependent, None, False)
+    determinant = normalise(g, determinant_of(g, block), 200)
+    return Choice(dependent, determinant, cannot_vanish(g, determinant, intervals(system)))

@@ -1,0 +1,218 @@
+"""The equations of motion of a chain or tree as the least of a sparse quadratic function: Gauss's principle by recursion.
+
+With T's velocity forms z_k = a_kc z_c + constants (:mod:`nhc.mechanics.trees.recursion`), the rates make
+
+    1/2 (z' - free)^T H (z' - free) - force . z'        (K. F. Gauss, J. reine angew. Math. 4 (1829) 232)
+
+least, where z' = a z' + turn: H is T's Hessian by the forms, ``turn`` the rate of a form where those it is made of have none.
+Nothing here is a matrix over all rates: the cost follows the tree.  Forces are gathered by one reverse sweep.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import gradient, pullback_gradient, reachable, substitute, tangent
+from nhc.algebra.graph import NEG, Graph, Node
+from nhc.algebra.monomials import split_parameters, tidy
+from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.motion import Motion
+from nhc.mechanics.system import System
+from nhc.mechanics.trees.recursion import Recursion, Terms, Weights, read_recursion
+from nhc.mechanics.trees.units import common_mass, part_masses, scales
+from nhc.records import record
+
+_MANY = 6  # forms per rate beyond which no recursion is sought: they are the forms of a few bodies under constraints
+
+
+@record
+class Chain:
+    """Variable i < ``rates`` is ``scale[i]`` times the i-th rate, the others are forms in units that keep coefficients
+    free of parameters; ``weights[a, b]`` (a <= b) is H, ``force[i]`` what pulls at variable i, both over one mass ``unit``.
+
+    ``turn[k]``, ``steady[k]`` (no constant of the form moves) and ``offset[k]`` (an acceleration given to the form and to all
+    that continue it) belong to variable rates + k.
+    """
+
+    graph: Graph
+    rates: int
+    definitions: tuple[Terms, ...]
+    weights: Weights
+    turn: tuple[Node, ...]
+    steady: tuple[bool, ...]
+    offset: tuple[Node, ...]
+    force: tuple[Node, ...]
+    velocity: tuple[Node, ...]
+    scale: tuple[Node, ...]
+    unit: Node
+    parameters: int
+    velocities: tuple[Node, ...]  # the kept ones, as symbols
+    along: dict[Node, Node]  # the motion: what q and t change by
+
+    @property
+    def size(self) -> int:
+        return self.rates + len(self.definitions)
+
+
+def find_chain(system: System, motion: Motion, kinetic: Kinetic) -> Chain | None:
+    """The recursion of T's velocity forms (:func:`nhc.mechanics.whole_forms.whole_kinetic`) along a motion, with forces;
+    None where the forms are not sums and products.
+    """
+    if len(kinetic.u) > _MANY * len(motion.w):
+        return None
+    g = system.graph
+    mask = g.mask(system.p)
+    to_motion = dict(zip(system.v, motion.velocities, strict=True))
+    forms = substitute(g, kinetic.atoms, to_motion)
+    recursion = read_recursion(g, forms, motion.w, mask)
+    if recursion is None:
+        return None
+    to_motion.update(zip(kinetic.u, forms, strict=True))
+    along = {**dict(zip(system.q, motion.velocities, strict=True)), system.t: g.one}
+    weights, pull = _hessian(g, kinetic, recursion, to_motion, along)
+    potential, weight = _weigh(system, kinetic)
+    for k, force in weight.items():
+        for i, a in recursion.forms[k].items():
+            pull[i] = g.add(pull[i], g.mul(a, force))
+    for i, force in enumerate(_forces(system, kinetic, motion, potential, to_motion)):
+        pull[i] = g.add(pull[i], force)
+    return _in_units(system, motion, recursion, weights, pull, along)
+
+
+# --- T's Hessian and the forces --------------------------------------------------------------------------------
+
+
+def _hessian(
+    g: Graph, kinetic: Kinetic, recursion: Recursion, to_motion: dict[Node, Node], along: dict[Node, Node]
+) -> tuple[Weights, list[Node]]:
+    """H over the variables, and minus the rates of T's slopes at fixed forms (where T's coefficients move)."""
+    weights: Weights = {}
+    pull = [g.zero] * recursion.size
+    explicit = substitute(g, tangent(g, kinetic.slope, along), to_motion)
+    for k, row in enumerate(kinetic.hessian):
+        for i, a in recursion.forms[k].items():
+            pull[i] = g.sub(pull[i], g.mul(a, explicit[k]))
+        for j in range(k + 1):
+            if row[j] == g.zero:
+                continue
+            h = substitute(g, [row[j]], to_motion)[0]
+            for i, a in recursion.forms[k].items():
+                for c, b in recursion.forms[j].items():
+                    key = (min(i, c), max(i, c))
+                    twice = 2 if i == c and j < k else 1
+                    value = g.mul(g.number(twice), g.mul(g.mul(a, b), h))
+                    weights[key] = g.add(weights.get(key, g.zero), value)
+    return {key: h for key, h in weights.items() if h != g.zero}, pull
+
+
+def _weigh(system: System, kinetic: Kinetic) -> tuple[list[Node], dict[int, Node]]:
+    """dU/dq apart from what U has of the positions whose rates are forms of T, and dU by these, by number of the form."""
+    g = system.graph
+    present = set(reachable(g, [system.U]))
+    places: dict[Node, tuple[int, bool]] = {}
+    for k, atom in enumerate(kinetic.atoms):
+        negative = atom not in g.rate_of
+        place = g.rate_of.get(g.neg(atom) if negative else atom)
+        if place is not None and g.op[place] == NEG:
+            place, negative = g.a[place], not negative
+        if place in present and place not in system.q:
+            places[place] = k, negative
+    symbols = {place: g.symbol(f"place{k}", "held") for place, (k, _) in places.items()}
+    (potential,) = substitute(g, [system.U], symbols)
+    slopes = gradient(g, potential, [*system.q, *symbols.values()])
+    slopes = substitute(g, slopes, {symbol: place for place, symbol in symbols.items()})
+    found = zip(places.values(), slopes[system.n :], strict=True)
+    return slopes[: system.n], {k: g.neg(f) if negative else f for (k, negative), f in found if f != g.zero}
+
+
+def _forces(
+    system: System, kinetic: Kinetic, motion: Motion, potential: Sequence[Node], to_motion: dict[Node, Node]
+) -> list[Node]:
+    """What pulls at each kept velocity apart from T's forms: dT/dq, dU/dq, Q, and the forms that are not exact."""
+    g = system.graph
+    total = [
+        g.add(slope, g.add(u, q))
+        for slope, u, q in zip(gradient(g, kinetic.tau, system.q), potential, system.Q, strict=True)
+    ]
+    turned = _turning(system, kinetic, motion, to_motion)
+    total = [g.sub(a, b) for a, b in zip(substitute(g, total, to_motion), turned, strict=True)]
+    if motion.velocities == motion.w:
+        return total
+    return pullback_gradient(g, list(zip(motion.velocities, total, strict=True)), motion.w)
+
+
+def _turning(system: System, kinetic: Kinetic, motion: Motion, to_motion: dict[Node, Node]) -> list[Node]:
+    """pi_k domega_k(X, e_i) summed over the forms that are not exact, by reverse sweeps over pi_k u_k with pi_k held."""
+    g = system.graph
+    held = [k for k in range(len(kinetic.u)) if not kinetic.is_exact(k)]
+    if not held:
+        return [g.zero] * system.n
+    symbols = [g.symbol(f"slope{k + 1}", "held") for k in held]
+    weighted = [(kinetic.atoms[k], symbol) for k, symbol in zip(held, symbols, strict=True)]
+    along = {**dict(zip(system.q, motion.velocities, strict=True)), system.t: g.one}
+    moved = tangent(g, pullback_gradient(g, weighted, system.v), along)
+    turned = pullback_gradient(g, weighted, system.q)
+    slopes = substitute(g, [kinetic.slope[k] for k in held], to_motion)
+    values = [g.sub(a, b) for a, b in zip(moved, substitute(g, turned, to_motion), strict=True)]
+    return substitute(g, values, dict(zip(symbols, slopes, strict=True)))
+
+
+# --- units -----------------------------------------------------------------------------------------------------
+
+
+def _in_units(
+    system: System, motion: Motion, recursion: Recursion, weights: Weights, pull: list[Node], along: dict[Node, Node]
+) -> Chain:
+    g, rates = system.graph, recursion.rates
+    mask = g.mask(system.p)
+    weights = part_masses(g, recursion, weights, pull, mask)
+    scale = scales(g, recursion, weights, mask)
+
+    known: dict[tuple[Node, ...], Node] = {}
+
+    def divided(*parts: Node) -> Node:
+        if parts not in known:
+            node, *by = parts
+            for divisor in by:
+                node = g.div(node, divisor)
+            known[parts] = tidy(g, node, mask)
+        return known[parts]
+
+    weights = {(a, b): divided(h, scale[a], scale[b]) for (a, b), h in weights.items()}
+    unit = common_mass(g, recursion, weights, mask)
+    definitions = tuple(
+        {c: divided(g.mul(a, scale[rates + k]), scale[c]) for c, a in terms.items()}
+        for k, terms in enumerate(recursion.definitions)
+    )
+    velocity = [g.mul(scale[i], w) for i, w in enumerate(motion.w)]
+    turn, steady = [], []
+    for k, terms in enumerate(definitions):
+        moving = tangent(g, [*terms.values(), recursion.constants[k]], along)
+        pairs = zip(terms, moving[:-1], strict=True)
+        parts = [join(g, rate, velocity[c], mask, motion.w) for c, rate in pairs if rate != g.zero]
+        turn.append(g.add(g.sum(parts), g.mul(scale[rates + k], moving[-1])))
+        steady.append(moving[-1] == g.zero)
+        constant = g.mul(scale[rates + k], recursion.constants[k])
+        velocity.append(g.add(g.sum([g.mul(a, velocity[c]) for c, a in terms.items()]), constant))
+    return Chain(
+        graph=g,
+        rates=rates,
+        definitions=definitions,
+        weights={key: divided(h, unit) for key, h in weights.items()},
+        turn=tuple(turn),
+        steady=tuple(steady),
+        offset=(g.zero,) * len(definitions),
+        force=tuple(divided(f, s, unit) for f, s in zip(pull, scale, strict=True)),
+        velocity=tuple(velocity),
+        scale=tuple(scale[:rates]),
+        unit=unit,
+        parameters=mask,
+        velocities=motion.w,
+        along=along,
+    )
+
+
+def join(graph: Graph, x: Node, y: Node, parameters: int, w: Sequence[Node]) -> Node:
+    """x y, with parameters and velocities multiplied first: what two components of a vector share is then one node."""
+    monomial, rest = split_parameters(graph, graph.mul(x, y), parameters | graph.mask(tuple(w)))
+    return graph.mul(monomial.node(graph), rest)

@@ -1,0 +1,126 @@
+"""Units for the forms of a recursion in which coefficients are free of parameters.
+
+A unit is a product of parameters, chosen so that nothing is divided by a parameter that a regular system may have at zero.
+"""
+
+from __future__ import annotations
+
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.monomials import Monomial, common, split_parameters, tidy
+from nhc.mechanics.trees.recursion import Recursion, Weights
+
+
+def part_masses(g: Graph, recursion: Recursion, weights: Weights, pull: list[Node], mask: int) -> Weights:
+    """Masses on forms that others use in a larger unit, moved to forms of their own; ``recursion`` and ``pull`` grow.
+
+    y1 = a s and y2 = l s + ... of one s: s is kept in units of l, and the mass m a^2 of s becomes m on a new form a s.
+    """
+    rates, users = recursion.rates, _users(recursion)
+    mixed = {i for a, b in weights if a != b for i in (a, b)}
+    result = dict(weights)
+    for group in _groups(g, recursion):
+        inside = set(group)
+        outer = [a for i in group for j, a in users.get(i, ()) if j not in inside]
+        factor = common([split_parameters(g, a, mask)[0] for a in outer])
+        for i in group if factor.powers else ():
+            if (i, i) not in weights or i in mixed or recursion.constants[i - rates] != g.zero:
+                continue
+            mass = split_parameters(g, weights[i, i], mask)[0]
+            root = Monomial(powers={base: n // 2 for base, n in mass.powers.items() if n > 1})
+            moved = split_parameters(g, pull[i], mask)[0]
+            if mass.divisible_by(factor, 2) or (pull[i] != g.zero and not moved.divisible_by(root)):
+                continue
+            unit = root.node(g)
+            new = recursion.define({c: g.mul(a, unit) for c, a in recursion.definitions[i - rates].items()}, g.zero)
+            result[new, new] = tidy(g, g.div(result.pop((i, i)), g.power(unit, 2)), mask)
+            pull.append(tidy(g, g.div(pull[i], unit), mask))
+            pull[i] = g.zero
+    return result
+
+
+def _users(recursion: Recursion) -> dict[int, list[tuple[int, Node]]]:
+    """What is made of a variable, with its coefficient there."""
+    users: dict[int, list[tuple[int, Node]]] = {}
+    for k, terms in enumerate(recursion.definitions):
+        for c, a in terms.items():
+            users.setdefault(c, []).append((recursion.rates + k, a))
+    return users
+
+
+def scales(g: Graph, recursion: Recursion, weights: Weights, mask: int) -> list[Node]:
+    """A factor of parameters for each variable; none of them can vanish without the mass matrix becoming singular."""
+    rates = recursion.rates
+    masses = {key: split_parameters(g, h, mask)[0] for key, h in weights.items()}
+    factors = _form_scales(g, recursion, masses, mask)
+    parts: list[list[Monomial]] = [[] for _ in range(rates)]
+    for k, terms in enumerate(recursion.definitions):
+        own_unit = factors[rates + k].node(g)
+        for c, a in terms.items():
+            if c < rates:
+                parts[c].append(split_parameters(g, g.mul(a, own_unit), mask)[0])
+    for i in range(rates):
+        factor = common(parts[i])
+        if all(mass.divisible_by(factor, (a == i) + (b == i)) for (a, b), mass in masses.items() if i in (a, b)):
+            factors[i] = factor
+    return [factor.node(g) for factor in factors]
+
+
+def _form_scales(g: Graph, recursion: Recursion, masses: dict[tuple[int, int], Monomial], mask: int) -> list[Monomial]:
+    """What stands squared in the masses of forms that belong together and is a factor wherever others are made of them."""
+    factors = [Monomial()] * recursion.size
+    users = _users(recursion)
+    for group in sorted(_groups(g, recursion), reverse=True):
+        inside = set(group)
+        own = [masses[i, i] for i in group if (i, i) in masses]
+        parts = [Monomial(powers={base: n // 2 for base, n in mass.powers.items()}) for mass in own]
+        for i in group:
+            for j, a in users.get(i, ()):
+                if j not in inside:
+                    parts.append(split_parameters(g, g.mul(a, factors[j].node(g)), mask)[0])
+        shared = Monomial(powers=common(parts).powers)
+        for i in group:
+            factors[i] = shared
+    return factors
+
+
+def _groups(g: Graph, recursion: Recursion) -> list[list[int]]:
+    """Forms that are joined by a coefficient 1: they keep one unit."""
+    group: dict[int, list[int]] = {}
+    found: list[list[int]] = []
+    for k, terms in enumerate(recursion.definitions):
+        i = recursion.rates + k
+        parents = [c for c, a in terms.items() if c >= recursion.rates and g.value(a) in (1, -1)]
+        if not parents:
+            group[i] = [i]
+            found.append(group[i])
+            continue
+        home = group[parents[0]]
+        home.append(i)
+        group[i] = home
+    return found
+
+
+def common_mass(g: Graph, recursion: Recursion, weights: Weights, mask: int) -> Node:
+    """A parameter that most of the masses have in common, if without it some rate would move nothing."""
+    rates = recursion.rates
+    found: list[Monomial | None] = [None] * recursion.size
+    masses: dict[int, list[Monomial]] = {}
+    for (a, b), h in weights.items():
+        for i in {a, b}:
+            masses.setdefault(i, []).append(split_parameters(g, h, mask)[0])
+    for i in reversed(range(recursion.size)):
+        below = found[i]
+        here = [*masses.get(i, ()), *([below] if below is not None else [])]
+        own = common(here)
+        found[i] = own
+        if i >= rates and here:
+            for c in recursion.definitions[i - rates]:
+                before = found[c]
+                found[c] = own if before is None else common([before, own])
+    count: dict[Node, int] = {}
+    for i in range(rates):
+        carried = found[i]
+        for base in carried.powers if carried is not None else ():
+            count[base] = count.get(base, 0) + 1
+    best = [base for base, seen in count.items() if 2 * seen > rates]
+    return min(best) if best else g.one
