@@ -11,18 +11,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import Derivation
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.moving.signatures import Signatures
 from nhc.mechanics.moving.vectors import Chained, Part, Reader
+from nhc.mechanics.row_factors import Bare
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Path, Turn, Vector, add_spin, add_vectors, change_axes, climb, cross
 from nhc.records import record
-
-if TYPE_CHECKING:
-    from nhc.mechanics.row_factors import Bare
 
 
 @record

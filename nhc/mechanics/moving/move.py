@@ -9,6 +9,7 @@ from nhc.algebra.dense import Singular
 from nhc.algebra.exact.field import Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.linear import NamedBlock, solve_rows
+from nhc.mechanics.directions import Sided, along_direction
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving.askew import count_from_joint, find_lean
@@ -19,8 +20,6 @@ from nhc.mechanics.moving.moved import Moved, Spread, Turning, Weights
 from nhc.mechanics.moving.rates import OnMotion, Rates, Solution
 from nhc.mechanics.moving.rolling import apply_rolling, peel_rolling, read_rolling
 from nhc.mechanics.moving.rows import (
-    Sided,
-    along_direction,
     direction_vector,
     order_roots,
     read_group,

@@ -8,12 +8,12 @@ from itertools import permutations
 
 from nhc.algebra.calculus import list_terms
 from nhc.algebra.graph import NEG, SYM, Graph, Node
+from nhc.mechanics.directions import Sided, along_direction
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving.axes import Scene
-from nhc.mechanics.moving.vectors import Chained, list_factors
+from nhc.mechanics.moving.vectors import Chained
 from nhc.mechanics.system import System
-from nhc.mechanics.turns import Path, Turn, Vector, change_axes
-from nhc.records import record
+from nhc.mechanics.turns import Vector, change_axes
 
 
 def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
@@ -74,50 +74,6 @@ def _pair(members: Sequence[int], reach: dict[int, int]) -> Iterator[tuple[int, 
             yield first, partner, nearest
         else:
             yield first, partner
-
-
-@record
-class Sided:
-    """scale (cos(angle) c + sin(angle) s) + rest, as a row has it."""
-
-    angle: Node
-    c: Node
-    s: Node
-    scale: Node
-    rest: Node
-
-    @property
-    def path(self) -> Path:
-        return (Turn((0, 1), self.angle),)
-
-
-def along_direction(graph: Graph, row: Node) -> Sided | None:
-    """The row as a component along a direction, where sin and cos of one angle multiply two of its terms."""
-    g = graph
-    terms = list_terms(g, row)
-    products = [list_factors(g, term) for term in terms]
-    users: dict[tuple[str, Node], list[int]] = {}
-    for k, product in enumerate(products):
-        for own in dict.fromkeys(product):
-            if g.op[own] in ("sin", "cos"):
-                users.setdefault((g.op[own], g.a[own]), []).append(k)
-    for (name, angle), found in users.items():
-        mate = users.get(("cos", angle), [])
-        if name != "sin" or len(found) != 1 or len(mate) != 1 or found[0] == mate[0]:
-            continue
-        (k,), (j,) = found, mate
-        with_sin, with_cos = list(products[k]), list(products[j])
-        with_sin.remove(g.function("sin", angle))
-        with_cos.remove(g.function("cos", angle))
-        scale = g.one
-        for factor in list(with_sin):
-            if factor in with_cos and factor in with_sin:
-                with_sin.remove(factor)
-                with_cos.remove(factor)
-                scale = g.mul(scale, factor)
-        rest = g.sum([t for i, t in enumerate(terms) if i not in (k, j)])
-        return Sided(angle, g.product(with_cos), g.product(with_sin), scale, rest)
-    return None
 
 
 def read_vector(scene: Scene, components: Vector) -> tuple[Chained, bool]:

@@ -13,15 +13,15 @@ from fractions import Fraction
 
 from nhc.algebra.calculus import gradient, list_terms, reachable, substitute
 from nhc.algebra.exact.modular import are_zero
-from nhc.algebra.graph import MUL, NEG, Graph, Node
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.digits import normalise_kept
+from nhc.mechanics.directions import list_factors
 from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
 from nhc.records import identity_record, record
 
 _PLANES = ((0, 1), (1, 2), (2, 0))
 _FEW_ANGLES = 2  # a link and its neighbour: fewer cannot be hoped for
 _LOOK_BACK = 4
-_FEW_FACTORS = 8
 
 
 @record
@@ -43,21 +43,6 @@ class Chained:
     @property
     def turned(self) -> bool:
         return any(part.path for part in self.parts) or (self.base is not None and self.base.turned)
-
-
-def list_factors(graph: Graph, term: Node) -> list[Node]:
-    """The factors of a short product, a sign among the others."""
-    g, found, stack, negative = graph, list[Node](), [term], False
-    while stack:
-        node = stack.pop()
-        if g.op[node] == NEG:
-            negative = not negative
-            stack.append(g.a[node])
-        elif g.op[node] == MUL and len(found) + len(stack) < _FEW_FACTORS:
-            stack += [g.b[node], g.a[node]]
-        else:
-            found.append(node)
-    return [*found, g.number(-1)] if negative else found
 
 
 def _goes_on(path: Path, longer: Path) -> bool:
