@@ -28,7 +28,7 @@ def hold_end(s: Step, model: Held, reach: float, first: bool) -> bool:
     except ArithmeticError as singular:
         s.status = getattr(singular, "status", 0)
         return False
-    least = max(sys.float_info.min, 1e-6 * max((*s.size, *s.coming), default=0.0))
+    least = max(sys.float_info.min, 1e-6 * max(*s.size, *s.coming))
     sizes = [max(size, coming, abs(end), least) for size, coming, end in zip(s.size, s.coming, reached, strict=True)]
     moved = max(abs(b - a) / size for a, b, size in zip(reached, s.reached, sizes, strict=True))
     way = max(abs(b - a) / size for a, b, size in zip(s.y, reached, sizes, strict=True))

@@ -173,8 +173,6 @@ def _is_stalled(run: _Run) -> bool:
         return False
     passed, run.marked, run.since = abs(s.t - run.since), tried, s.t
     run.stalls = run.stalls + 1 if passed < LIMITS.few * abs(run.task.times[-1] - s.t) else 0
-    if run.stalls > 0:  # what holds it up may be next to nothing
-        s.spared = [1e-6] * len(s.y)
     return run.stalls >= LIMITS.patience
 
 
@@ -201,8 +199,7 @@ def _attempt(run: _Run, reach: float) -> tuple[float, int]:
 
 def _measure_error(run: _Run) -> float:
     """That of an attempt, with what rounding allows where the one before it was refused, too."""
-    s, method, often = run.step, run.method, run.growth == 1.0 or run.rejected % 16 == 15
-    twice = often and s.tolerance > 0.0
+    s, method, twice = run.step, run.method, run.growth == 1.0 and run.step.tolerance > 0.0
     if isinstance(method, Explicit):
         error = explicit.attempt(s, method)
         return reconsider(s, error, lambda: explicit.again(s, method)) if twice and error > 1.0 else error
@@ -235,9 +232,8 @@ def _advance(run: _Run) -> Outcome | None:
         run.rejected += 1
         run.growth, s.first = 1.0, True
         run.next = h * (max(_pace(run, error, True), 0.333) if error > 1.0 else 0.25)
-        if task.step <= 0:
-            square = error if isinstance(run.method, Explicit) else error * error
-            s.learn_sizes(square if error > 1.0 else sys.float_info.max)
+        square = error if isinstance(run.method, Explicit) else error * error
+        s.learn_sizes(square if error > 1.0 else sys.float_info.max)
         if task.step > 0 or run.next < 4 * _EPSILON * max(abs(s.t), 1e-3 * duration):
             return run.leave(reason, s.status)
         return None

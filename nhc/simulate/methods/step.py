@@ -85,14 +85,13 @@ class Step:
 
         Far beyond its stability a method makes anything of a state, and its estimate of the error may be a tenth of that.
         """
-        end = max((*self.size, *map(abs, self.reached)), default=0.0)
-        speed = max(map(abs, self.arrived), default=0.0)
+        end, speed = max(*self.size, *map(abs, self.reached)), max(map(abs, self.arrived))
         return abs(self.h) * speed <= 12.0 * end
 
     @property
     def resting(self) -> bool:
         """Whether the state was next to nothing up to here."""
-        return max(self.size, default=0.0) <= 1e-3 * max(map(abs, self.reached), default=0.0)
+        return max(self.size) <= 1e-3 * max(map(abs, self.reached))
 
     def learn_sizes(self, square: float) -> None:
         """Of what is next to nothing: sizes to come, by a refused step if it and those refused after it are right to a tenth, or to
