@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nhc.cli.options import SweepRange, formulation_option, json_option, list_examples, spec_argument, sweep_option
+from nhc.cli.options import (
+    SweepRange,
+    formulation_option,
+    hold_option,
+    json_option,
+    list_examples,
+    set_option,
+    spec_argument,
+    sweep_option,
+)
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json
 from nhc.diagnostics import several
@@ -32,20 +41,8 @@ if TYPE_CHECKING:
     required=True,
     help="Where to start looking: a scene, or values such as `theta=pi/2, w_n=3`.",
 )
-@click.option(
-    "--set",
-    "settings",
-    metavar="A=1,...",
-    multiple=True,
-    help="Change values of MOTION: of its state or of parameters.",
-)
-@click.option(
-    "--hold",
-    "holds",
-    metavar="A,B|A=1",
-    multiple=True,
-    help="Hold these at their values in MOTION, or at the values given here.",
-)
+@set_option
+@hold_option
 @sweep_option()
 @formulation_option
 @json_option

@@ -74,5 +74,19 @@ json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON w
 explain_option = click.option(
     "--explain", is_flag=True, help="Also say what kind of system it is, what is conserved, and why this formulation."
 )
+set_option = click.option(
+    "--set",
+    "settings",
+    metavar="A=1,...",
+    multiple=True,
+    help="Change values of MOTION: of its state or of parameters.",
+)
+hold_option = click.option(
+    "--hold",
+    "holds",
+    metavar="A,B|A=1",
+    multiple=True,
+    help="Hold these at their values in MOTION, or at the values given here.",
+)
 output_option = click.option("-o", "output", metavar="FILE", help="Write to FILE in place of stdout (`-`).")
 anew_option = click.option("--anew", is_flag=True, help="Derive again, even where the cache has the result.")

@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import SweepRange, formulation_option, json_option, list_examples, sweep_option
+from nhc.cli.options import (
+    SweepRange,
+    formulation_option,
+    hold_option,
+    json_option,
+    list_examples,
+    set_option,
+    sweep_option,
+)
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json, say
 
@@ -35,20 +43,8 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
     default="",
     help="Where to start looking for a steady motion: a scene, or values; default: the scene.",
 )
-@click.option(
-    "--set",
-    "settings",
-    metavar="A=1,...",
-    multiple=True,
-    help="Change values of MOTION: of its state or of parameters.",
-)
-@click.option(
-    "--hold",
-    "holds",
-    metavar="A,B|A=1",
-    multiple=True,
-    help="Hold these at their values in MOTION, or at the values given here.",
-)
+@set_option
+@hold_option
 @sweep_option(usual=21)
 @click.option(
     "--long",

@@ -113,7 +113,7 @@ def test_constants_and_signatures() -> None:
     assert oscillator.jacobian(0.0, [1.0, 2.0], [3.0]) == [[0.0, 1.0], [-3.0, 0.0]]
     assert oscillator.reactions(0.0, [1.0, 2.0]) == [] == oscillator.residuals(0.0, [1.0], [2.0])
     assert "(2,)" in oscillator.rhs.__doc__ and "(I.2.15)" in oscillator.rhs.__doc__
-    assert "The force on q_i gains lambda_a" in oscillator.reactions.__doc__
+    assert "Q_i gains lambda_a a_ai" in oscillator.reactions.__doc__
 
 
 def test_solve_ivp_takes_rhs_and_jacobian() -> None:

@@ -114,7 +114,7 @@ def print_function_comment(program: Program, function: Function) -> tuple[str, .
     if function.name == "jacobian":
         texts[-1] += f", row by row: d rhs_i / d y_j stands at {len(program.state)}*i + j"
     if function.name == "reactions":
-        texts.append("the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a")
+        texts.append("Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a")
     return frame(wrap_all(texts))
 
 

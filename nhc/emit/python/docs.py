@@ -97,7 +97,7 @@ def print_function_docstring(program: Program, function: Function, array: str) -
         result = "Returns " + describe_shape(function.output, array)
     texts = [f"{inputs}.", f"{result}."]
     if function.name == "reactions":
-        texts.append("The force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a.")
+        texts.append("Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.")
     head = wrap_all([f"{function.about or function.name}{number}"], "    ", "")
     head[0] = f'    """{head[0].lstrip()}'
     return (*head, "", *wrap_all(texts, "    "), '    """')

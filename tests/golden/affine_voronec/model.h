@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:f75e4c8b97fec0db)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:1d98555ceeda3a0e)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -102,7 +102,7 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int affine_voronec_reactions(double t, const double *y, const double *p, double *lambda);
 

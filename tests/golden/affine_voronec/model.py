@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:4e7118ac8a912160).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:7180a896eaedebba).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -389,8 +389,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     t_ = float(t)  # time
     x = float(y[0])

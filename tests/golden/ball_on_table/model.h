@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:ff09b9c0ed53dcdd)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:383652f60ca51a2d)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -124,7 +124,7 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int ball_on_table_reactions(double t, const double *y, const double *p, double *lambda);
 

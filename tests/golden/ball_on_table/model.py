@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:94feeaf7bd25405d).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:068033206d7aa818).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -433,8 +433,7 @@ def reactions(
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns lambda_ (2,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     t_ = float(t)  # time
     x = float(y[0])  # centre [m]

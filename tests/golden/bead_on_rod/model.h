@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:f0af3187c9fa99ff)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:47dd18d9d6b3a299)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -101,7 +101,7 @@ int bead_on_rod_residuals(double t, const double *q, const double *qdot, const d
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int bead_on_rod_reactions(double t, const double *y, const double *p, double *lambda);
 

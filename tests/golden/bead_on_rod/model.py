@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:4c87f0f53ae59aa2).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:2838d6c7deaa3f46).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -218,8 +218,7 @@ def reactions(
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns lambda_ (0,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     m = float(p[0])  # mass of the bead [kg]
     try:

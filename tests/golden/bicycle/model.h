@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:02d48b9a81016b85)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:f7955fecf7ab9d3c)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -145,7 +145,7 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 6 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int bicycle_reactions(double t, const double *y, const double *p, double *lambda);
 

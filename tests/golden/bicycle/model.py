@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:5c8163f0a7ee867c).
+"""bicycle, emitted by nhc 0.1.0 (nhc:545733bda19de7c9).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -1199,8 +1199,7 @@ def reactions(
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns lambda_ (6,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     dydt = rhs(t, y, p)
     yaw = float(y[3])  # first turn of the rear frame, about z [rad]

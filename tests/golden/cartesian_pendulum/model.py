@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:4f30dd97c3898956).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:b3d09f0739bf5cdb).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -260,8 +260,7 @@ def reactions(
 
     Arguments: t (scalar), y (3,), p (2,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])  # across [m]
     y_2 = float(y[1])  # up [m]

@@ -1,5 +1,5 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:efce66a5dc44679f)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:fc6572ef298fea2b)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -109,7 +109,7 @@ int chaotic_residuals(double t, const double *q, const double *qdot, const doubl
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int chaotic_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:63513a24081bfe22).
+"""chaotic, emitted by nhc 0.1.0 (nhc:632bc66d4ba7646f).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -374,8 +374,7 @@ def reactions(
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
     y1 = float(y[1])

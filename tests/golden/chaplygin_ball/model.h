@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:8a4af263fb4bae10)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:9235282a69a408e5)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -118,7 +118,7 @@ int chaplygin_ball_residuals(double t, const double *q, const double *qdot, cons
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int chaplygin_ball_reactions(double t, const double *y, const double *p, double *lambda);
 

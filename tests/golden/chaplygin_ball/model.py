@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:f0ef9079683a79b8).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:01eecce0e57f661e).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -441,8 +441,7 @@ def reactions(
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns lambda_ (2,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]

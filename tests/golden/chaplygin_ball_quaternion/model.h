@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:97da61cef8a1a41b)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:6018eebee6ff9ff6)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -127,7 +127,7 @@ int chaplygin_ball_quaternion_positions(double t, const double *q, const double 
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 3 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int chaplygin_ball_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
 

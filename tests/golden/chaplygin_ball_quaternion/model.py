@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:cbd055c37b08ea62).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b21addbe32b5342c).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -506,8 +506,7 @@ def reactions(
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns lambda_ (3,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     R_0 = float(y[2])  # quaternion of R, scalar part [1]
     R_1 = float(y[3])  # quaternion of R, along x [1]

@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:a51c30c26a19dadd).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:017688836bde39f2).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -279,8 +279,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     v = float(y[3])
     w = float(y[4])

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:50c072cefb5a93ef)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:4b23f7cdc3ecdf31)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -109,7 +109,7 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int charged_sleigh_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:a448b6eaafc0551f).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:1e832f3daf320a44).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -283,8 +283,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     v = float(y[3])
     w = float(y[4])

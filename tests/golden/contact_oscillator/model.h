@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:7f751ce275b4db1a)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:60d14fdbdfeadcbd)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -107,7 +107,7 @@ int contact_oscillator_residuals(double t, const double *q, const double *qdot, 
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int contact_oscillator_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:3cecc2461752a976).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:3f7a79810628956d).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -251,8 +251,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
     y_2 = float(y[1])

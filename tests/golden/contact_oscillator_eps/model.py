@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:8d5bcc4f8e0d121c).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:f784b8acdbe13bf0).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -262,8 +262,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
     y_2 = float(y[1])

@@ -1,5 +1,5 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:7c67e9f02169cec1)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:29d2363a227128bb)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -105,7 +105,7 @@ int cvt_residuals(double t, const double *q, const double *qdot, const double *p
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int cvt_reactions(double t, const double *y, const double *p, double *lambda);
 

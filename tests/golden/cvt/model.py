@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:430c1c9f0105a55e).
+"""cvt, emitted by nhc 0.1.0 (nhc:03bc6cb6dd7fb496).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -258,8 +258,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
     y_2 = float(y[1])

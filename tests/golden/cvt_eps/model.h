@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:67f3921c7e53801c)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:438dac7f743a54e1)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -107,7 +107,7 @@ int cvt_eps_residuals(double t, const double *q, const double *qdot, const doubl
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda);
 

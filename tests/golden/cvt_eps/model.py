@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:f35a58a92c293735).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:c280c3f95ada2405).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -263,8 +263,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
     y_2 = float(y[1])

@@ -1,5 +1,5 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:c1eda62ec05a5cbb)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:4e28b06bf4c1eab6)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -115,7 +115,7 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 3 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int diff_drive_reactions(double t, const double *y, const double *p, double *lambda);
 

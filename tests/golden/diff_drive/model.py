@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:84cdd7c99c7a4699).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:900470a3689506bd).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -359,8 +359,7 @@ def reactions(
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns lambda_ (3,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     v = float(y[5])
     w = float(y[6])

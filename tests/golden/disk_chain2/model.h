@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:5d5c024f07bc918a)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:8afe765c887d29e8)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -133,7 +133,7 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 4 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int disk_chain2_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:8c2a87bb73a9cd86).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:b828a13952fdb832).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -431,8 +431,7 @@ def reactions(
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns lambda_ (4,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x1 = float(y[0])  # first disk [m]
     y1 = float(y[1])  # first disk [m]

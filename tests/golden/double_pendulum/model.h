@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:99e563508e4abfe2)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:20b8513979575cf6)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -107,7 +107,7 @@ int double_pendulum_residuals(double t, const double *q, const double *qdot, con
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int double_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 

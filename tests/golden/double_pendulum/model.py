@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:30a4b1f7d182b1a8).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:23cb3ddf0be2c158).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -271,8 +271,7 @@ def reactions(
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns lambda_ (0,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     theta1 = float(y[0])  # upper rod from the downward vertical [rad]
     theta2 = float(y[1])  # lower rod from the downward vertical [rad]

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:f9d9661b7d481c19)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:981079f8c1079385)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -107,7 +107,7 @@ int free_rigid_body_residuals(double t, const double *q, const double *qdot, con
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int free_rigid_body_reactions(double t, const double *y, const double *p, double *lambda);
 

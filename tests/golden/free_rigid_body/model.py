@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:fc46a1707ea50948).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:cc8831b659e66315).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -325,8 +325,7 @@ def reactions(
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns lambda_ (0,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     theta = float(y[1])  # nutation [rad]
     I1 = float(p[0])  # [kg*m^2]

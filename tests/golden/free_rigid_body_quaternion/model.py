@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:a7c27c5861d70716).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:1f9829a687899f79).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -351,8 +351,7 @@ def reactions(
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]

@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:28066d0bb42f5699)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:c8a5ad9b19606826)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -105,7 +105,7 @@ int heavy_top_residuals(double t, const double *q, const double *qdot, const dou
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int heavy_top_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:99529990287bdcf3).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:0e9b1896cdce9b22).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -290,8 +290,7 @@ def reactions(
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns lambda_ (0,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     theta = float(y[1])  # nutation [rad]
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]

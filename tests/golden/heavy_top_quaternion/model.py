@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:154233b845342c7d).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:8a42bdb9d8f54956).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -341,8 +341,7 @@ def reactions(
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]

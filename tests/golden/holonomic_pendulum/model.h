@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:b1eaf40cfacd35fc)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:635ac2f7c77df28e)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -112,7 +112,7 @@ int holonomic_pendulum_positions(double t, const double *q, const double *p, dou
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int holonomic_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:acf0ae7fd8a68ab6).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:f4dc1e27ccca22ac).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -286,8 +286,7 @@ def reactions(
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])  # across [m]
     y_2 = float(y[1])  # up [m]

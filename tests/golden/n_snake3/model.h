@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:1d099d22072c8b90)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:90c8fe98bf35e37c)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -109,7 +109,7 @@ int n_snake3_residuals(double t, const double *q, const double *qdot, const doub
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 3 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int n_snake3_reactions(double t, const double *y, const double *p, double *lambda);
 

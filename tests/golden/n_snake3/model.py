@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:c286c5b02911896d).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:f95f35a24e999d78).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -450,8 +450,7 @@ def reactions(
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns lambda_ (3,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     theta1 = float(y[2])  # first link [rad]
     theta2 = float(y[3])  # second link [rad]

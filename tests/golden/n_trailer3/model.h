@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:0e71a13d07a3a9bd)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:29ba175e8098c20d)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -117,7 +117,7 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 4 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int n_trailer3_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:5bcc3a2e012e7f2e).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:b7f0583db52de8ca).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -423,8 +423,7 @@ def reactions(
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns lambda_ (4,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     theta0 = float(y[2])  # heading of the tractor [rad]
     theta1 = float(y[3])  # first trailer [rad]

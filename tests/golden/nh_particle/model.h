@@ -1,5 +1,5 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:d55e37f2ae19fa5f)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:5b6277ce2de3d028)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -104,7 +104,7 @@ int nh_particle_residuals(double t, const double *q, const double *qdot, const d
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int nh_particle_reactions(double t, const double *y, const double *p, double *lambda);
 

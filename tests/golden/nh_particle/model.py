@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:8ba164c0dfb6be2e).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:cbb07ea9e4bced9a).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -254,8 +254,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     y_2 = float(y[1])
     x_dot = float(y[3])

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:b286dd8f52eba58c)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:9a08aa7c4e53fbcc)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -103,7 +103,7 @@ int nh_particle_pot_residuals(double t, const double *q, const double *qdot, con
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int nh_particle_pot_reactions(double t, const double *y, const double *p, double *lambda);
 

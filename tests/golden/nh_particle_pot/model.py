@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:c6fc9fb8f43a0c4d).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:4a4a5d3b68b7ef6b).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -260,8 +260,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (2,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
     y_2 = float(y[1])

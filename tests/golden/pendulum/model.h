@@ -1,5 +1,5 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:9951cf51831789fe)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:1feb72834aa50b90)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -100,7 +100,7 @@ int pendulum_residuals(double t, const double *q, const double *qdot, const doub
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:69795918905fce81).
+"""pendulum, emitted by nhc 0.1.0 (nhc:658a8c033577f71f).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -224,8 +224,7 @@ def reactions(
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns lambda_ (0,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]

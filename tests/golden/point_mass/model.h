@@ -1,5 +1,5 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:2141df5510bc7bc6)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:a3f8ac8f266d83fa)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -105,7 +105,7 @@ int point_mass_residuals(double t, const double *q, const double *qdot, const do
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int point_mass_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:8936f7391282bb6a).
+"""point_mass, emitted by nhc 0.1.0 (nhc:5308b7feb49a6d18).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -248,8 +248,7 @@ def reactions(
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns lambda_ (0,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     m = float(p[0])  # mass [kg]
     try:

@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:60f28c26372578cb)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:c2f23b8a4903326f)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -101,7 +101,7 @@ int pumped_pendulum_residuals(double t, const double *q, const double *qdot, con
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int pumped_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 

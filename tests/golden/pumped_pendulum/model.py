@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:a5eaf14334a989d3).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:38589b39dc3e112d).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -236,8 +236,7 @@ def reactions(
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns lambda_ (0,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]

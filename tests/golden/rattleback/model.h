@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:7a1ca96163b758b6)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:01df0b7d5888c643)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -120,7 +120,7 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 3 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int rattleback_reactions(double t, const double *y, const double *p, double *lambda);
 

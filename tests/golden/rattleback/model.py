@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:07fb3d35e2d9c560).
+"""rattleback, emitted by nhc 0.1.0 (nhc:2611dc8668f84750).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -574,8 +574,7 @@ def reactions(
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns lambda_ (3,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:98e4d4db9dd7e89d)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:8248485aabf32390)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -113,7 +113,7 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int roller_racer_reactions(double t, const double *y, const double *p, double *lambda);
 

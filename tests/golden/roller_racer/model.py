@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:447cf8d2e5139f8c).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:665610c5c2003a1f).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -362,8 +362,7 @@ def reactions(
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns lambda_ (2,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[3])  # second body, relative to the first [rad]
     v = float(y[4])

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:ac8cf5ce6812f439)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:3f93879880552a42)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -116,7 +116,7 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int rolling_disk_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:62798ddea1d8a378).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:a37b81e6b5781ed1).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -382,8 +382,7 @@ def reactions(
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns lambda_ (2,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:8225bbe2970b4811)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:10e4606d4d6cd62b)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -115,7 +115,7 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int routh_sphere_reactions(double t, const double *y, const double *p, double *lambda);
 

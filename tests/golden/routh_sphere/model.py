@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:8ad95df3cdf9b357).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:48d3fbec5f36dfae).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -384,8 +384,7 @@ def reactions(
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns lambda_ (2,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]

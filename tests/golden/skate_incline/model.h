@@ -1,5 +1,5 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:10c4f953b7aef8e3)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:af651e731eaf5482)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -109,7 +109,7 @@ int skate_incline_residuals(double t, const double *q, const double *qdot, const
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int skate_incline_reactions(double t, const double *y, const double *p, double *lambda);
 

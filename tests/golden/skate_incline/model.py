@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:8173d34111309f07).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:6c44377d0fc5f5e8).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -280,8 +280,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[2])  # heading, from the fall line [rad]
     v = float(y[3])

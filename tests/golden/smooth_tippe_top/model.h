@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:92782a3cb74fc604)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:274c44ee8a2bcf87)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -116,7 +116,7 @@ int smooth_tippe_top_residuals(double t, const double *q, const double *qdot, co
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int smooth_tippe_top_reactions(double t, const double *y, const double *p, double *lambda);
 

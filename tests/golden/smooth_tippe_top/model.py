@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:082723cbd3990310).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:ee17d7ff3f435e57).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -389,8 +389,7 @@ def reactions(
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns lambda_ (0,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:de90c2879955f15c)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:a786a0e440f4f9d4)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -120,7 +120,7 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int snakeboard_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:c569cabd380f4247).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:3afd77dc6563a25d).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -558,8 +558,7 @@ def reactions(
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns lambda_ (2,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     t_ = float(t)  # time
     theta = float(y[2])  # heading of the board [rad]

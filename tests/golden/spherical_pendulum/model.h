@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:fb778398f83081e4)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:e6b40bedc3f2edea)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -104,7 +104,7 @@ int spherical_pendulum_residuals(double t, const double *q, const double *qdot, 
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 0 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int spherical_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 

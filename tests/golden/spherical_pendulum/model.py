@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:3596b1a24b2c7427).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:bac32681480ed104).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -250,8 +250,7 @@ def reactions(
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns lambda_ (0,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     theta = float(y[0])  # angle from the downward vertical [rad]
     m = float(p[0])  # mass of the bob [kg]

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:60a6aaf17ae1432a)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:74479458d3786bd1)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -109,7 +109,7 @@ int suslov_residuals(double t, const double *q, const double *qdot, const double
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int suslov_reactions(double t, const double *y, const double *p, double *lambda);
 

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:2c2e69231d1fb00d).
+"""suslov, emitted by nhc 0.1.0 (nhc:454d3ddfecac8b22).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -324,8 +324,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     theta = float(y[1])  # nutation [rad]
     w1 = float(y[3])

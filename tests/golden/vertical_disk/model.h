@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:3252bca6efc58413)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:fe0070da2df9b329)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -110,7 +110,7 @@ int vertical_disk_residuals(double t, const double *q, const double *qdot, const
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 2 entries
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int vertical_disk_reactions(double t, const double *y, const double *p, double *lambda);
 

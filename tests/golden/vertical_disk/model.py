@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:b57bbd613eb33836).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:4e2acead21b16d21).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -288,8 +288,7 @@ def reactions(
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns lambda_ (2,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[2])  # heading [rad]
     phi_dot = float(y[4])

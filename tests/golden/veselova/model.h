@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:a7731d61b8789aba)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:60fa51b8ab576752)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -108,7 +108,7 @@ int veselova_residuals(double t, const double *q, const double *qdot, const doub
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int veselova_reactions(double t, const double *y, const double *p, double *lambda);
 

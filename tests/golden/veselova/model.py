@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:271070bae3392ae3).
+"""veselova, emitted by nhc 0.1.0 (nhc:648f0abf9e1a64bb).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -366,8 +366,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[0])  # precession [rad]
     theta = float(y[1])  # nutation [rad]

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:6195ac81b8f89779)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:d953ae4b43c17808)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -102,7 +102,7 @@ int voronec_particle_residuals(double t, const double *q, const double *qdot, co
 /*
  * reactions lambda of the constraints (I.4.1)
  * lambda: 1 entry
- * the force on q_i gains lambda_a times the coefficient of q'_i in constraint a, for each a
+ * Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a
  */
 int voronec_particle_reactions(double t, const double *y, const double *p, double *lambda);
 

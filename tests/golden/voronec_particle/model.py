@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:9b0db98d92cadd71).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:c61a8b9743eff1fc).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Caplygin's hypotheses fail.
@@ -320,8 +320,7 @@ def reactions(
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
-    The force on q_i gains lambda_a times the coefficient of q'_i in constraint a,
-        for each a.
+    Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
     y_2 = float(y[1])
