@@ -91,7 +91,7 @@ def test_loads_that_only_a_sweep_reads_are_not_repeated(tmp_path: Path) -> None:
 
 def test_many_coordinates_are_completed_at_one_stroke(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first velocities of each pool do; a rank for each of them took half a minute for 200 coordinates."""
-    from nhc.mechanics.regular import adapt
+    from nhc.mechanics.choosing import adapt
 
     asked: list[int] = []
     rank = adapt.rank

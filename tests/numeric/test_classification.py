@@ -226,7 +226,7 @@ holonomic: [z = sqrt(2*R_z1^2 + 3*R_z2^2 + R_z3^2)*(R_z1 + R_z2*R_z3) + R_x1*R_x
         system = resolve(decode(Source("declared.yaml", text.replace("ROW ", row))))
         lines = describe(system, formulate(system), Bag(system.spec.origin)).lines
         said += [line for line in lines if line.startswith("integrability")]
-        assert "that of h1, as declared" in next(line for line in lines if line.startswith("integrals"))
+        assert "that of `h1`, as declared" in next(line for line in lines if line.startswith("integrals"))
     assert said == [
         "integrability: 2 of 3 constraints integrable (as declared), the others truly nonholonomic",
         "integrability: 3 of 4 constraints integrable (2 as declared, 1 holonomic in disguise), the others truly nonholonomic",

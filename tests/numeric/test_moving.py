@@ -80,7 +80,7 @@ def test_arms_take_fewer_operations() -> None:
         formulation = formulate(system)
         (rhs,) = build_program(system, formulation, equations_of(system, formulation), ("rhs",)).functions
         made.append(rhs.adds + rhs.multiplications)
-    assert made[0] < 0.85 * made[1]
+    assert made[0] <= 617 and made[1] - made[0] > 100
 
 
 @pytest.mark.parametrize("name", ["n_trailer3", "n_snake3", "roller_racer", "rolling_disk", "bicycle", "rattleback"])

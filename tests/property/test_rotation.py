@@ -9,7 +9,7 @@ from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics import rotation as module
+from nhc.mechanics import turning
 from nhc.mechanics.frame import make_frame
 from nhc.mechanics.kinetic import exterior_derivative
 from nhc.mechanics.resolve import resolve
@@ -87,7 +87,7 @@ def test_rates_of_the_matrix(both: tuple[System, Rotation]) -> None:
     for i in range(3):
         for j in range(3):
             assert vanish(g, [g.sub(closed[i][j], tangent(g, [rotation.matrix[i][j]], plain)[0])])
-    assert module.along(system, [g.zero, *rates])[rotation.e[2]] == rates[2]
+    assert turning.along(system, [g.zero, *rates])[rotation.e[2]] == rates[2]
 
 
 @pytest.mark.parametrize("still", [(), (0,), (1, 2, 3, 4), (0, 1, 2, 3, 4)], ids=str)
@@ -99,8 +99,8 @@ def test_exterior_derivatives(both: tuple[System, Rotation], still: tuple[int, .
     for value in (*rotation.omega, mixed, rotation.growth):
         rows = [tangent(g, [value], {v: g.one})[0] for v in system.v]
         form = Form("f", tuple(rows), g.zero, value=value)
-        on_x, on_e = module.Direction(system, x[:5], x[5]), module.Direction(system, e)
-        closed = module.exterior_derivative(system, form, on_x, on_e)
+        on_x, on_e = turning.Direction(system, x[:5], x[5]), turning.Direction(system, e)
+        closed = turning.exterior_derivative(system, form, on_x, on_e)
         assert closed is not None
         moved = tangent(g, rows, dict(zip(system.q, x[:5], strict=True)))
         back = tangent(g, rows, dict(zip(system.q, e, strict=True)))
