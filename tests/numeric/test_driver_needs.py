@@ -27,15 +27,15 @@ pytestmark = pytest.mark.usefixtures("own_cache")
     ],
 )
 def test_quasi_velocities_beside_another_state(name: str, formulation: str, tmp_path: Path) -> None:
-    """The same columns as a run, and the same numbers."""
+    """The same columns as a run, and the same numbers; a body that turns over magnifies what rounding leaves 1e5 times."""
     source = read(str(spec_path(name)))
     spec = decode(source)
     names = {quasi.name for quasi in spec.quasi_velocities}
     scene = next(scene for scene in spec.scenes if any(need.name in names for need in scene.need))
-    done = drive(source, tmp_path, scene.name, "2", "1e-11", formulation=formulation)
+    done = drive(source, tmp_path, scene.name, "2", "1e-13", formulation=formulation)
     assert done.returncode == 0, done.stderr
     head, _, last = (line.split(",") for line in done.stdout.splitlines())
-    found = run(open_scene(source, scene.name, formulation), Settings(tolerance=1e-11, points=2))
+    found = run(open_scene(source, scene.name, formulation), Settings(tolerance=1e-13, points=2))
     assert tuple(head[1:]) == found.headings
     assert [float(x) for x in last[1:]] == pytest.approx(found.rows[-1], rel=1e-6, abs=1e-7)
 
