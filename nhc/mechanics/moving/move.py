@@ -216,11 +216,11 @@ def _solve(
     known = dict(zip(unknowns, found, strict=True))
     given = substitute(g, list(scene.given.values()), known)
     known.update(zip(scene.given, given, strict=True))
-    meaning = {**scene.meaning, **scene.as_written} if everything else scene.meaning
-    turned = dict(
-        zip(meaning, substitute(g, list(meaning.values()), scene.as_written if everything else {}), strict=True)
-    )
-    known = {**turned, **dict(zip(known, tidy(list(known.values())), strict=True))}
+    meaning = scene.meaning
+    if everything:  # in terms of the forms as the spec wrote them
+        meaning = {**meaning, **scene.as_written}
+        meaning = dict(zip(meaning, substitute(g, list(meaning.values()), scene.as_written), strict=True))
+    known = {**meaning, **dict(zip(known, tidy(list(known.values())), strict=True))}
     guards = [*((divisor, divisor) for own in scene.bare for divisor in own.divisors), *guards]
     return Solution(scene, known, tuple(block.mapped(tidy) for block in blocks)), guards
 

@@ -53,7 +53,7 @@ class Found:
 
     @property
     def same_places(self) -> bool:
-        """Are the second's motions are where the first's can be; an equation that its constraints keep may choose among them."""
+        """Whether the second's positions are among the first's; an equation that its constraints keep may choose among them."""
         return not self.off or self.places[0] < self.places[1]
 
     @property
