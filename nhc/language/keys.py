@@ -91,6 +91,8 @@ START_KEYS = (
     Key("roll", "expression", False, "third turn, about the body's first axis"),
 )
 
+NEAR_KEYS = (Key("near", "expression", True, "where to look for it: the start follows from `holonomic`"),)
+
 PARAMETER_KEYS = (
     Key("value", "number", False, "a number or a constant such as `pi/10`; without it each scene must give one"),
     Key("unit", "unit", False, "unit, such as `kg*m^2`"),
@@ -109,7 +111,7 @@ SCENE_KEYS = (
         "initial",
         "start",
         False,
-        "coordinates, velocities (`x'`), quasi-velocities and rotations at the start; 0 if left out",
+        "coordinates (or `{near: ...}`), velocities (`x'`), quasi-velocities and rotations at the start; 0 if left out",
     ),
     Key("time", "interval", True, "start and end: `[0, 20]`"),
     Key("need", "names", False, _NEED),

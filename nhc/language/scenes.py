@@ -8,9 +8,9 @@ from fractions import Fraction
 from nhc.diagnostics import nearest, quote
 
 from .advice import meant_rate
-from .keys import SCENE_KEYS
+from .keys import NEAR_KEYS, SCENE_KEYS
 from .names import fold
-from .nodes import Items, Node, Text
+from .nodes import Items, Node, Table, Text
 from .orientation import read_orientation
 from .parser import parse_expression
 from .scope import Scope, check_name, names_in
@@ -138,8 +138,10 @@ class _SceneReader:
                 continue
             if self.scope.kind(fold(text.value)) == "rotation":
                 continue  # reported where it is declared
-            tree = self._start_value(value)
             target = self._target(text)
+            near = isinstance(value, Table) and target is not None and target[0] == "coordinate"
+            place = self._near(text, value) if near else value
+            tree = self._start_value(place) if place is not None else None
             if target is None and is_empty(value):
                 continue  # the end of a text with a comma in it, reported as an empty value
             if target is None:
@@ -149,8 +151,14 @@ class _SceneReader:
             elif target in found:
                 self.bag.error("E0305", f"the start of `{text.value}` is set twice", text.span, help=("keep one",))
             else:
-                found[target] = Initial(*target, tree or Number(Fraction(0), value.span), text.span)
+                found[target] = Initial(*target, tree or Number(Fraction(0), value.span), text.span, near)
         return tuple(found.values())
+
+    def _near(self, text: Text, value: Node) -> Node | None:
+        """Where to look for a coordinate; None where that is not said."""
+        assert isinstance(value, Table)
+        self.shapes.check_keys(value, NEAR_KEYS, f"the start of `{text.value}`", text.span)
+        return value.get("near")
 
     def _orientation(self, rotation: Rotation, text: Text, value: Node, found: dict[tuple[str, str], Initial]) -> None:
         """The start of a rotation as that of its four coordinates."""

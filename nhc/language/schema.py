@@ -12,6 +12,7 @@ from .keys import (
     CIRCLE_KEYS,
     COORDINATE_KEYS,
     DRAW_KEYS,
+    NEAR_KEYS,
     PARAMETER_KEYS,
     ROTATION_KEYS,
     SCENE_KEYS,
@@ -79,7 +80,7 @@ def _shape(key: Key) -> dict[str, Any]:
         case "expressions" | "numbers":
             return _named(_VALUE)
         case "start":
-            return _named({"anyOf": [_VALUE, _numbers(4, 4), _object(START_KEYS)]}, _TARGET)
+            return _named({"anyOf": [_VALUE, _numbers(4, 4), _object(START_KEYS), _object(NEAR_KEYS)]}, _TARGET)
         case "rotations":
             names = {**_listed({"type": "string", "pattern": _NAME}), "minItems": 1, "uniqueItems": True}
             return {"anyOf": [names, {**_named(_object(ROTATION_KEYS)), "minProperties": 1}]}
@@ -157,6 +158,7 @@ def reference_table() -> str:
         "spec": SPEC_KEYS,
         "coordinate": COORDINATE_KEYS,
         "rotation": ROTATION_KEYS,
+        "start of a coordinate": NEAR_KEYS,
         "start of a rotation": START_KEYS,
         "parameter": PARAMETER_KEYS,
         "scene": SCENE_KEYS,

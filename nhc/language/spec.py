@@ -99,13 +99,15 @@ class Override:
 class Initial:
     """A scene's start: ``kind`` is "coordinate", "velocity" (of the coordinate ``name``) or "quasi".
 
-    The value holds numbers, ``pi`` and parameters only.
+    The value holds numbers, ``pi`` and parameters only.  ``near``: a coordinate that starts near it, where the holonomic
+    constraints hold.
     """
 
     kind: str
     name: str
     value: Syntax
     span: Span
+    near: bool = False
 
 
 @record

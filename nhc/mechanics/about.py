@@ -140,7 +140,9 @@ def state_of(flow: Flow, frame: Frame | None, start: Start) -> tuple[float, ...]
 
 
 def point_of(flow: Flow, scene: Scene) -> dict[Node, Node] | None:
-    """The scene's start as nodes over the parameters; None where a given velocity is not one that the state keeps."""
+    """The scene's start as nodes over the parameters; None where a given velocity is not one that the state keeps, or where a
+    coordinate follows from the others.
+    """
     system, build = flow.system, Resolver(flow.system.spec)
     build.graph = g = system.graph
     names = {"pi": g.pi(), **{p.name: node for p, node in zip(system.spec.parameters, system.p, strict=True)}}
@@ -148,7 +150,7 @@ def point_of(flow: Flow, scene: Scene) -> dict[Node, Node] | None:
     point.update((node, g.number(c.start)) for node, c in zip(system.q, system.spec.coordinates, strict=True))
     for entry in scene.initial:
         name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
-        if name not in flow.names:
+        if name not in flow.names or entry.near:
             return None
         point[flow.y[flow.names.index(name)]] = build.node(entry.value, names)
     return point

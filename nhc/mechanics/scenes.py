@@ -16,6 +16,7 @@ from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Span, quote, several, suggest
 from nhc.language.spec import Scene, Spec
 from nhc.language.syntax import Syntax
+from nhc.mechanics.assembly import assemble
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.regular.trials import velocity_units
@@ -76,12 +77,11 @@ def start_of(system: System, scene: Scene) -> Start:
         nhc.diagnostics.SpecError: a parameter without value, or a start that violates the constraints.
     """
     bag = Bag(system.spec.origin)
-    p, q, given = _positions(system, scene, bag)
-    place = _place(system, scene, p, q)
+    p, place, given = _positions(system, scene, bag)
     _check_positions(system, scene, place, bag)
     v = _velocities(system, scene, place, given, bag)
     bag.raise_if_errors()
-    return Start(scene, (float(scene.time[0]), float(scene.time[1])), p, q, v)
+    return Start(scene, (float(scene.time[0]), float(scene.time[1])), p, tuple(place[q] for q in system.q), v)
 
 
 def place_of(system: System, scene: Scene) -> dict[Node, float]:
@@ -90,28 +90,31 @@ def place_of(system: System, scene: Scene) -> dict[Node, float]:
     Raises:
         nhc.diagnostics.SpecError: a parameter or a coordinate has no value.
     """
-    p, q, _ = _positions(system, scene, Bag(system.spec.origin))
-    return _place(system, scene, p, q)
+    return _positions(system, scene, Bag(system.spec.origin))[1]
 
 
 def _positions(
     system: System, scene: Scene, bag: Bag
-) -> tuple[tuple[float, ...], tuple[float, ...], dict[tuple[str, str], float]]:
-    """Parameters, coordinates, and all that the scene gives."""
+) -> tuple[tuple[float, ...], dict[Node, float], dict[tuple[str, str], float]]:
+    """Parameters, the place of the start, and all that the scene gives."""
     p = _parameters(system, scene, bag)
     bag.raise_if_errors()
     names = {c.name: value for c, value in zip(system.spec.parameters, p, strict=True)}
     given = _initial_values(scene, names, bag)
     bag.raise_if_errors()
-    return p, tuple(given.get(("coordinate", c.name), float(c.start)) for c in system.spec.coordinates), given
-
-
-def _place(system: System, scene: Scene, p: Sequence[float], q: Sequence[float]) -> dict[Node, float]:
-    return {
+    q = [given.get(("coordinate", c.name), float(c.start)) for c in system.spec.coordinates]
+    place = {
         system.t: float(scene.time[0]),
         **dict(zip(system.p, p, strict=True)),
         **dict(zip(system.q, q, strict=True)),
     }
+    near = _near(system, scene)
+    return p, assemble(system, place, near) if near else place, given
+
+
+def _near(system: System, scene: Scene) -> list[int]:
+    """The coordinates that the scene says only roughly."""
+    return [system.q_names.index(entry.name) for entry in scene.initial if entry.near]
 
 
 def _initial_values(scene: Scene, names: dict[str, float], bag: Bag) -> dict[tuple[str, str], float]:
@@ -159,6 +162,34 @@ def _parameters(system: System, scene: Scene, bag: Bag) -> tuple[float, ...]:
 
 
 def _check_positions(system: System, scene: Scene, place: dict[Node, float], bag: Bag) -> None:
+    off = _distances(system, place)
+    if not off:
+        return
+    names = [f"`{name}` by {value:.3g}" for name, value, _ in off]
+    what = (
+        f"the constraint {names[0]}"
+        if len(names) == 1
+        else f"{several(len(names), 'constraint')}: {', '.join(names[:6])}"
+    )
+    more = ", ..." if len(names) > 6 else ""
+    near = _near(system, scene)
+    left = left_at_zero(system, scene, place, [node for _, _, node in off])
+    notes = [f"{left} at 0, for `initial` does not say where"] if left else []
+    if near:
+        names = [f"`{system.q_names[i]}`" for i in near]
+        notes.append(f"this is left at the best place for {', '.join(names)} near what `initial` says")
+    bag.error(
+        "E0409",
+        f"the scene `{scene.name}` starts off {what}{more}",
+        scene.span,
+        notes=tuple(notes),
+        help=_advise(system, place),
+    )
+
+
+def _distances(system: System, place: dict[Node, float]) -> list[tuple[str, float, Node]]:
+    """(name, value, equation) of the holonomic constraints that do not hold at a place."""
+    found = []
     for form in system.constraints:
         if form.equation is None:
             continue
@@ -167,14 +198,26 @@ def _check_positions(system: System, scene: Scene, place: dict[Node, float], bag
         except (ArithmeticError, ValueError):
             off = math.nan
         if not abs(off) <= 1e-6:
-            left = left_at_zero(system, scene, place, [form.equation])
-            bag.error(
-                "E0409",
-                f"the scene `{scene.name}` starts off the constraint `{form.name}` by {off:.3g}",
-                scene.span,
-                notes=(f"{left} at 0, for `initial` does not say where",) if left else (),
-                help=("give initial coordinates that satisfy it",),
-            )
+            found.append((form.name, off, form.equation))
+    return found
+
+
+def _advise(system: System, place: dict[Node, float]) -> tuple[str, ...]:
+    """Coordinates at which the constraints hold, if there are any near the start."""
+    turned = {name for rotation in system.spec.rotations for name in rotation.coordinates}
+    free = [i for i, name in enumerate(system.q_names) if name not in turned]
+    there = assemble(system, place, free)
+    moved = [(system.q_names[i], there[system.q[i]]) for i in free if there[system.q[i]] != place[system.q[i]]]
+    if not moved or _distances(system, there):
+        return ("give initial coordinates that satisfy it",)
+    some = ", ".join(f"{name}: {value:.10g}" for name, value in moved[:8])
+    near = ", ".join(
+        f"{name}: {{near: {value:.2g}}}" for name, value in moved[: max(1, min(len(system.constraints), 4))]
+    )
+    return (
+        f"near by, all is well at `{some}{', ...' if len(moved) > 8 else ''}`",
+        f"or let coordinates follow from the others: `{near}`",
+    )
 
 
 def left_at_zero(system: System, scene: Scene, place: dict[Node, float], nodes: Sequence[Node]) -> str:

@@ -111,8 +111,15 @@ def _rows(system: System, forms: Sequence[Form], points: Sequence[dict[Node, flo
 
 
 def velocity_units(system: System) -> list[float]:
-    """Units of the velocities in which the coefficients of the constraints and of the spec's quasi-velocities are near 1, so that
-    how singular a choice is does not hang on the spec's unit of length; 1 throughout where those are near enough already.
+    """Units of the velocities in which how singular a choice is does not hang on the spec's unit of length: the balanced ones; 1
+    throughout where the coefficients are near enough to 1 already.
+    """
+    units = balanced_units(system)
+    return units if max(units) > _FAR * min(units) else [1.0] * system.n
+
+
+def balanced_units(system: System) -> list[float]:
+    """Units of the velocities in which the coefficients of the constraints and of the spec's quasi-velocities are near 1.
 
     The largest coefficients over the trial points are what is balanced (see :func:`nhc.algebra.minors.balance_columns`).
     """
@@ -129,8 +136,7 @@ def velocity_units(system: System) -> list[float]:
             for i, form in enumerate(forms)
         ]
         largest = [[x if x > _NOISE * max(row) else 0.0 for x in row] for row in largest]
-        units = balance_columns(largest, system.n)
-        known[key] = units if max(units) > _FAR * min(units) else [1.0] * system.n
+        known[key] = balance_columns(largest, system.n)
     return known[key]
 
 
