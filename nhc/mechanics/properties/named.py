@@ -6,29 +6,32 @@ from nhc.algebra.calculus import substitute
 from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.angles import normalise_angles
+from nhc.algebra.rewriting.joined import join_sums
 from nhc.algebra.show import to_text
 from nhc.mechanics.system import System
 
 
 def named_text(system: System, node: Node, longest: int = 200) -> str:
-    """A node as text in the spec's names: in coordinates, or with definitions and outputs by name, whichever is shorter."""
+    """A node as text in the spec's names: in coordinates, or with definitions and outputs by name, whichever is shorter; sums of
+    angles are joined.
+    """
     g = system.graph
     names = {output: name for name, output in system.outputs if g.children(output)}
     names.update({labelled: name for labelled, name in g.labels.items() if name in _defined(system)})
     if node in names:
         return names[node]
     symbols = {part: g.symbol(name) for part, name in sorted(names.items())}
-    plain = to_text(g, node, longest)
-    named = to_text(g, substitute(g, [node], symbols)[0], longest)
-    return named if len(named) < len(plain) else plain
+    forms = (node, *join_sums(g, [node, substitute(g, [node], symbols)[0]]))
+    return min((to_text(g, each, longest) for each in dict.fromkeys(forms)), key=len)
 
 
 def zero_text(system: System, node: Node) -> str:
     """The shortest known expression with the same zeros, without a number in front."""
     graph = system.graph
     plain = graph.split_coefficient(node)[1]
-    other = graph.split_coefficient(normalise_angles(graph, plain, 40))[1]
-    return min((named_text(system, each, 400) for each in (plain, other)), key=len)
+    apart = normalise_angles(graph, plain, 40)
+    forms = (plain, *(graph.split_coefficient(each)[1] for each in (apart, *join_sums(graph, [plain, apart]))))
+    return min((named_text(system, each, 400) for each in dict.fromkeys(forms)), key=len)
 
 
 def entry_text(system: System, node: Node) -> str:

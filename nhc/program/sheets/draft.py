@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from nhc.algebra.calculus import count, substitute
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import NEG, Node
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.rewriting.paper import shortest
 from nhc.exterior import Form
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
@@ -93,9 +93,7 @@ class Desk:
         if known is None:
             known = node = self.by_entries(node)
             if self.graph.children(node) and self.size(node) <= _WRITTEN and count(self.graph, [node]) <= _WORTH:
-                candidate = normalise(self.graph, node, CANONICAL)
-                known = candidate if self.size(candidate) < self.size(node) else node
-                known = self._simplify(known)
+                known = self._simplify(shortest(self.graph, node, CANONICAL, self.size))
             self._short[first] = known
         return known
 

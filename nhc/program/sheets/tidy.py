@@ -14,6 +14,7 @@ from nhc.algebra.calculus import count, reachable, rebuild, substitute
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.rewriting.joined import join_sums
 from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftSheet, Part
 
 _REPEATED = 8  # operations from which a repeated expression gets a name
@@ -42,7 +43,7 @@ def tidy(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
                 break
         if printed < start:
             break
-    return _square_cosines(desk.graph, best, owners)
+    return _square_cosines(desk.graph, _join_angles(desk.graph, best, owners), owners)
 
 
 def list_roots(drafts: Iterable[DraftSheet]) -> list[Node]:
@@ -106,6 +107,13 @@ def _drop_zeros(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, .
         return tuple(part for part in found if part[0] != g.zero) or found[:1]
 
     return _change_sides(drafts, side)
+
+
+def _join_angles(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
+    """With cos(a - b) where the addition theorem is written out; what the user named stays as it is."""
+    roots = list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
+    new = dict(zip(roots, join_sums(graph, roots, {node: node for node in owners}), strict=True))
+    return _change_sides(drafts, lambda parts: tuple((new.get(node, node), factors) for node, factors in parts))
 
 
 def _square_cosines(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:

@@ -1,0 +1,148 @@
+"""Sines and cosines of sums and differences of angles, where the addition theorems were written out: for paper.
+
+cos(a) cos(b) + sin(a) sin(b) is cos(a - b), whatever the two terms are multiplied with; repeated, sums of three angles and more.
+Emitted code keeps the products, whose sines and cosines it has anyway (the other way round is :mod:`.related`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
+
+from nhc.algebra.calculus import list_terms, reachable, rebuild
+from nhc.algebra.expand import Monomial, Polynomial
+from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.nodes import Rational
+
+_OTHER = {"sin": "cos", "cos": "sin"}
+_MOST = 60  # terms of a sum that are looked at
+
+
+def join_sums(graph: Graph, nodes: Sequence[Node], kept: Mapping[Node, Node] | None = None) -> list[Node]:
+    """The nodes with each sum below them joined, innermost first; ``kept``: nodes and what stands for them untouched."""
+    needed = reachable(graph, nodes)
+    inner = {kid for node in needed if graph.op[node] in (ADD, NEG) for kid in graph.children(node)}
+    inner -= set(nodes)  # terms of longer sums are looked at with these
+    new: dict[Node, Node] = dict(kept or {})
+    for node in needed:
+        if node in new:
+            continue
+        children = graph.children(node)
+        moved = [new[kid] for kid in children]
+        made = node if moved == list(children) else rebuild(graph, node, moved)
+        body = graph.a[made] if graph.op[made] == NEG else made  # a sum may come out as the negative of one
+        if graph.op[body] == ADD and (graph.op[node] != ADD or node not in inner):
+            joined = _join_sum(graph, body)
+            made = joined if body == made else graph.neg(joined)
+        new[node] = made
+    return [new[node] for node in nodes]
+
+
+def _join_sum(graph: Graph, node: Node) -> Node:
+    """The sum of its joined terms; the node itself where none can be joined."""
+    terms = list_terms(graph, node)
+    if not 2 <= len(terms) <= _MOST:
+        return node
+    p: Polynomial = {}
+    for term in terms:
+        k, monomial = split_factors(graph, term)
+        p[monomial] = p.get(monomial, 0) + k
+    made = join_terms(graph, p)
+    return node if made == p else graph.sum([make_product(graph, m, c) for m, c in made.items() if c])
+
+
+def split_factors(graph: Graph, term: Node) -> tuple[Rational, Monomial]:
+    """A product as its number and the powers of its factors."""
+    coefficient, core = graph.split_coefficient(term)
+    powers: dict[Node, int] = {}
+    stack = [core]
+    while stack:
+        part = stack.pop()
+        if graph.op[part] == MUL:
+            stack += graph.children(part)
+            continue
+        k, part = graph.split_coefficient(part)
+        coefficient *= k
+        base, exponent = (graph.a[part], graph.b[part]) if graph.op[part] == POW else (part, 1)
+        if base != graph.one:
+            powers[base] = powers.get(base, 0) + exponent
+    return coefficient, tuple(sorted(powers.items()))
+
+
+def make_product(graph: Graph, monomial: Monomial, coefficient: Rational = 1) -> Node:
+    """The other way round."""
+    return graph.mul_number(coefficient, graph.product(graph.power(base, e) for base, e in monomial))
+
+
+def join_terms(graph: Graph, p: Polynomial) -> Polynomial:
+    """The polynomial with pairs of terms as one, as often as there are any."""
+    left, waiting = dict(p), list(p)
+    while waiting:
+        first = waiting.pop(0)
+        for second, rest, made in _partners(graph, first) if first in left else ():
+            size, other = left[first], left.get(second)
+            if other is None or abs(other) != abs(size):
+                continue
+            k, factor = graph.split_coefficient(made(equal=other == size))
+            del left[first], left[second]
+            monomial = _times(rest, factor, graph)
+            left[monomial] = left.get(monomial, 0) + size * k
+            if left[monomial] == 0:
+                del left[monomial]
+            waiting.append(monomial)
+            break
+    return left
+
+
+class _Made:
+    """What two terms make together, per unit of the first one's coefficient; ``equal``: the second one has the same.
+
+    cos a cos b + sin a sin b = cos(a - b), sin a cos b + cos a sin b = sin(a + b), and so on; of a sine and a cosine, a is the
+    sine's angle.
+    """
+
+    def __init__(self, graph: Graph, a: Node, b: Node, functions: tuple[str, str]) -> None:
+        self.graph, self.a, self.b, self.functions = graph, a, b, functions
+
+    def __call__(self, *, equal: bool) -> Node:
+        g, mixed = self.graph, self.functions == ("sin", "cos")
+        angle = _add_angle(g, self.a, self.b, 1 if equal == mixed else -1)
+        if mixed:
+            return g.function("sin", angle)
+        joined = g.function("cos", angle)
+        return g.neg(joined) if self.functions == ("sin", "sin") and not equal else joined
+
+
+def _partners(graph: Graph, monomial: Monomial) -> Iterator[tuple[Monomial, Monomial, _Made]]:
+    """Each term that the given one may be joined with, what both have in common, and what they make together."""
+    turned = [f for f, e in monomial if e > 0 and graph.op[f] in _OTHER]
+    for f, h in combinations(turned, 2):
+        if graph.a[f] == graph.a[h]:
+            continue
+        one, other = (h, f) if (graph.op[f], graph.op[h]) == ("cos", "sin") else (f, h)
+        rest = _times(_times(monomial, one, graph, -1), other, graph, -1)
+        partner = rest
+        for factor in (one, other):
+            partner = _times(partner, graph.function(_OTHER[graph.op[factor]], graph.a[factor]), graph)
+        yield partner, rest, _Made(graph, graph.a[one], graph.a[other], (graph.op[one], graph.op[other]))
+
+
+def _times(monomial: Monomial, factor: Node, graph: Graph, exponent: int = 1) -> Monomial:
+    if factor == graph.one:
+        return monomial
+    powers = dict(monomial)
+    powers[factor] = powers.get(factor, 0) + exponent
+    return tuple(sorted((f, e) for f, e in powers.items() if e))
+
+
+def _add_angle(graph: Graph, a: Node, b: Node, sign: int) -> Node:
+    """a + sign b with each term once, numbers last; the negative of a sum where it would begin with a minus."""
+    found: dict[Node, Rational] = {}
+    for angle, factor in ((a, 1), (b, sign)):
+        for term in list_terms(graph, angle):
+            k, core = graph.split_coefficient(term)
+            found[core] = found.get(core, 0) + factor * k
+    terms = sorted(((core, k) for core, k in found.items() if k), key=lambda term: (term[0] == graph.one, term[0]))
+    negative = bool(terms) and terms[0][1] < 0
+    total = graph.sum([graph.mul_number(-k if negative else k, core) for core, k in terms])
+    return graph.neg(total) if negative else total
