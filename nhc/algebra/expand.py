@@ -32,6 +32,7 @@ class Expander:
     def __init__(self, graph: Graph, limit: int, circle: bool, closed: bool = False) -> None:
         self.graph, self.limit, self.circle, self.closed = graph, limit, circle, closed
         self.memo: dict[Node, Packed | None] = {}
+        self.opened: set[Node] = set()  # in which a sum of parameters was multiplied out
         self._atoms: list[Node] = []
         self._index: dict[Node, int] = {}
         self._height: dict[Node, int] = {}  # the largest exponent that the node's polynomial may have
@@ -53,13 +54,15 @@ class Expander:
         return [self._unpack(self._expand(root)) for root in roots]
 
     def _expand(self, root: Node) -> Packed:
-        memo = self.memo
+        memo, opened, kids = self.memo, self.opened, self.graph.kids
         for node in self._pending(root):
             try:
                 memo[node] = self._expand_one(node)
             except TooLarge:
                 memo[node] = memo[root] = None
                 raise
+            if not opened.isdisjoint(kids[node]) or is_length(self.graph, node):
+                opened.add(node)
         known = memo[root]
         assert known is not None
         return known
