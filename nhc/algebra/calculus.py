@@ -31,7 +31,10 @@ def reachable(
                         stack.append(child)
         return sorted(seen)
     if within == -1:
-        seen = set(roots)
+        asked = tuple(roots)
+        if asked == graph.reached[0]:  # several passes look at the same roots, one after the other
+            return graph.reached[1].copy()
+        seen = set(asked)
         stack = list(seen)
         while stack:
             for child in kids[stack.pop()]:
@@ -39,7 +42,9 @@ def reachable(
                     seen.add(child)
                     if kids[child]:
                         stack.append(child)
-        return sorted(seen)
+        found = sorted(seen)
+        graph.reached = asked, found.copy()
+        return found
     seen = {root for root in roots if deps[root] & within}
     stack = list(seen)
     while stack:
