@@ -133,11 +133,13 @@ def rebuild(graph: Graph, node: Node, children: Sequence[Node]) -> Node:
 def rebuild_over(graph: Graph, node: Node, new: Mapping[Node, Node]) -> Node | None:
     """The node's operation on what its operands have become, with its name; None where they are what they were."""
     kids = graph.kids[node]
-    if all(new.get(kid, kid) == kid for kid in kids):
-        return None
-    made = rebuild(graph, node, [new.get(kid, kid) for kid in kids])
-    graph.pass_label(node, made)
-    return made
+    for kid in kids:
+        if new.get(kid, kid) != kid:
+            made = rebuild(graph, node, [new.get(child, child) for child in kids])
+            if node in graph.labels:
+                graph.pass_label(node, made)
+            return made
+    return None
 
 
 def partials(graph: Graph, node: Node) -> tuple[Node, ...]:
