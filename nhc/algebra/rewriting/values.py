@@ -183,7 +183,7 @@ class _Merging:
 def draw_points(graph: Graph, nodes: Sequence[Node]) -> list[FieldPoint] | None:
     """A point modulo each of two primes with values for the nodes, all that :func:`reachable` finds; None where none was found."""
     points = [_draw(graph, index, nodes) for index in range(_POINTS)]
-    found = [point for point in points if point is not None]
+    found: list[FieldPoint] = [point for point in points if point is not None]
     return found if len(found) == _POINTS else None
 
 
