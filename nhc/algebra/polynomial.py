@@ -19,7 +19,7 @@ from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 ONE: Monomial = ()
 Terms = list[tuple[Monomial, Coefficient]]
 """A polynomial, where no term is looked up."""
-_MILLION = 10**6
+_ONE, _MILLION = Fraction(1), 10**6
 _WIDEST = 64  # factors that monomials have places for
 
 
@@ -115,10 +115,10 @@ def _content(coefficients: Sequence[Coefficient]) -> Fraction:
     Multiples of one polynomial then share it.
     """
     if 1 in coefficients or -1 in coefficients:
-        return Fraction(1)
+        return _ONE
     content = Fraction(gcd(*(c.numerator for c in coefficients)), lcm(*(c.denominator for c in coefficients)))
     sizes = [abs(c) for c in coefficients]
-    return content if sum(c != content for c in sizes) + 1 < len(sizes) else Fraction(1)
+    return content if sum(c != content for c in sizes) + 1 < len(sizes) else _ONE
 
 
 def _count_factors(terms: Terms) -> dict[int, int]:
