@@ -61,8 +61,9 @@ class Expander:
             except TooLarge:
                 memo[node] = memo[root] = None
                 raise
-            if not opened.isdisjoint(kids[node]) or is_length(self.graph, node):
-                opened.add(node)
+            for kid in kids[node]:
+                if kid in opened:
+                    opened.add(node)
         known = memo[root]
         assert known is not None
         return known
@@ -100,6 +101,8 @@ class Expander:
             p, q = memo[a], memo[b]
             assert p is not None and q is not None
             height[node] = max(height[a], height[b])
+            if is_length(g, node):
+                self.opened.add(node)
             return self._bounded(_sum(p, q))
         if op == NEG:
             p = memo[a]
@@ -207,9 +210,8 @@ class Expander:
     def _monomial(self, m: int) -> Monomial:
         factors, k = [], 0
         while m:
-            if not m & 0xFFFF:
-                m, k = m >> 16, k + 1
-                continue
+            empty = (m & -m).bit_length() - 1 >> 4
+            m, k = m >> 16 * empty, k + empty
             e = (m + _TOP & 0xFFFF) - _TOP
             factors.append((self._atoms[k], e))
             m, k = m - e >> 16, k + 1

@@ -166,8 +166,8 @@ def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
 
 
 @equation("I.2.1", "I.2.2")
-def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) -> Frame:
-    """The frame whose forms are the system's constraints and ``free``, in this order.
+def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node], *, known: bool = False) -> Frame:
+    """The frame whose forms are the system's constraints and ``free``, in this order; ``known``: that they are a basis.
 
     Raises:
         nhc.algebra.dense.Singular: the forms are no basis.
@@ -193,9 +193,10 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
         return found, [*((divisor, divisor) for own in bare for divisor in own.divisors), *guards]
 
     frame = Frame(system, forms, omega, omega, solve, turned)
-    rows, velocities = (rename(), unknowns) if system.rotations else (written, system.v)
-    if not is_clearly_regular(g, rows, velocities):
-        frame.kinematics  # noqa: B018 - refuses what is no basis
+    if not known:
+        rows, velocities = (rename(), unknowns) if system.rotations else (written, system.v)
+        if not is_clearly_regular(g, rows, velocities):
+            frame.kinematics  # noqa: B018 - refuses what is no basis
     return frame
 
 

@@ -140,4 +140,4 @@ def count_from_joint(lean: Lean, system: System, kinetic: Kinetic, frame: Frame)
         slope=tuple(counted.of(kinetic.slope)),
         hessian=tuple(tuple(counted.of(row)) for row in kinetic.hessian),
     )
-    return moved, made, make_frame(moved, forms[system.l :], frame.free)
+    return moved, made, make_frame(moved, forms[system.l :], frame.free, known=True)
