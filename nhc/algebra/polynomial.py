@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from nhc.algebra.calculus import count, reachable
-from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge
+from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge, is_length
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 
 ONE: Monomial = ()
@@ -207,10 +207,13 @@ def _shorter(graph: Graph, node: Node, limit: int) -> Node:
         TooLarge: both have too many terms.
     """
     open_, forms = _expander(graph, limit), []
-    with suppress(TooLarge):
+    try:
         forms.append(to_node(graph, open_.expand([node])[0]))
         if node not in open_.opened:
             return forms[0]
+    except TooLarge:
+        if not any(is_length(graph, inner) for inner in reachable(graph, [node], graph.parameters)):
+            raise
     with suppress(TooLarge):
         forms.append(to_node(graph, _expander(graph, limit, True).expand([node])[0]))
     if not forms:
