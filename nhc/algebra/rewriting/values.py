@@ -20,7 +20,7 @@ from nhc.algebra.exact.residues import PRIMES, circle_points
 from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
 
 _LEAST = (0, 1)  # the nodes of these numbers: what vanishes is found, too
-_POINTS, _DRAWS, _AT_ONCE = 2, 20, 16
+_POINTS, _DRAWS, _AT_ONCE = 2, 20, 4
 _ARBITRARY = frozenset({"sqrt", "abs", "sign", "min", "max"})
 _PARTIAL = frozenset({"sqrt", "log", "asin", "acos", "atan2", "powf"})
 """Operations that have no value, or no slope, everywhere."""
