@@ -8,6 +8,7 @@ the hundred small classes of a compiler that is a third of the start-up time, an
 
 from __future__ import annotations
 
+from operator import attrgetter
 from types import FunctionType
 from typing import Any, TypeVar, dataclass_transform
 
@@ -49,19 +50,20 @@ class _Value(_Frozen):
 
     __slots__ = ()
 
-    def _values(self) -> tuple[object, ...]:
-        return tuple(getattr(self, name) for name in self._fields)
+    _get: Any = None
+    """Takes all values from an instance, one value as itself; in C, for records are keys of many tables."""
 
     def __eq__(self, other: object) -> bool:
         if self.__class__ is not other.__class__ or not isinstance(other, _Value):
             return NotImplemented
-        return self._values() == other._values()
+        get = self._get
+        return (get(self),) == (get(other),)
 
     def __hash__(self) -> int:
-        return hash(self._values())
+        return hash(self._get(self))
 
     def __repr__(self) -> str:
-        shown = ", ".join(f"{name}={value!r}" for name, value in zip(self._fields, self._values(), strict=True))
+        shown = ", ".join(f"{name}={getattr(self, name)!r}" for name in self._fields)
         return f"{type(self).__qualname__}({shown})"
 
 
@@ -97,6 +99,7 @@ def _make(cls: type[T], base: type) -> type[T]:
             **body,
             "__slots__": names,
             "_fields": names,
+            "_get": attrgetter(*names) if names else type,
             "__match_args__": names,
             "__qualname__": cls.__qualname__,
             "__init__": FunctionType(code, setters, "__init__", defaults),

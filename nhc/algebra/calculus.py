@@ -31,7 +31,10 @@ def reachable(
                         stack.append(child)
         return sorted(seen)
     if within == -1:
-        seen = set(roots)
+        asked = tuple(roots)
+        if asked == graph.reached[0]:  # several passes look at the same roots, one after the other
+            return graph.reached[1].copy()
+        seen = set(asked)
         stack = list(seen)
         while stack:
             for child in kids[stack.pop()]:
@@ -39,7 +42,9 @@ def reachable(
                     seen.add(child)
                     if kids[child]:
                         stack.append(child)
-        return sorted(seen)
+        found = sorted(seen)
+        graph.reached = asked, found.copy()
+        return found
     seen = {root for root in roots if deps[root] & within}
     stack = list(seen)
     while stack:
@@ -128,11 +133,13 @@ def rebuild(graph: Graph, node: Node, children: Sequence[Node]) -> Node:
 def rebuild_over(graph: Graph, node: Node, new: Mapping[Node, Node]) -> Node | None:
     """The node's operation on what its operands have become, with its name; None where they are what they were."""
     kids = graph.kids[node]
-    if all(new.get(kid, kid) == kid for kid in kids):
-        return None
-    made = rebuild(graph, node, [new.get(kid, kid) for kid in kids])
-    graph.pass_label(node, made)
-    return made
+    for kid in kids:
+        if new.get(kid, kid) != kid:
+            made = rebuild(graph, node, [new.get(child, child) for child in kids])
+            if node in graph.labels:
+                graph.pass_label(node, made)
+            return made
+    return None
 
 
 def partials(graph: Graph, node: Node) -> tuple[Node, ...]:

@@ -32,6 +32,7 @@ class Expander:
     def __init__(self, graph: Graph, limit: int, circle: bool, closed: bool = False) -> None:
         self.graph, self.limit, self.circle, self.closed = graph, limit, circle, closed
         self.memo: dict[Node, Packed | None] = {}
+        self.opened: set[Node] = set()  # in which a sum of parameters was multiplied out
         self._atoms: list[Node] = []
         self._index: dict[Node, int] = {}
         self._height: dict[Node, int] = {}  # the largest exponent that the node's polynomial may have
@@ -53,13 +54,16 @@ class Expander:
         return [self._unpack(self._expand(root)) for root in roots]
 
     def _expand(self, root: Node) -> Packed:
-        memo = self.memo
+        memo, opened, kids = self.memo, self.opened, self.graph.kids
         for node in self._pending(root):
             try:
                 memo[node] = self._expand_one(node)
             except TooLarge:
                 memo[node] = memo[root] = None
                 raise
+            for kid in kids[node]:
+                if kid in opened:
+                    opened.add(node)
         known = memo[root]
         assert known is not None
         return known
@@ -97,6 +101,8 @@ class Expander:
             p, q = memo[a], memo[b]
             assert p is not None and q is not None
             height[node] = max(height[a], height[b])
+            if is_length(g, node):
+                self.opened.add(node)
             return self._bounded(_sum(p, q))
         if op == NEG:
             p = memo[a]
@@ -204,9 +210,8 @@ class Expander:
     def _monomial(self, m: int) -> Monomial:
         factors, k = [], 0
         while m:
-            if not m & 0xFFFF:
-                m, k = m >> 16, k + 1
-                continue
+            empty = (m & -m).bit_length() - 1 >> 4
+            m, k = m >> 16 * empty, k + empty
             e = (m + _TOP & 0xFFFF) - _TOP
             factors.append((self._atoms[k], e))
             m, k = m - e >> 16, k + 1

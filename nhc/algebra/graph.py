@@ -57,7 +57,8 @@ class Graph(NodeStore):
             return self.scale(self.coefficient[x] + self.coefficient[y], px)
         if px > py:
             x, y, px, py = y, x, py, px
-        known = self._adds.get((x, y))
+        pair = x, y
+        known = self._adds.get(pair)
         if known is not None:
             return known
         kx = self.coefficient[x]
@@ -82,7 +83,7 @@ class Graph(NodeStore):
                 return shorter
         if kx == self.coefficient[y] and op[px] == POW and self._is_circle(px, py):  # k sin^2 + k cos^2
             return self.number(kx)
-        node = self._adds[x, y] = self._append(ADD, x, y, self.deps[x] | self.deps[y], (x, y))
+        node = self._adds[pair] = self._append(ADD, x, y, self.deps[x] | self.deps[y], pair)
         return node
 
     def _is_circle(self, p: Node, q: Node) -> bool:
@@ -161,9 +162,10 @@ class Graph(NodeStore):
             if abs(k * self.coefficient[first]) == 1 and abs(k * self.coefficient[second]) == 1:  # 2 (x/2 + y/2)
                 return self.add(self.mul_number(k, first), self.mul_number(k, second))
         number = self.number(k)
-        node = self._muls.get((number, x))
+        pair = number, x
+        node = self._muls.get(pair)
         if node is None:
-            node = self._muls[number, x] = self._append(MUL, number, x, self.deps[x], (number, x))
+            node = self._muls[pair] = self._append(MUL, number, x, self.deps[x], pair)
             self.coefficient[node] = self.coefficient[number]
             self.core[node] = x
         return node
@@ -181,7 +183,8 @@ class Graph(NodeStore):
             return self.scale(k, py if px == 1 else px)
         if px > py:
             px, py = py, px
-        product = self._muls.get((px, py))
+        pair = px, py
+        product = self._muls.get(pair)
         if product is None:
             op = self.op
             kind, other = op[px], op[py]
@@ -197,7 +200,7 @@ class Graph(NodeStore):
                 cancelled = self._cancel(px, by, ey) or self._cancel(py, bx, ex)
                 if cancelled is not None:
                     return self.mul_number(k, cancelled)
-            product = self._muls[px, py] = self._append(MUL, px, py, self.deps[px] | self.deps[py], (px, py))
+            product = self._muls[pair] = self._append(MUL, px, py, self.deps[px] | self.deps[py], pair)
         return product if k == 1 else self.scale(k, product)
 
     def mul_number(self, k: Rational, x: Node) -> Node:

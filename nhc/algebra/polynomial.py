@@ -17,7 +17,9 @@ from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooL
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 
 ONE: Monomial = ()
-_MILLION = 10**6
+Terms = list[tuple[Monomial, Coefficient]]
+"""A polynomial, where no term is looked up."""
+_ONE, _MILLION = Fraction(1), 10**6
 _WIDEST = 64  # factors that monomials have places for
 
 
@@ -63,7 +65,7 @@ def to_node(graph: Graph, p: Polynomial) -> Node:
         if candidate is None:
             break
         shortest = candidate
-    return _horner(graph, shortest)
+    return _horner(graph, list(shortest.items()))
 
 
 def _swap_sines(graph: Graph, p: Polynomial) -> Polynomial | None:
@@ -85,75 +87,65 @@ def _swap_sines(graph: Graph, p: Polynomial) -> Polynomial | None:
     return None
 
 
-def _horner(graph: Graph, p: Polynomial) -> Node:
-    content = _content(p)
+def _horner(graph: Graph, terms: Terms) -> Node:
+    if len(terms) == 1:
+        return _monomial(graph, *terms[0])
+    content = _content([c for _, c in terms])
     if content != 1:
-        return graph.mul_number(content, _horner(graph, {m: c / content for m, c in p.items()}))
-    common = _common(p)
+        return graph.mul_number(content, _horner(graph, [(m, c / content) for m, c in terms]))
+    times = _count_factors(terms)
+    common = _common(terms, times)
     if common:
         by = dict(common)
-        rest = {_divide(m, by): c for m, c in p.items()}
-        return graph.mul(_monomial(graph, common, 1), _horner(graph, rest))
-    if len(p) == 1:
-        ((m, c),) = p.items()
-        return _monomial(graph, m, c)
-    factor = _most_frequent(p)
-    if factor is None:
-        return graph.sum([_monomial(graph, m, c) for m, c in sorted(p.items())])
-    inside, outside = Polynomial(), Polynomial()
-    taken, sign = factor
-    for m, c in p.items():
-        holds = next((e * sign > 0 for f, e in m if f == taken), False)
-        (inside if holds else outside)[m] = c
+        return graph.mul(_monomial(graph, common, 1), _horner(graph, [(_divide(m, by), c) for m, c in terms]))
+    most = max(times.values())
+    if most == 1:
+        return graph.sum([_monomial(graph, m, c) for m, c in sorted(terms)])
+    taken, negative = divmod(min(key for key, count in times.items() if count == most), 2)
+    inside, outside = Terms(), Terms()
+    for m, c in terms:
+        holds = any(f == taken and (e < 0) == negative for f, e in m)
+        (inside if holds else outside).append((m, c))
     return graph.add(_horner(graph, inside), _horner(graph, outside))
 
 
-def _content(p: Polynomial) -> Fraction:
+def _content(coefficients: Sequence[Coefficient]) -> Fraction:
     """The rational number in front of all terms, where taking it out leaves fewer multiplications by numbers; else 1.
 
     Multiples of one polynomial then share it.
     """
-    if len(p) < 2 or not {1, -1}.isdisjoint(p.values()):
-        return Fraction(1)
-    sizes = [abs(Fraction(c)) for c in p.values()]
-    content = Fraction(gcd(*(c.numerator for c in sizes)), lcm(*(c.denominator for c in sizes)))
-    return content if sum(c != content for c in sizes) + 1 < len(sizes) else Fraction(1)
+    if 1 in coefficients or -1 in coefficients:
+        return _ONE
+    content = Fraction(gcd(*(c.numerator for c in coefficients)), lcm(*(c.denominator for c in coefficients)))
+    sizes = [abs(c) for c in coefficients]
+    return content if sum(c != content for c in sizes) + 1 < len(sizes) else _ONE
 
 
-def _common(p: Polynomial) -> Monomial:
+def _count_factors(terms: Terms) -> dict[int, int]:
+    """In how many of the terms each factor stands: 2 f for f with positive exponents, 2 f + 1 for f with negative ones."""
+    times: dict[int, int] = {}
+    for m, _ in terms:
+        for f, e in m:
+            key = 2 * f + (e < 0)
+            times[key] = times.get(key, 0) + 1
+    return times
+
+
+def _common(terms: Terms, times: dict[int, int]) -> Monomial:
     """The largest monomial that divides every term."""
-    if len(p) < 2:
-        return ONE
-    first, *others = p
-    exponents = dict(first)
-    for m in others:
-        if not exponents:
-            break
-        own = dict(m)
-        for f, a in list(exponents.items()):
-            b = own.get(f, 0)
-            if a > 0 < b:
-                exponents[f] = min(a, b)
-            elif a < 0 > b:
-                exponents[f] = max(a, b)
-            else:
-                del exponents[f]
-    return tuple(exponents.items())
+    size = len(terms)
+    shared = {f: e for f, e in terms[0][0] if times[2 * f + (e < 0)] == size}
+    if shared:
+        for m, _ in terms:
+            for f, e in m:
+                if f in shared and abs(e) < abs(shared[f]):
+                    shared[f] = e
+    return tuple(shared.items())
 
 
 def _divide(m: Monomial, by: dict[Node, int]) -> Monomial:
     """By a monomial whose factors all stand in it."""
-    return tuple((f, e - by[f]) if f in by else (f, e) for f, e in m if by.get(f) != e)
-
-
-def _most_frequent(p: Polynomial) -> tuple[Node, int] | None:
-    seen: dict[tuple[Node, int], int] = {}
-    for m in p:
-        for f, e in m:
-            key = (f, 1 if e > 0 else -1)
-            seen[key] = seen.get(key, 0) + 1
-    best = max(seen, key=lambda key: (seen[key], -key[0], key[1]), default=None)
-    return best if best is not None and seen[best] > 1 else None
+    return tuple([(f, e - by[f]) if f in by else (f, e) for f, e in m if by.get(f) != e])
 
 
 def _monomial(graph: Graph, m: Monomial, c: Coefficient) -> Node:
@@ -214,12 +206,16 @@ def _shorter(graph: Graph, node: Node, limit: int) -> Node:
     Raises:
         TooLarge: both have too many terms.
     """
-    if not any(is_length(graph, inner) for inner in reachable(graph, [node], graph.parameters)):
-        return to_node(graph, _expander(graph, limit).expand([node])[0])
-    forms = []
-    for closed in (False, True):
-        with suppress(TooLarge):
-            forms.append(to_node(graph, _expander(graph, limit, closed).expand([node])[0]))
+    open_, forms = _expander(graph, limit), []
+    try:
+        forms.append(to_node(graph, open_.expand([node])[0]))
+        if node not in open_.opened:
+            return forms[0]
+    except TooLarge:
+        if not any(is_length(graph, inner) for inner in reachable(graph, [node], graph.parameters)):
+            raise
+    with suppress(TooLarge):
+        forms.append(to_node(graph, _expander(graph, limit, True).expand([node])[0]))
     if not forms:
         raise TooLarge
     return min(forms, key=lambda form: _cost(graph, form))

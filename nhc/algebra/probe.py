@@ -14,10 +14,10 @@ from collections.abc import Iterable, Sequence
 from hashlib import blake2b
 from zlib import crc32
 
-from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node, Symbol
+from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, Graph, Node, Symbol
 
 _Bounded = tuple[list[float], list[float]]  # values and their bounds
-_UNIT = 2.0**-52
+UNIT = 2.0**-52
 _CLEAR = 1e4
 _CLEAR_PIVOT = 100.0  # times its bound
 _SIGNED_PROBES = 8
@@ -93,7 +93,7 @@ class Probe:
                 except (ArithmeticError, ValueError):
                     x, bound = math.nan, math.nan
             v[node] = x
-            e[node] = bound + abs(x) * _UNIT
+            e[node] = bound + abs(x) * UNIT
 
     def _other(self, kind: str, node: Node, a: int, b: int) -> tuple[float, float]:
         if kind == NUM:
@@ -102,17 +102,8 @@ class Probe:
             return self._place(self._symbols[a]), 0.0
         if kind == PI:
             return math.pi, 0.0
-        x, bound = self.values[a], self.errors[a]
-        if kind == POW:
-            if abs(x) <= _CLEAR * bound:
-                return (0.0, math.inf) if b > 0 else (math.nan, math.nan)
-            power = x**b
-            return power, abs(b * power / x) * bound + abs(power) * _UNIT
-        if kind in ("sin", "cos"):
-            return (math.sin(x) if kind == "sin" else math.cos(x)), bound + _UNIT
-        if kind in ("atan2", "min", "max", "powf"):
-            return _binary(kind, x, bound, self.values[b], self.errors[b])
-        return _unary(kind, x, bound)
+        y, other = (self.values[b], self.errors[b]) if kind in BINARY else (math.nan, math.nan)
+        return bounded(kind, b, self.values[a], self.errors[a], y, other)
 
     def _place(self, symbol: Symbol) -> float:
         """Where a symbol is: in (0.4, 1.6), but for the first point also in (-1.6, -0.4)."""
@@ -123,6 +114,24 @@ class Probe:
         drawn = int.from_bytes(blake2b(text, digest_size=4).digest(), "big")
         size = 0.4 + 1.2 * (drawn >> 1) / 2**31
         return -size if drawn & 1 else size
+
+
+def bounded(kind: str, n: int, x: float, bound: float, y: float, other: float) -> tuple[float, float]:
+    """Value and bound of a power, x^n, or a function of x, or of x and y, whose bounds are given.
+
+    Raises:
+        ArithmeticError, ValueError: it has none.
+    """
+    if kind == POW:
+        if abs(x) <= _CLEAR * bound:
+            return (0.0, math.inf) if n > 0 else (math.nan, math.nan)
+        power = x**n
+        return power, abs(n * power / x) * bound + abs(power) * UNIT
+    if kind in ("sin", "cos"):
+        return (math.sin(x) if kind == "sin" else math.cos(x)), bound + UNIT
+    if kind in BINARY:
+        return _binary(kind, x, bound, y, other)
+    return _unary(kind, x, bound)
 
 
 def _take_pivot(work: list[_Bounded], sizes: list[float], step: int) -> bool:
@@ -144,11 +153,11 @@ def _take_pivot(work: list[_Bounded], sizes: list[float], step: int) -> bool:
         if not values[j] and not errors[j]:
             continue
         factor = values[j] / pivot[j]
-        doubt = (errors[j] + abs(factor) * bounds[j]) / (best - bounds[j]) + abs(factor) * _UNIT
+        doubt = (errors[j] + abs(factor) * bounds[j]) / (best - bounds[j]) + abs(factor) * UNIT
         size = abs(factor)
         for c, y, bound in entries:
             x = values[c]
-            errors[c] += size * bound + doubt * (abs(y) + bound) + (abs(x) + size * abs(y)) * _UNIT
+            errors[c] += size * bound + doubt * (abs(y) + bound) + (abs(x) + size * abs(y)) * UNIT
             values[c] = x - factor * y
         values[j] = errors[j] = 0.0
         sizes[k] = max(map(abs, values))
@@ -166,7 +175,7 @@ def _unary(kind: str, x: float, bound: float) -> tuple[float, float]:
     if kind in ("asin", "acos"):
         return value, bound / math.sqrt(1 - x * x)
     steepest = math.cosh(x) if kind in ("sinh", "cosh") else value if kind == "exp" else 1.0
-    return value, bound * steepest + abs(value) * _UNIT
+    return value, bound * steepest + abs(value) * UNIT
 
 
 def _binary(kind: str, x: float, bound: float, y: float, other: float) -> tuple[float, float]:
@@ -176,7 +185,7 @@ def _binary(kind: str, x: float, bound: float, y: float, other: float) -> tuple[
         return math.atan2(x, y), (bound + other) / math.hypot(x, y)
     if kind == "powf":
         value = math.pow(x, y)
-        return value, abs(value) * (abs(y / x) * bound + abs(math.log(x)) * other + 4 * _UNIT)
+        return value, abs(value) * (abs(y / x) * bound + abs(math.log(x)) * other + 4 * UNIT)
     return (min(x, y) if kind == "min" else max(x, y)), bound + other
 
 

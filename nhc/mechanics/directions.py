@@ -27,6 +27,13 @@ class Sided:
 
 def along_direction(graph: Graph, row: Node) -> Sided | None:
     """The row as a component along a direction, where sin and cos of one angle multiply two of its terms."""
+    known: dict[Node, Sided | None] = graph.memory.setdefault("directions", {})
+    if row not in known:
+        known[row] = _read_direction(graph, row)
+    return known[row]
+
+
+def _read_direction(graph: Graph, row: Node) -> Sided | None:
     g = graph
     terms = list_terms(g, row)
     products = [list_factors(g, term) for term in terms]

@@ -136,8 +136,10 @@ def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) 
     if moved is None:
         return _route(system, formulation, kinetic)
     there = _route(system, formulation, kinetic, moved)
+    if moved.settled:
+        return there
     cost = there.cost(system.graph)
-    if moved.settled or cost > _SMALL:
+    if cost > _SMALL:
         return there
     here = _route(system, formulation, kinetic)
     return here if here.cost(system.graph) < cost else there

@@ -166,8 +166,8 @@ def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
 
 
 @equation("I.2.1", "I.2.2")
-def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) -> Frame:
-    """The frame whose forms are the system's constraints and ``free``, in this order.
+def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node], *, known: bool = False) -> Frame:
+    """The frame whose forms are the system's constraints and ``free``, in this order; ``known``: that they are a basis.
 
     Raises:
         nhc.algebra.dense.Singular: the forms are no basis.
@@ -179,10 +179,13 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
     # a kept velocity may be its own symbol: the unknowns get symbols of their own
     unknowns = [g.symbol(name, "unknown") for name in system.q_names]
     turned = tuple(r for r in system.rotations if not set(r.v) & set(symbols))
-    renamed = moving(system, from_base(system, unknowns, turned))
-    values = substitute(g, [form_value(g, form, system.v) for form in forms], renamed)
+    written = [form_value(g, form, system.v) for form in forms]
+
+    def rename() -> list[Node]:
+        return substitute(g, written, moving(system, from_base(system, unknowns, turned)))
 
     def solve(everything: bool) -> tuple[Sequence[Node], Sequence[tuple[Node, Node]]]:
+        values = rename()
         bare = [] if everything else [strip_factor(g, x, g.mask(system.p)) for x in values[: system.l]]
         rows = [own.row for own in bare]
         rows += [g.sub(x, w) for x, w in zip(values[len(bare) :], omega[len(bare) :], strict=True)]
@@ -190,8 +193,10 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
         return found, [*((divisor, divisor) for own in bare for divisor in own.divisors), *guards]
 
     frame = Frame(system, forms, omega, omega, solve, turned)
-    if not is_clearly_regular(g, values, unknowns):
-        frame.kinematics  # noqa: B018 - refuses what is no basis
+    if not known:
+        rows, velocities = (rename(), unknowns) if system.rotations else (written, system.v)
+        if not is_clearly_regular(g, rows, velocities):
+            frame.kinematics  # noqa: B018 - refuses what is no basis
     return frame
 
 

@@ -56,10 +56,12 @@ def parameter_ranges(system: System) -> dict[Node, tuple[float, float]]:
 
 def constant_value(tree: Syntax, names: dict[str, float] | None = None) -> float:
     """The double of a constant expression (numbers, pi, and the given names)."""
-    graph = Graph()
-    known = dict(names or {})
+    if isinstance(tree, Number):  # as nearly all are
+        return float(tree.value)
+    graph, known = Graph(), names or {}
     node = fold_tree(tree, lambda part, operands: _constant(graph, part, operands, known))
-    return float(evaluate(graph, [node], {graph.symbol(name): value for name, value in known.items()})[0])
+    present = {graph.symbol(symbol.name): known[symbol.name] for symbol in graph.symbols if symbol.name in known}
+    return float(evaluate(graph, [node], present)[0])
 
 
 def _constant(graph: Graph, part: Syntax, operands: tuple[Node, ...], names: dict[str, float]) -> Node:

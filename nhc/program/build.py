@@ -199,9 +199,9 @@ class Planner(PlannerBase):
 
 
 def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Function, ...]:
-    """The functions asked for, in their fixed order; all of them where none is named, or one that this system does not have."""
+    """The functions asked for, in their fixed order; all that this system has where none is named, or one that it does not have."""
     functions = []
-    wanted = set(only)
+    wanted = set[str]() if set(only) == set(FUNCTIONS) else set(only)
     if any(name in wanted and planner.calls_rhs(name) for name in ("accelerations", "reactions")):
         wanted.add("rhs")
     for name in FUNCTIONS:

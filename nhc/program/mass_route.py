@@ -59,6 +59,8 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
         way = _along(equations, held.rates, [*held.pivots, *held.held], put_in)
         way.pivots, way.held = way.pivots[: len(held.pivots)], way.pivots[len(held.pivots) :]
         found.append(way)
+    if len(found) == 1:
+        return found[0]
     return min(found, key=lambda way: work(g, way.values) + (0 if way is found[0] else CHAINED * size))
 
 

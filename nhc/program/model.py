@@ -13,14 +13,9 @@ from nhc.mechanics.scenes import kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value
 from nhc.program.build import Planner, build_functions
-from nhc.program.clock import find_stops
-from nhc.program.hold import make_hold
-from nhc.program.ir import Needed, Program, Quantity, SceneData
-from nhc.program.leaps import find_leaps
+from nhc.program.ir import Program, Quantity, SceneData, Stop
 from nhc.program.naming import identifier
-from nhc.program.needed import list_columns, needed_function
 from nhc.program.starting import warn_of_coframe
-from nhc.program.watch import known_values, look_out
 
 
 def build_program(
@@ -42,6 +37,11 @@ def build_program(
     wanted = [s for s in spec.scenes if s.name == scene or (scenes and not scene)]
     starts = tuple(made for s in wanted if (made := _scene(system, planner, s, scene, driver)))
     chosen = next((s for s in starts if s.name == scene), None)
+    driving = None
+    if driver:
+        from nhc.program.driving import make_driving  # here, for what drivers need takes a fifth of all imports
+
+        driving = make_driving(planner, starts)
     return Program(
         system=spec.system,
         about=spec.about,
@@ -61,10 +61,10 @@ def build_program(
         scenes=starts,
         notes=_notes(formulation),
         warnings=warn_of_coframe(planner, wanted if scene else spec.scenes) if not only or "rhs" in only else (),
-        lookout=look_out(planner, [start.p for start in starts]) if driver and starts else None,
-        hold=make_hold(planner) if driver and starts else None,
-        leaps=find_leaps(planner, known_values(system, [start.p for start in starts])) if driver and starts else None,
-        needed=_needed(planner, starts) if driver else None,
+        lookout=driving.lookout if driving else None,
+        hold=driving.hold if driving else None,
+        leaps=driving.leaps if driving else None,
+        needed=driving.needed if driving else None,
     )
 
 
@@ -86,16 +86,12 @@ def _scene(system: System, planner: Planner, scene: Scene, asked: str, driver: b
         return None
     y = (*start.q, *kept_velocities(system, planner.kept_forms(), start))
     need = tuple(entry.name for entry in scene.need)
-    stops = find_stops(system, start.p, start.time) if driver else ()
+    stops: tuple[Stop, ...] = ()
+    if driver:
+        from nhc.program.driving import stops_of
+
+        stops = stops_of(system, start)
     return SceneData(scene.name, scene.about, y, start.p, start.time, need, float(scene.tolerance), stops)
-
-
-def _needed(planner: Planner, scenes: Sequence[SceneData]) -> Needed | None:
-    """The quasi-velocities that scenes need and the state does not hold."""
-    kept = {*planner.kept_names(), *(name for name, _ in planner.system.outputs)}
-    wanted = dict.fromkeys(name for scene in scenes for name in scene.need)
-    names = tuple(form.name for form in planner.system.quasi if form.name in wanted and form.name not in kept)
-    return Needed(needed_function(planner, list_columns(planner, names)), names) if names else None
 
 
 def _notes(formulation: Formulation) -> tuple[str, ...]:

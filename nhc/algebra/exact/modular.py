@@ -187,12 +187,19 @@ def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:
         return min(len(rows), width)
     flat = [entry for row in rows for entry in row]
     full = min(len(rows), width)
+    primes = primes_of(graph)
+
+    def rank_at(points: Sequence[Sequence[int]]) -> int:
+        """The largest rank at these points."""
+        matrices = ([values[i * width : (i + 1) * width] for i in range(len(rows))] for values in points)
+        return max(rank_modulo(matrix, primes[k % len(primes)]) for k, matrix in enumerate(matrices))
+
+    found = rank_at(sample(graph, flat, 1, seed))
+    if found == full:
+        return found
     # a rank is too small only at special points; signs make half of the points special for an entry
-    enough, found, primes = enough_points(graph, flat, 1), 0, primes_of(graph)
+    enough = enough_points(graph, flat, 1)
     for at, count in ((seed, min(enough, _RANK_POINTS)), (seed + 1, enough - _RANK_POINTS)):
-        if count <= 0 or found == full:
-            break
-        for k, values in enumerate(sample(graph, flat, count, at)):
-            matrix = [values[i * width : (i + 1) * width] for i in range(len(rows))]
-            found = max(found, rank_modulo(matrix, primes[k % len(primes)]))
+        if count > (at == seed) and found < full:
+            found = max(found, rank_at(sample(graph, flat, count, at)))
     return found

@@ -47,17 +47,19 @@ def find_factors(graph: Graph, roots: Sequence[Node]) -> list[Node]:
 
 def _count_own(graph: Graph, needed: Sequence[Node], roots: Sequence[Node]) -> dict[Node, int]:
     """For each node the operations that would go with it: its own, and of its operands those that nothing else uses."""
-    uses = dict.fromkeys(needed, 0)
+    op, kids, uses = graph.op, graph.kids, dict.fromkeys(needed, 0)
     for root in roots:
         uses[root] += 1
     for node in needed:
-        for kid in graph.kids[node]:
+        for kid in kids[node]:
             uses[kid] += 1
     own: dict[Node, int] = {}
     for node in needed:
-        kids = graph.kids[node]
-        cost = 0 if not kids or graph.op[node] == NEG else 1
-        own[node] = cost + sum(own[kid] for kid in kids if uses[kid] == 1)
+        cost = 0 if not kids[node] or op[node] == NEG else 1
+        for kid in kids[node]:
+            if uses[kid] == 1:
+                cost += own[kid]
+        own[node] = cost
     return own
 
 

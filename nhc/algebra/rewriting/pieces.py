@@ -74,8 +74,8 @@ def _shorten(graph: Graph, node: Node, whole: Container[Node], new: Mapping[Node
     A tree has one operation less than leaves, and cannot have fewer than one less than different leaves; where there could be
     more than ``spare`` to win, the tree is a large one, and not tried.
     """
-    op = graph.op
-    if op[node] not in (ADD, MUL) or not any(_is_inner(graph, kid, whole) for kid in graph.kids[node]):
+    op, kids = graph.op, graph.kids
+    if op[node] not in (ADD, MUL) or not any([_is_inner(graph, kid, whole) for kid in kids[node]]):
         return None
     leaves = _list_leaves(graph, node, whole)
     symbolic = [leaf for leaf in leaves if op[leaf] != NUM]

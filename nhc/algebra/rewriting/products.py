@@ -21,14 +21,13 @@ def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[
     """Equal roots in which products share more of their factors; what contains only ``constants`` (a mask) stays whole."""
     if "shared products" in graph.off:
         return list(roots)
-    nodes = reachable(graph, roots)
+    nodes, deps, moves = reachable(graph, roots), graph.deps, ~constants
     chains, inner = _chains(graph, nodes, roots, constants)
     before = {node: list(factors) for node, factors in chains.items()}
     pairs = _share(chains)
-    fixed_apart = any(sum(not graph.deps[f] & ~constants for f in factors) > 1 for factors in before.values())
-    if chains == before and not fixed_apart:
+    if chains == before and not any(len([f for f in own if not deps[f] & moves]) > 1 for own in before.values()):
         return list(roots)
-    new: dict[Node, Node] = {}
+    new, labels = dict[Node, Node](), graph.labels
 
     def made(factor: int) -> Node:
         if factor in new:
@@ -37,18 +36,19 @@ def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[
             first, second = pairs[-1 - factor]
             new[factor] = graph.mul(made(first), made(second))
         elif factor in chains:
-            found = [made(f) for f in chains[factor]]
-            fixed = graph.product(x for x in found if not graph.deps[x] & ~constants)
-            moving = graph.product(x for x in found if graph.deps[x] & ~constants)
+            found = [new[f] if f in new else made(f) for f in chains[factor]]
+            fixed = graph.product([x for x in found if not deps[x] & moves])
+            moving = graph.product([x for x in found if deps[x] & moves])
             new[factor] = graph.mul(fixed, moving)
         else:
             over = rebuild_over(graph, factor, new)
             new[factor] = factor if over is None else over
-        graph.pass_label(factor, new[factor])
+        if factor in labels:
+            graph.pass_label(factor, new[factor])
         return new[factor]
 
     for node in nodes:
-        if node not in inner:
+        if node not in inner and node not in new:
             made(node)
     return [new[root] for root in roots]
 
@@ -57,28 +57,29 @@ def _chains(
     graph: Graph, nodes: Sequence[Node], roots: Iterable[Node], constants: int
 ) -> tuple[dict[Node, list[int]], set[Node]]:
     """The factors of every product that is no part of a longer one, and the products that are."""
-    g, uses = graph, dict.fromkeys(nodes, 0)
+    op, kids, deps, moves = graph.op, graph.kids, graph.deps, ~constants
+    uses = dict.fromkeys(nodes, 0)
     for root in roots:
         uses[root] += 1
     for node in nodes:
-        for child in g.kids[node]:
+        for child in kids[node]:
             uses[child] += 1
     chains: dict[Node, list[int]] = {}
     inner: set[Node] = set()
     for node in reversed(nodes):
-        if g.op[node] != MUL or node in inner or not g.deps[node] & ~constants:
+        if op[node] != MUL or node in inner or not deps[node] & moves:
             continue
         factors, stack = list[int](), [node]
         while stack:
-            top = stack.pop()
-            for child in g.kids[top]:
-                open_product = g.op[child] == MUL and uses[child] == 1 and g.deps[child] & ~constants
+            for child in kids[stack.pop()]:
+                open_product = op[child] == MUL and uses[child] == 1 and deps[child] & moves
                 if open_product and len(factors) + len(stack) < _MOST_FACTORS:
                     inner.add(child)
                     stack.append(child)
                 else:
                     factors.append(child)
-        chains[node] = sorted(factors)
+        factors.sort()
+        chains[node] = factors
     return chains, inner
 
 

@@ -20,7 +20,7 @@ from nhc.algebra.exact.residues import PRIMES, circle_points
 from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
 
 _LEAST = (0, 1)  # the nodes of these numbers: what vanishes is found, too
-_POINTS, _DRAWS, _AT_ONCE = 2, 20, 16
+_POINTS, _DRAWS, _AT_ONCE = 2, 20, 4
 _ARBITRARY = frozenset({"sqrt", "abs", "sign", "min", "max"})
 _PARTIAL = frozenset({"sqrt", "log", "asin", "acos", "atan2", "powf"})
 """Operations that have no value, or no slope, everywhere."""
@@ -53,6 +53,16 @@ class ArbitraryPoint(FieldPoint):
     def _root(self, x: int) -> int:
         return self._generator("sqrt", x)
 
+    def complete(self, nodes: Sequence[Node]) -> None:
+        """Residues of nodes that stand in order behind all that they are made of, where they have none yet.
+
+        Raises:
+            Unlucky: as in :meth:`evaluate`.
+        """
+        todo = [node for node in nodes if node not in self.values]
+        self._prepare(todo)
+        self.fill(todo)
+
     def _other(self, op: str, node: Node) -> int:
         if op in _ARBITRARY:
             return self._generator(op, *(self.values[child] for child in self.graph.kids[node]))
@@ -66,7 +76,8 @@ def share_values(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     needed = [*_LEAST, *(node for node in reachable(graph, roots) if node not in _LEAST)]
     classes = [needed]
     for index in range(_POINTS):
-        point = _draw(graph, index, reachable(graph, [node for members in classes for node in members]))
+        open_ = reachable(graph, [node for members in classes for node in members]) if index else needed
+        point = _draw(graph, index, open_)
         if point is None:
             return list(roots)
         classes = [part for members in classes for part in _split(graph, members, point)]
@@ -75,13 +86,16 @@ def share_values(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     return _Merging(graph, needed, classes).replace(roots)
 
 
-def _draw(graph: Graph, index: int, nodes: Sequence[Node]) -> FieldPoint | None:
-    """A point modulo the index-th prime with values for the nodes; those from other functions of the graph are taken over."""
-    kept: dict[int, FieldPoint] = graph.memory.setdefault("arbitrary points", {})
+def _draw(graph: Graph, index: int, nodes: Sequence[Node]) -> ArbitraryPoint | None:
+    """A point modulo the index-th prime with values for the nodes, which stand in order behind all that they are made of.
+
+    Values from other functions of the graph are taken over.
+    """
+    kept: dict[int, ArbitraryPoint] = graph.memory.setdefault("arbitrary points", {})
     for seed in range(_DRAWS):
         point = kept.setdefault(index, ArbitraryPoint(graph, 7_000_003 + seed, PRIMES[index]))
         try:
-            point.evaluate(nodes)
+            point.complete(nodes)
         except Unlucky:
             del kept[index]
         else:
@@ -167,9 +181,9 @@ class _Merging:
 
 
 def draw_points(graph: Graph, nodes: Sequence[Node]) -> list[FieldPoint] | None:
-    """A point modulo each of two primes with values for the nodes; None where none was found."""
+    """A point modulo each of two primes with values for the nodes, all that :func:`reachable` finds; None where none was found."""
     points = [_draw(graph, index, nodes) for index in range(_POINTS)]
-    found = [point for point in points if point is not None]
+    found: list[FieldPoint] = [point for point in points if point is not None]
     return found if len(found) == _POINTS else None
 
 

@@ -13,9 +13,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.algebra.calculus import Derivation, Replacement, count
+from nhc.algebra.calculus import Derivation, Replacement
 from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
-from nhc.algebra.rewriting.digits import normalise_kept
+from nhc.algebra.rewriting.digits import shorter_kept
 from nhc.mechanics.frame import Frame, make_frame
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.system import Form, System
@@ -79,8 +79,7 @@ class Counted(Replacement):
         made = super().make(node, children)
         if made == node or not self._is_direction_sum(made):
             return made
-        short = normalise_kept(self.graph, made, _TERMS)
-        return short if count(self.graph, [short]) < count(self.graph, [made]) else made
+        return shorter_kept(self.graph, made, _TERMS)
 
     def differentiate(self, system: System) -> None:
         """Rates of the spec's positions are those of the new expressions, not new expressions of the rates."""
@@ -141,4 +140,4 @@ def count_from_joint(lean: Lean, system: System, kinetic: Kinetic, frame: Frame)
         slope=tuple(counted.of(kinetic.slope)),
         hessian=tuple(tuple(counted.of(row)) for row in kinetic.hessian),
     )
-    return moved, made, make_frame(moved, forms[system.l :], frame.free)
+    return moved, made, make_frame(moved, forms[system.l :], frame.free, known=True)

@@ -7,6 +7,7 @@ masses add up to one mass, one first moment and one inertia, which consist of pa
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations_with_replacement
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Graph, Node
@@ -184,8 +185,10 @@ class _Assembly:
         values = (*self.values, *(plain.values[k] for k in kept))
         tau = substitute(g, [kinetic.tau], self.mapping)[0]
         slopes = gradient(g, tau, symbols)
-        flat = shorten(g, [entry for slope in slopes for entry in gradient(g, slope, symbols)])
-        hessian = [flat[k : k + len(symbols)] for k in range(0, len(flat), len(symbols))]
+        upper = iter(shorten(g, [h for k, slope in enumerate(slopes) for h in gradient(g, slope, symbols[k:])]))
+        hessian = [[g.zero] * len(symbols) for _ in symbols]
+        for i, j in combinations_with_replacement(range(len(symbols)), 2):
+            hessian[i][j] = hessian[j][i] = next(upper)
         mask = g.mask(symbols)
         if any(g.depends(entry, mask) for row in hessian for entry in row):
             return None

@@ -7,7 +7,7 @@ there outright, and between bodies it takes the place of the rows.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from nhc.algebra.calculus import list_terms, reachable, substitute
 from nhc.algebra.graph import Graph, Node
@@ -51,7 +51,7 @@ def read_rolling(scene: Scene, values: Sequence[Node]) -> list[Rolling]:
     """Vector equations among the constraints, those of bases first; their rows may stand anywhere, and each with either sign."""
     found: list[Rolling] = []
     used = set[int]()
-    known = _by_term(scene)
+    known = _by_term(scene, _list_candidates(scene))
     for row in range(scene.system.l):
         rolling = next(_read(scene, known, row, values, used), None) if row not in used else None
         if rolling is not None:
@@ -70,7 +70,10 @@ def _height(vector: Chained) -> int:
 
 def peel_rolling(scene: Scene, values: Sequence[Node]) -> list[Path]:
     """Axes in space on which triples of constraints were written down, turn by turn: no vector of T need turn with them."""
-    known, found = _by_term(scene), list[Path]()
+    candidates, found = _list_candidates(scene), list[Path]()
+    if all(scene.graph.zero in velocity for _, _, velocity in candidates):
+        return found  # in the plane there are no triples
+    known = _by_term(scene, candidates)
     for row in range(scene.system.l):
         for matched in _match(scene, known, row, values, 3, set(range(row))):
             path = scene.velocities.unturn(matched.rest).path
@@ -80,14 +83,21 @@ def peel_rolling(scene: Scene, values: Sequence[Node]) -> list[Path]:
     return found
 
 
-def _by_term(scene: Scene) -> dict[Node, list[Candidate]]:
-    """Vectors by the components of their velocities, and by their first terms; newest positions first, then velocities."""
+def _list_candidates(scene: Scene) -> list[Candidate]:
+    """The vectors that are known, newest positions first, then velocities."""
+    return [
+        (is_position, vector, scene.velocity_of(vector, is_position))
+        for is_position, reader in ((True, scene.positions), (False, scene.velocities))
+        for vector in sorted(reader.known.values(), key=lambda v: v.components, reverse=True)
+    ]
+
+
+def _by_term(scene: Scene, candidates: Iterable[Candidate]) -> dict[Node, list[Candidate]]:
+    """The vectors by the components of their velocities, and by their first terms."""
     g, found = scene.graph, dict[Node, list[Candidate]]()
-    for is_position, reader in ((True, scene.positions), (False, scene.velocities)):
-        for vector in sorted(reader.known.values(), key=lambda v: v.components, reverse=True):
-            velocity = scene.velocity_of(vector, is_position)
-            for key in dict.fromkeys(key for node in velocity for key in (node, *list_terms(g, node)[:1])):
-                found.setdefault(key, []).append((is_position, vector, velocity))
+    for candidate in candidates:
+        for key in dict.fromkeys(key for node in candidate[2] for key in (node, *list_terms(g, node)[:1])):
+            found.setdefault(key, []).append(candidate)
     return found
 
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import Replacement, count, gradient, reachable, substitute
+from nhc.algebra.calculus import Replacement, gradient, reachable, substitute
 from nhc.algebra.graph import ADD, Graph, Node
-from nhc.algebra.rewriting.digits import normalise_kept
+from nhc.algebra.rewriting.digits import normalise_kept, shorter_kept
 from nhc.mechanics.moving.axes import Scene
 from nhc.mechanics.turns import Path, Vector, change_axes, turn_in, turn_out
 
@@ -83,4 +83,4 @@ class _Shortened(Replacement):
         g, made = self.graph, super().make(node, children)
         if made == node or g.op[made] != ADD:
             return made
-        return min(made, normalise_kept(g, made, _TERMS), key=lambda n: count(g, [n, *self._beside]))
+        return shorter_kept(g, made, _TERMS, self._beside)

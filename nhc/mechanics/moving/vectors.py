@@ -57,6 +57,7 @@ class Reader:
     moving: int  # mask of the coordinates and the time
     known: dict[Vector, Chained] = field(default_factory=dict)
     _sums: dict[Node, dict[Node, Fraction]] = field(default_factory=dict)
+    _angles: dict[Node, frozenset[Node]] = field(default_factory=dict)
     _at: tuple[dict[Node, list[Chained]], ...] = field(default_factory=lambda: ({}, {}, {}))
 
     def read(self, components: Vector) -> Chained:
@@ -258,13 +259,21 @@ class Reader:
 
     def angles_of(self, components: Sequence[Node]) -> list[Node]:
         """Angles whose sine or cosine the components contain, the newest first."""
-        g = self.graph
-        found = {g.a[node] for node in reachable(g, components) if g.op[node] in ("sin", "cos")}
-        return sorted(found, reverse=True)
+        return sorted(set[Node]().union(*map(self._angles_in, components)), reverse=True)
+
+    def _angles_in(self, node: Node) -> frozenset[Node]:
+        known = self._angles.get(node)
+        if known is None:
+            g = self.graph
+            turned = (inner for inner in reachable(g, [node]) if g.op[inner] in ("sin", "cos"))
+            known = self._angles[node] = frozenset(map(g.a.__getitem__, turned))
+        return known
 
     def _try(self, components: Vector, angle: Node) -> tuple[Turn, Vector, Vector] | None:
         g = self.graph
         c, s = g.function("cos", angle), g.function("sin", angle)
+        if all(angle in self._angles_in(x) for x in components):
+            return None  # an axis of the turn, whose component it leaves as it is, is none of the three
         C, S = g.symbol("cosine", "test"), g.symbol("sine", "test")
         mask = g.mask((C, S))
         marked = substitute(g, components, {c: C, s: S}, named=False)

@@ -166,7 +166,7 @@ def usual_digits(system: System, value: Node, scale: Node) -> int:
     known: dict[tuple[Node, Node], int] = system.graph.memory.setdefault("usual digits", {})
     if (value, scale) not in known:
         ratios, nodes = [], [value, scale, size_of(system.graph, value)]
-        for point in trial_points(system):
+        for point in _kept_points(system, ordinary=False):
             try:
                 found, size, terms = (float(x) for x in evaluate(system.graph, nodes, point))
             except (ArithmeticError, ValueError, KeyError):

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:f7955fecf7ab9d3c)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:84693c1d456ec0e8)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -69,7 +69,7 @@
  * residuals: 108 +-, 183 *, 2 /, 12 calls
  * reactions: 402 +-, 616 *, 3 /, 12 calls
  * energy: 168 +-, 278 *, 3 /, 12 calls
- * jacobian: 3688 +-, 5104 *, 7 /, 17 calls
+ * jacobian: 3683 +-, 5097 *, 7 /, 17 calls
  * outputs: 57 +-, 101 *, 3 /, 15 calls
  *
  * Calls: t is the time, y has BICYCLE_NY entries and p BICYCLE_NP; bicycle_parameter_defaults can be p.

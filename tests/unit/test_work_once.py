@@ -1,0 +1,69 @@
+"""What is known is not made again: functions of a program, walks over the graph, and error bounds at several points."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+
+import pytest
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import Graph
+from nhc.algebra.probe import Probe
+from nhc.algebra.rewriting.digits import _Points
+from nhc.diagnostics import Source
+from nhc.pipeline import Options, emit
+from nhc.program import build
+from tests.support import ROOT
+
+
+@pytest.mark.parametrize("name", ["chaplygin_sleigh", "holonomic_pendulum"])
+def test_emitting_everything_lowers_each_function_once(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    lowered, lower = Counter[str](), build.lower_function
+
+    def counted(graph, plan, parameters):  # type: ignore[no-untyped-def]
+        lowered[plan.name] += 1
+        return lower(graph, plan, parameters)
+
+    monkeypatch.setattr(build, "lower_function", counted)
+    path = ROOT / "specs" / f"{name}.yaml"
+    emit(Source(path.name, path.read_text(encoding="utf-8")), "c", Options())
+    assert lowered["rhs"] == lowered["energy"] == 1
+    assert lowered["positions"] == (name == "holonomic_pendulum")
+    assert set(lowered.values()) == {1}
+
+
+def test_a_walk_that_is_remembered_belongs_to_its_caller() -> None:
+    g = Graph()
+    x, y = g.symbol("x"), g.symbol("y")
+    root = g.add(g.mul(x, y), g.function("sin", x))
+    first = reachable(g, [root])
+    kept = list(first)
+    first.clear()
+    second = reachable(g, [root])
+    assert second == kept
+    second.reverse()
+    assert reachable(g, [root]) == kept
+    assert reachable(g, [x]) == [x]
+    assert reachable(g, [root]) == kept
+
+
+def test_bounds_at_all_points_are_those_of_a_probe_at_each() -> None:
+    g = Graph()
+    x, y = g.symbol("x"), g.symbol("y")
+    difference = g.sub(g.power(g.sub(x, y), 3), g.div(g.function("sin", x), g.add(y, g.number(2))))
+    nodes = [difference, g.function("sqrt", difference), g.function("atan2", x, difference), g.mul(g.pi(), difference)]
+    points = _Points(g)
+    points.evaluate(nodes)
+    for k in range(len(points.values[x])):
+
+        class Placed(Probe):
+            def _place(self, symbol, k=k):  # type: ignore[no-untyped-def]
+                return points.values[g.symbol(symbol.name)][k]
+
+        probe = Placed(g)
+        for node in nodes:
+            value = probe.value(node)
+            assert value == points.values[node][k] or (math.isnan(value) and math.isnan(points.values[node][k]))
+            if math.isfinite(value):
+                assert probe.errors[node] == points.errors[node][k]
