@@ -16,6 +16,7 @@ from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, program
 from nhc.program.model import build_program
@@ -174,6 +175,35 @@ def test_any_order_of_pivots_solves_the_same(seed: int) -> None:
     assert not arrow or size < 3 or factors.order[0] != 0
     found = solve_factored(g, factors, right)
     assert are_equal(g, [g.dot(row, found) for row in matrix], right)
+
+
+def trailers(count: int) -> str:
+    """A car and trailers that hang behind the axles: at every level all brackets are independent."""
+    every, define, rows = range(1, count + 1), ["x0: x", "y0: y"], ["- -sin(b0)*x' + cos(b0)*y' = 0"]
+    for i in every:
+        define.append(f"x{i}: x{i - 1} - h*cos(b{i - 1}) - l*cos(b{i})")
+        define.append(f"y{i}: y{i - 1} - h*sin(b{i - 1}) - l*sin(b{i})")
+        rows.append(f"- -sin(b{i})*x{i}' + cos(b{i})*y{i}' = 0")
+    return assemble(
+        ["x", "y", "b0", *(f"b{i}" for i in every)],
+        {
+            "parameters": "{h: 0.3, l: 0.8}",
+            "define": define,
+            "T": "(" + " + ".join(f"x{i}'^2 + y{i}'^2 + b{i}'^2" for i in (0, *every)) + ")/2",
+            "constraints": rows,
+            "quasi_velocities": ["v: cos(b0)*x' + sin(b0)*y'", "w: b0'"],
+        },
+    )
+
+
+def test_growth_vectors_of_long_trains() -> None:
+    """n coordinates with n^2 slopes; each more level of brackets once cost a multiple (an exponent of 2.9)."""
+
+    def study(text: str) -> None:
+        system = resolve(decode(Source("many.yaml", text)))
+        assert classify(system, formulate(system).frame).growth[:4] == (2, 3, 5, 8)
+
+    assert growth(trailers, 8, study) < 2.2
 
 
 def test_coframes_are_sought_among_few_sets_of_columns() -> None:
