@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable
+from itertools import pairwise
 from math import log2
 from random import Random
 from types import FrameType
@@ -155,6 +157,39 @@ def test_steered_links_cost_the_same_each() -> None:
     four, eight, sixteen = (operations(steered(n)) for n in (4, 8, 16))
     assert sixteen - eight <= 2.1 * (eight - four)
     assert growth(steered, 8) < 1.4
+
+
+def without_velocities(text: Callable[[int], str]) -> Callable[[int], str]:
+    """The same system, with velocities that nhc has to choose."""
+    return lambda count: re.sub(r"(?m)^quasi_velocities:\n(?:  .*\n)*", "", text(count))
+
+
+def apart(count: int) -> str:
+    """A snake whose wheels stand before the middles of their links."""
+    every, define, rows = range(1, count + 1), ["x1: x", "y1: y"], []
+    for i in every:
+        if i > 1:
+            define.append(f"x{i}: x{i - 1} - a*cos(b{i - 1}) - a*cos(b{i})")
+            define.append(f"y{i}: y{i - 1} - a*sin(b{i - 1}) - a*sin(b{i})")
+        rows.append(f"- -sin(b{i})*(x{i} + e*cos(b{i}))' + cos(b{i})*(y{i} + e*sin(b{i}))' = 0")
+    return assemble(
+        ["x", "y", *(f"b{i}" for i in every)],
+        {
+            "parameters": "{a: 0.5, J: 0.1, e: 0.2}",
+            "define": define,
+            "T": "(" + " + ".join(f"x{i}'^2 + y{i}'^2 + J*b{i}'^2" for i in every) + ")/2",
+            "constraints": rows,
+        },
+    )
+
+
+@pytest.mark.parametrize("text", [without_velocities(steered), apart], ids=["steered", "apart"])
+def test_velocities_are_chosen_along_the_chain(text: Callable[[int], str]) -> None:
+    """The determinant of other velocities may be larger, but they lie at both ends, and nothing is short in them."""
+    sizes = [10, 15, 20, 25]
+    found = [operations(text(n)) for n in sizes]
+    steps = [after - before for before, after in pairwise(found)]
+    assert max(steps) <= 1.1 * min(steps), found
 
 
 @pytest.mark.parametrize("seed", range(20))

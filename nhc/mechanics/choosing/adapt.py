@@ -20,8 +20,15 @@ from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
+from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regular.regularity import choose_dependent, coframe_weakness, intervals, relative_determinant
+from nhc.mechanics.regular.regularity import (
+    choose_dependent,
+    coframe_weakness,
+    intervals,
+    relative_determinant,
+    weak_where_constraints_are_not,
+)
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
 from nhc.mechanics.row_factors import without_common
 from nhc.mechanics.system import Form, System
@@ -29,6 +36,7 @@ from nhc.mechanics.turning import rows_in_base
 
 _MOST_ROWS = 3
 _MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
+_MANY_ROWS = 8  # whose order says more than the size of their determinant
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
 _ROUNDING = 1e-12
 _TURNS = 8  # orders of velocities to complete a coframe with that are tried
@@ -52,6 +60,27 @@ def adapted_forms(system: System) -> tuple[Form, ...] | None:
         made.append(best[0])
         used.update(best[1])
     return (*made, *(coordinate_form(system, j) for j in free_columns if j not in used))
+
+
+def stepwise_forms(system: System) -> tuple[Form, ...] | None:
+    """n - l free forms where each constraint in turn is solved for a velocity of its own, or completed by the row of its minors on
+    two of them; None where one has no velocity of its own.
+    """
+    steps = order_stepwise(system)
+    if steps is None:
+        return None
+    made: list[Form] = []
+    used: set[int] = set()
+    for step in steps:
+        if step.pivot is not None or len(step.columns) == 1:
+            used.add(step.columns[0] if step.pivot is None else step.pivot)
+            continue
+        best = _minor_form(system, [step.row], step.columns, unused_name(system, "v", [form.name for form in made]))
+        if best is None:
+            return None
+        made.append(best[0])
+        used.update(best[1])
+    return (*made, *(coordinate_form(system, j) for j in range(system.n) if j not in used))
 
 
 def _apart(system: System, rows: Sequence[int], columns: Sequence[int]) -> list[list[int]]:
@@ -182,7 +211,13 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
         return coframe_weakness(system, (*system.constraints, *made)), made
 
     pools = _pools(system)
-    (weak, _), best = min((weigh(pool) for pool in pools), key=lambda weighed: weighed[0])
+    weighed = [weigh(pool) for pool in pools]
+    (weak, _), best = min(weighed, key=lambda found: found[0])
+    if system.l > _MANY_ROWS:
+        ordered = adapted_forms(system) or stepwise_forms(system) or ()
+        (trial, _), made = weigh([*ordered, *pools[0]])
+        if (_weak_ordinary(system, made), trial) <= (_weak_ordinary(system, best), weak):
+            weak, best = trial, made  # the size of a determinant of many rows says little, their order much
     own = pools[0][: -system.n]
     for k in range(1, min(len(own), _TURNS) if forms else 0):
         if weak == 0:
@@ -191,6 +226,10 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
         if trial < weak:
             weak, best = trial, made
     return best
+
+
+def _weak_ordinary(system: System, made: Sequence[Form]) -> int:
+    return weak_where_constraints_are_not(system, (*system.constraints, *made))
 
 
 def _pools(system: System) -> list[list[Form]]:
