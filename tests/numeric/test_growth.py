@@ -183,6 +183,32 @@ def apart(count: int) -> str:
     )
 
 
+def seldom(count: int) -> str:
+    """A snake with wheels under every third link: constraints leave many velocities, each on what is behind it."""
+    every, define, rows = range(1, count + 1), ["x1: x", "y1: y"], []
+    for i in every:
+        if i > 1:
+            define.append(f"x{i}: x{i - 1} - a*cos(b{i - 1}) - a*cos(b{i})")
+            define.append(f"y{i}: y{i - 1} - a*sin(b{i - 1}) - a*sin(b{i})")
+        if i % 3 == 1:
+            rows.append(f"- -sin(b{i})*x{i}' + cos(b{i})*y{i}' = 0")
+    return assemble(
+        ["x", "y", *(f"b{i}" for i in every)],
+        {
+            "parameters": "{a: 0.5, J: 0.1}",
+            "define": define,
+            "T": "(" + " + ".join(f"x{i}'^2 + y{i}'^2 + J*b{i}'^2" for i in every) + ")/2",
+            "constraints": rows,
+        },
+    )
+
+
+def test_recursions_side_by_side_stay_linear() -> None:
+    """Velocities, and what constraints make of them, go from the leaves to the root together, not one after the other."""
+    sixteen, thirty_one, forty_six = (operations(seldom(n)) for n in (16, 31, 46))
+    assert forty_six - thirty_one <= 1.1 * (thirty_one - sixteen)
+
+
 @pytest.mark.parametrize("text", [without_velocities(steered), apart], ids=["steered", "apart"])
 def test_velocities_are_chosen_along_the_chain(text: Callable[[int], str]) -> None:
     """The determinant of other velocities may be larger, but they lie at both ends, and nothing is short in them."""

@@ -216,7 +216,7 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
     if system.l > _MANY_ROWS:
         ordered = adapted_forms(system) or stepwise_forms(system) or ()
         (trial, _), made = weigh([*ordered, *pools[0]])
-        if (_weak_ordinary(system, made), trial) <= (_weak_ordinary(system, best), weak):
+        if _weak_ordinary(system, made) <= _weak_ordinary(system, best):
             weak, best = trial, made  # the size of a determinant of many rows says little, their order much
     own = pools[0][: -system.n]
     for k in range(1, min(len(own), _TURNS) if forms else 0):
