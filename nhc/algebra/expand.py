@@ -174,23 +174,27 @@ class Expander:
         return self._bounded(result)
 
     def _reduce(self, p: Packed) -> Packed:
-        """cos^2 -> 1 - sin^2, until no square of a cosine is left."""
-        pending, done = list(p.items()), Packed()
+        """cos^2 -> 1 - sin^2, until no square of a cosine is left.
+
+        One square of each monomial at a time, so that equal monomials meet on the way: cos^40 has 21 terms, not 2^20.
+        """
+        done, pending = Packed(), p
         while pending:
-            monomial, c = pending.pop()
-            high = monomial + self._shift & self._cosines
-            if not high:
-                c += done.get(monomial, 0)
-                if c:
-                    done[monomial] = c
-                else:
-                    done.pop(monomial, None)
-                continue
-            cosine = high.bit_length() // 16 - 1
-            rest = monomial - (2 << 16 * cosine)
-            pending.append((rest, c))
-            pending.append((rest + (2 << 16 * self._sine_of(cosine)), -c))
-        return done
+            new = Packed()
+            for monomial, c in pending.items():
+                high = monomial + self._shift & self._cosines
+                if not high:
+                    done[monomial] = done.get(monomial, 0) + c
+                    continue
+                cosine = high.bit_length() // 16 - 1
+                rest = monomial - (2 << 16 * cosine)
+                other = rest + (2 << 16 * self._sine_of(cosine))
+                new[rest] = new.get(rest, 0) + c
+                new[other] = new.get(other, 0) - c
+            if len(new) > 8 * self.limit:
+                raise TooLarge
+            pending = {m: c for m, c in new.items() if c}
+        return {m: c for m, c in done.items() if c}
 
     def _sine_of(self, cosine: int) -> int:
         known = self._sine.get(cosine)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable
+from itertools import pairwise
 from math import log2
 from random import Random
 from types import FrameType
@@ -15,7 +17,10 @@ from nhc.algebra.graph import Graph
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.choosing.independence import independence
 from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.properties.integrability import classify
+from nhc.mechanics.regular.trials import ordinary_points
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, program
 from nhc.program.model import build_program
@@ -156,6 +161,74 @@ def test_steered_links_cost_the_same_each() -> None:
     assert growth(steered, 8) < 1.4
 
 
+def without_velocities(text: Callable[[int], str]) -> Callable[[int], str]:
+    """The same system, with velocities that nhc has to choose."""
+    return lambda count: re.sub(r"(?m)^quasi_velocities:\n(?:  .*\n)*", "", text(count))
+
+
+def apart(count: int, sign: str = "-") -> str:
+    """A snake whose wheels stand behind the middles of their links, or before them: its tail then swings out ever more."""
+    every, define, rows = range(1, count + 1), ["x1: x", "y1: y"], []
+    for i in every:
+        if i > 1:
+            define.append(f"x{i}: x{i - 1} - a*cos(b{i - 1}) - a*cos(b{i})")
+            define.append(f"y{i}: y{i - 1} - a*sin(b{i - 1}) - a*sin(b{i})")
+        rows.append(f"- -sin(b{i})*(x{i} {sign} e*cos(b{i}))' + cos(b{i})*(y{i} {sign} e*sin(b{i}))' = 0")
+    return assemble(
+        ["x", "y", *(f"b{i}" for i in every)],
+        {
+            "parameters": "{a: 0.5, J: 0.1, e: 0.2}",
+            "define": define,
+            "T": "(" + " + ".join(f"x{i}'^2 + y{i}'^2 + J*b{i}'^2" for i in every) + ")/2",
+            "constraints": rows,
+        },
+    )
+
+
+def seldom(count: int) -> str:
+    """A snake with wheels under every third link: constraints leave many velocities, each on what is behind it."""
+    every, define, rows = range(1, count + 1), ["x1: x", "y1: y"], []
+    for i in every:
+        if i > 1:
+            define.append(f"x{i}: x{i - 1} - a*cos(b{i - 1}) - a*cos(b{i})")
+            define.append(f"y{i}: y{i - 1} - a*sin(b{i - 1}) - a*sin(b{i})")
+        if i % 3 == 1:
+            rows.append(f"- -sin(b{i})*x{i}' + cos(b{i})*y{i}' = 0")
+    return assemble(
+        ["x", "y", *(f"b{i}" for i in every)],
+        {
+            "parameters": "{a: 0.5, J: 0.1}",
+            "define": define,
+            "T": "(" + " + ".join(f"x{i}'^2 + y{i}'^2 + J*b{i}'^2" for i in every) + ")/2",
+            "constraints": rows,
+        },
+    )
+
+
+def test_recursions_side_by_side_stay_linear() -> None:
+    """Velocities, and what constraints make of them, go from the leaves to the root together, not one after the other."""
+    sixteen, thirty_one, forty_six = (operations(seldom(n)) for n in (16, 31, 46))
+    assert forty_six - thirty_one <= 1.1 * (thirty_one - sixteen)
+
+
+@pytest.mark.parametrize("text", [without_velocities(steered), apart], ids=["steered", "apart"])
+def test_velocities_are_chosen_along_the_chain(text: Callable[[int], str]) -> None:
+    """The determinant of other velocities may be larger, but they lie at both ends, and nothing is short in them."""
+    sizes = [10, 15, 20, 25]
+    found = [operations(text(n)) for n in sizes]
+    steps = [after - before for before, after in pairwise(found)]
+    assert max(steps) <= 1.1 * min(steps), found
+
+
+@pytest.mark.parametrize("count", [9, 20, 30])
+def test_velocities_that_say_what_the_tail_does(count: int) -> None:
+    """Those of the head alone leave no digit of a tail that moves 10^7 times as fast: the accelerations had five, or none."""
+    system = resolve(decode(Source("many.yaml", apart(count, "+"))))
+    frame = formulate(system).frame
+    assert frame is not None
+    assert independence(system, frame.forms[system.l :], ordinary_points(system)) > 1e-5
+
+
 @pytest.mark.parametrize("seed", range(20))
 def test_any_order_of_pivots_solves_the_same(seed: int) -> None:
     """Matrices with random zeros, and arrows: L D L^T in another order is the solution as a rational function."""
@@ -174,6 +247,35 @@ def test_any_order_of_pivots_solves_the_same(seed: int) -> None:
     assert not arrow or size < 3 or factors.order[0] != 0
     found = solve_factored(g, factors, right)
     assert are_equal(g, [g.dot(row, found) for row in matrix], right)
+
+
+def trailers(count: int) -> str:
+    """A car and trailers that hang behind the axles: at every level all brackets are independent."""
+    every, define, rows = range(1, count + 1), ["x0: x", "y0: y"], ["- -sin(b0)*x' + cos(b0)*y' = 0"]
+    for i in every:
+        define.append(f"x{i}: x{i - 1} - h*cos(b{i - 1}) - l*cos(b{i})")
+        define.append(f"y{i}: y{i - 1} - h*sin(b{i - 1}) - l*sin(b{i})")
+        rows.append(f"- -sin(b{i})*x{i}' + cos(b{i})*y{i}' = 0")
+    return assemble(
+        ["x", "y", "b0", *(f"b{i}" for i in every)],
+        {
+            "parameters": "{h: 0.3, l: 0.8}",
+            "define": define,
+            "T": "(" + " + ".join(f"x{i}'^2 + y{i}'^2 + b{i}'^2" for i in (0, *every)) + ")/2",
+            "constraints": rows,
+            "quasi_velocities": ["v: cos(b0)*x' + sin(b0)*y'", "w: b0'"],
+        },
+    )
+
+
+def test_growth_vectors_of_long_trains() -> None:
+    """n coordinates with n^2 slopes; each more level of brackets once cost a multiple (an exponent of 2.9)."""
+
+    def study(text: str) -> None:
+        system = resolve(decode(Source("many.yaml", text)))
+        assert classify(system, formulate(system).frame).growth[:4] == (2, 3, 5, 8)
+
+    assert growth(trailers, 8, study) < 2.2
 
 
 def test_coframes_are_sought_among_few_sets_of_columns() -> None:

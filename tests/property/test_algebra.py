@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from fractions import Fraction
+from math import comb
 
 import mpmath
 import pytest
@@ -15,6 +16,7 @@ from nhc.algebra.calculus import derivative, gradient, substitute, tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import Floats, Mpmath, evaluate
 from nhc.algebra.exact.modular import FieldPoint, Unlucky, are_zero, is_zero
+from nhc.algebra.expand import Expander, TooLarge
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.solving.blocks import block_order
@@ -193,6 +195,17 @@ def test_canonical_form_is_equal(tree: Tree) -> None:
     g = Graph()
     node = build(g, tree)
     assert is_zero(g, g.sub(node, normalise(g, node)))
+
+
+def test_high_powers_of_cosines_are_short() -> None:
+    """cos^(2n) has n + 1 terms in sin^2, and 2^n on the way if equal ones do not meet; products of many have as many to the end."""
+    g = Graph()
+    x = [g.function("cos", g.symbol(f"x{k}")) for k in range(60)]
+    short = Expander(g, 300, circle=True).expand([g.power(x[0], 80)])[0]
+    sine = g.function("sin", g.symbol("x0"))
+    assert short == {((sine, 2 * k),) if k else (): (-1) ** k * comb(40, k) for k in range(41)}
+    with pytest.raises(TooLarge):
+        Expander(g, 300, circle=True).expand([g.product([g.power(c, 2) for c in x])])
 
 
 def test_a_length_that_is_a_difference_of_parameters_cancels_as_one_letter_would() -> None:

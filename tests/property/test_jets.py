@@ -138,3 +138,31 @@ def test_roots_of_squares_have_a_sign() -> None:
     size = g.function("sqrt", g.power(x, 2))
     assert growth_vector(g, [x, y, z], [(g.one, g.zero, size), (g.zero, g.one, g.zero)]) == (2,)
     assert growth_vector(g, [x, y, z], [(g.one, g.zero, g.mul(size, y)), (g.zero, g.one, g.zero)]) == (2, 3)
+
+
+@pytest.mark.parametrize(
+    ("letters", "size", "ranks"), [(2, 14, (2, 3, 5, 8, 14)), (2, 16, (2, 3, 5, 8, 14, 16)), (3, 16, (3, 6, 14, 16))]
+)
+def test_growth_of_generic_fields(letters: int, size: int, ranks: tuple[int, ...]) -> None:
+    """Brackets of generic fields are as independent as in the free Lie algebra (Witt 1937: 2, 1, 2, 3, 6; 3, 3, 8)."""
+    rng, g = random.Random(size), Graph()
+    x = [g.symbol(f"x{k}", "coordinate") for k in range(size)]
+    fields: list[Field] = []
+    for k in range(letters):
+        tail = []
+        for _ in range(size - letters):
+            powers = [g.product(g.power(v, rng.randrange(1, 4)) for v in rng.sample(x[:letters], 2)) for _ in range(4)]
+            tail.append(
+                g.sum([g.scale(rng.randrange(1, 9), power) for power in [*powers, *rng.sample(x[letters:], 2)]])
+            )
+        fields.append((*(g.one if i == k else g.zero for i in range(letters)), *tail))
+    assert growth_vector(g, x, fields) == ranks
+
+
+def test_brackets_of_more_than_one_random_field() -> None:
+    """x'' and y'' drive z' = x y'' - y x'' and more: brackets that one generic field alone does not lead to."""
+    g = Graph()
+    x = [g.symbol(f"x{k}", "coordinate") for k in range(9)]
+    rest = (g.one, x[0], x[1], g.mul(x[0], x[3]), g.mul(x[1], x[4]), g.mul(x[2], x[5]), g.mul(x[2], x[6]))
+    fields: list[Field] = [(g.one, g.zero, *(g.zero for _ in rest)), (g.zero, g.one, *rest)]
+    assert growth_vector(g, x, fields) == written_growth(g, x, fields)

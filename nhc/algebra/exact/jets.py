@@ -21,6 +21,9 @@ from nhc.records import record
 Series = list[list[int]]
 """Coefficients by the monomial of a box and the power of s."""
 
+WIDTH = 20
+"""Bytes of a coefficient of a sum of products: two residues of 61 bits, over powers, components and monomials."""
+
 _SCALE, _KEEP, _FUNCTION = "scale", "keep", "function"
 
 
@@ -54,11 +57,25 @@ class Box:
 
     ``parts``: for each monomial the pairs of monomials whose product it is, itself and 1 first.  ``slopes``: its exponent e in the
     last variable that it has, and with each pair the one that the first of the two has in it: what belongs to it in f' is e f, and
-    the exponents' weights give the rest of a product with a derivative.
+    the exponents' weights give the rest of a product with a derivative.  ``places``: of the monomials in a number that stands for a
+    polynomial, whose products are those of the polynomials (Kronecker 1882).
     """
 
     parts: tuple[tuple[tuple[int, int], ...], ...]
     slopes: tuple[tuple[int, tuple[tuple[int, int, int], ...]], ...]
+    places: tuple[int, ...]
+
+    def pack(self, residues: Sequence[int]) -> int:
+        """The polynomial with these coefficients as a number."""
+        text = bytearray(self.places[-1] + WIDTH)
+        for place, x in zip(self.places, residues, strict=True):
+            text[place : place + 8] = x.to_bytes(8, "little")
+        return int.from_bytes(text, "little")
+
+    def unpack(self, number: int) -> list[int]:
+        """The coefficients of a sum of products."""
+        text = number.to_bytes(max(self.places[-1] + WIDTH, (number.bit_length() + 7) // 8), "little")
+        return [int.from_bytes(text[place : place + WIDTH], "little") for place in self.places]
 
 
 @cache
@@ -74,7 +91,11 @@ def make_box(lengths: tuple[int, ...]) -> Box:
         weighted = [(m[last], *pair) for m, pair in zip(below, pairs, strict=True) if last >= 0 and m[last]]
         parts.append(tuple(pairs))
         slopes.append((whole[last] if last >= 0 else 0, tuple(weighted)))
-    return Box(tuple(parts), tuple(slopes))
+    strides = [WIDTH]
+    for length in lengths:
+        strides.append(strides[-1] * (2 * length + 1))
+    places = tuple(sum(map(mul, m, strides)) for m in monomials)
+    return Box(tuple(parts), tuple(slopes), places)
 
 
 @record
@@ -87,6 +108,7 @@ class JetPlan:
     nodes: tuple[Node, ...]  # all that need a value at the point
     moving: tuple[tuple[str, Node, Node, Node], ...]  # operation, node, operands; a factor that is still comes first
     still: tuple[Node, ...]  # what does not move and is asked for nevertheless
+    factors: tuple[Node, ...]  # what stands in products, powers and functions, and the powers themselves
 
 
 def plan_jets(graph: Graph, roots: Sequence[Node], variables: Sequence[Node]) -> JetPlan:
@@ -94,7 +116,7 @@ def plan_jets(graph: Graph, roots: Sequence[Node], variables: Sequence[Node]) ->
     mask, given = graph.mask(tuple(variables)), set(variables)
     nodes = close(graph, roots, mask)
     deps, moving = graph.deps, []
-    asked = dict.fromkeys(roots)
+    asked, factors = dict.fromkeys(roots), dict[Node, None]()
     for node in nodes:
         if not deps[node] & mask or node in given:
             continue
@@ -105,10 +127,16 @@ def plan_jets(graph: Graph, roots: Sequence[Node], variables: Sequence[Node]) ->
             kind, a, b = (_KEEP, a, a) if kind == ADD else (_SCALE, b, a)
         if _is_function(graph, node, mask):
             kind = _FUNCTION
-            asked |= dict.fromkeys((*graph.kids[node], *slopes(graph, node)))
+            own = dict.fromkeys((*graph.kids[node], *slopes(graph, node)))
+            asked |= own
+            factors |= own
+        elif kind == MUL:
+            factors |= {a: None, b: None}
+        elif kind == POW:
+            factors |= {a: None, node: None}
         moving.append((kind, node, a, b))
     still = tuple(node for node in asked if not deps[node] & mask)
-    return JetPlan(graph, tuple(roots), tuple(variables), tuple(nodes), tuple(moving), still)
+    return JetPlan(graph, tuple(roots), tuple(variables), tuple(nodes), tuple(moving), still, tuple(factors))
 
 
 class Jets:
@@ -126,6 +154,10 @@ class Jets:
         self._work = [
             (kind, node, series[node], a, series.get(a, []), series.get(b, [])) for kind, node, a, b in plan.moving
         ]
+        self.packed: dict[Node, list[int]] = {}
+        self._reciprocals: dict[Node, int] = {}
+        if len(sets) > 1:
+            self.packed = {node: [] for node in plan.factors if node in series}
 
     def extend(self, k: int) -> None:
         """The coefficients of s^k, once those of lower powers are known and those of the variables reach so far.
@@ -137,6 +169,11 @@ class Jets:
         for node in self.plan.still:
             for i in range(len(parts)):
                 self.series[node][i].append(0 if k or i else values[node])
+        for node in self.packed.keys() - {node for _, node, _, _ in self.plan.moving}:
+            self.packed[node].append(self.box.pack([c[k] for c in self.series[node]]))
+        if k and self.packed:
+            self._extend_packed(k)
+            return
         if not k:
             for _, node, made, *_ in self._work:
                 made[0].append(values[node])
@@ -160,6 +197,55 @@ class Jets:
                 else:
                     new = self._function(node, whole, k)
                 made[whole].append(new % p)
+        for node, numbers in self.packed.items():
+            if not numbers:
+                numbers.append(self.box.pack([c[k] for c in self.series[node]]))
+
+    def _extend_packed(self, k: int) -> None:
+        """The same for k > 0, all monomials at once."""
+        p, values, packed, unpack = self.prime, self.values, self.packed, self.box.unpack
+        for (kind, node, made, a, x, y), (_, _, _, b) in zip(self._work, self.plan.moving, strict=True):
+            if kind == MUL:
+                new = unpack(sum(map(mul, packed[a], packed[b][k::-1])))
+            elif kind == ADD:
+                new = [u[k] + v[k] for u, v in zip(x, y, strict=True)]
+            elif kind == _SCALE:
+                factor = values[a]
+                new = [factor * v[k] for v in y]
+            elif kind == _KEEP:
+                new = [u[k] for u in x]
+            elif kind == NEG:
+                new = [-u[k] for u in x]
+            elif kind == POW:
+                new = self._packed_power(node, a, self.plan.graph.b[node], k)
+            else:
+                new = self._packed_function(node, k)
+            new = [c % p for c in new]
+            for powers, c in zip(made, new, strict=True):
+                powers.append(c)
+            if node in packed:
+                packed[node].append(self.box.pack(new))
+
+    def _packed_function(self, node: Node, k: int) -> list[int]:
+        graph, packed = self.plan.graph, self.packed
+        pairs = zip(graph.kids[node], slopes(graph, node), strict=True)
+        total = sum(_weighted(packed[child], packed[slope], k) for child, slope in pairs if child in packed)
+        inverse = pow(k, -1, self.prime)
+        return [c % self.prime * inverse for c in self.box.unpack(total)]
+
+    def _packed_power(self, f: Node, u: Node, n: int, k: int) -> list[int]:
+        p, packed, box = self.prime, self.packed, self.box
+        if f not in self._reciprocals:
+            first = [c[0] for c in self.series[u]]
+            inverse = [pow(first[0], -1, p)]
+            for pairs in box.parts[1:]:
+                inverse.append(-inverse[0] * sum(first[i] * inverse[j] for i, j in pairs if j < len(inverse)) % p)
+            self._reciprocals[f] = box.pack(inverse)
+        gained = box.unpack(_weighted(packed[u], packed[f], k))
+        lost = box.unpack(_weighted(packed[f], packed[u], k))
+        scale = pow(k, -1, p)
+        rest = [(n * x - y) % p * scale % p for x, y in zip(gained, lost, strict=True)]
+        return box.unpack(box.pack(rest) * self._reciprocals[f])
 
     def _function(self, node: Node, whole: int, k: int) -> int:
         """f' = sum of f_u u', along s or, before it moves, along another variable."""
@@ -191,5 +277,5 @@ class Jets:
 
 
 def _weighted(u: Sequence[int], v: Sequence[int], k: int) -> int:
-    """sum of j u_j v_{k-j} for j from 1 to k."""
+    """sum of j u_j v_{k-j} for j from 1 to k, or as far as u is known."""
     return sum(map(mul, map(mul, range(1, k + 1), u[1 : k + 1]), v[k - 1 :: -1]))

@@ -9,8 +9,6 @@ velocity along the edge.  Rows that share no column are completed each by themse
 
 from __future__ import annotations
 
-import math
-import operator
 from collections.abc import Sequence
 from itertools import combinations, islice
 
@@ -20,8 +18,16 @@ from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
+from nhc.mechanics.choosing.independence import independence, strongest
+from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regular.regularity import choose_dependent, coframe_weakness, intervals, relative_determinant
+from nhc.mechanics.regular.regularity import (
+    choose_dependent,
+    coframe_weakness,
+    intervals,
+    relative_determinant,
+    weak_where_constraints_are_not,
+)
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
 from nhc.mechanics.row_factors import without_common
 from nhc.mechanics.system import Form, System
@@ -29,8 +35,9 @@ from nhc.mechanics.turning import rows_in_base
 
 _MOST_ROWS = 3
 _MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
+_MANY_ROWS = 8  # whose order says more than the size of their determinant
+_SOUND = 1e-5  # of a free velocity's length: the mass matrix has its square, and six digits are left
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
-_ROUNDING = 1e-12
 _TURNS = 8  # orders of velocities to complete a coframe with that are tried
 
 
@@ -52,6 +59,27 @@ def adapted_forms(system: System) -> tuple[Form, ...] | None:
         made.append(best[0])
         used.update(best[1])
     return (*made, *(coordinate_form(system, j) for j in free_columns if j not in used))
+
+
+def stepwise_forms(system: System) -> tuple[Form, ...] | None:
+    """n - l free forms where each constraint in turn is solved for a velocity of its own, or completed by the row of its minors on
+    two of them; None where one has no velocity of its own.
+    """
+    steps = order_stepwise(system)
+    if steps is None:
+        return None
+    made: list[Form] = []
+    used: set[int] = set()
+    for step in steps:
+        if step.pivot is not None or len(step.columns) == 1:
+            used.add(step.columns[0] if step.pivot is None else step.pivot)
+            continue
+        best = _minor_form(system, [step.row], step.columns, unused_name(system, "v", [form.name for form in made]))
+        if best is None:
+            return None
+        made.append(best[0])
+        used.update(best[1])
+    return (*made, *(coordinate_form(system, j) for j in range(system.n) if j not in used))
 
 
 def _apart(system: System, rows: Sequence[int], columns: Sequence[int]) -> list[list[int]]:
@@ -182,7 +210,11 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
         return coframe_weakness(system, (*system.constraints, *made)), made
 
     pools = _pools(system)
-    (weak, _), best = min((weigh(pool) for pool in pools), key=lambda weighed: weighed[0])
+    weighed = [weigh(pool) for pool in pools]
+    (weak, _), best = min(weighed, key=lambda found: found[0])
+    if system.l > _MANY_ROWS:
+        best = _along_rows(system, forms, best, pools[0])
+        weak = coframe_weakness(system, (*system.constraints, *best))[0]
     own = pools[0][: -system.n]
     for k in range(1, min(len(own), _TURNS) if forms else 0):
         if weak == 0:
@@ -191,6 +223,28 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
         if trial < weak:
             weak, best = trial, made
     return best
+
+
+def _along_rows(
+    system: System, forms: Sequence[Form], best: tuple[Form, ...], pool: Sequence[Form]
+) -> tuple[Form, ...]:
+    """The completion that follows the order of many rows, where it is as sound as the best one at ordinary states.
+
+    The determinant of many rows says little: it is small where each velocity follows from those before it, too.  What counts is
+    that the free velocities are independent on what the constraints allow.  Where a train runs backwards, say, those of its head
+    are not: its tail swings out by a power of the number of wagons.  Then some of the head and some of the tail are better.
+    """
+    wanted, points = system.n - system.l, ordinary_points(system)
+    ordered = _extend(system, forms, wanted, [*(adapted_forms(system) or stepwise_forms(system) or ()), *pool])
+    least = weak_where_constraints_are_not(system, (*system.constraints, *best))
+    if (
+        weak_where_constraints_are_not(system, (*system.constraints, *ordered)) <= least
+        and independence(system, ordered, points) >= _SOUND
+    ):
+        return ordered
+    every = [coordinate_form(system, j) for j in range(system.n)]
+    strong = _extend(system, forms, wanted, [*strongest(system, forms, [every], points, _SOUND), *pool])
+    return max(best, strong, key=lambda made: independence(system, made, points))
 
 
 def _pools(system: System) -> list[list[Form]]:
@@ -225,47 +279,9 @@ def _least_weak_turning(system: System, forms: Sequence[Form]) -> tuple[Form, ..
     pool = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])[0]
     angular = [form for form in pool if any(form is quasi for quasi in system.quasi)]
     # the rates of quaternions may be regular at more places, but nobody speaks in them
-    strong = _strongest(system, forms, [angular, pool[len(angular) : -system.n]])
+    strong = strongest(system, forms, [angular, pool[len(angular) : -system.n]], _start_points(system))
     made = _in_one_order([_extend(system, forms, system.n - system.l, [*strong, *pool])], pool)
     return max([best, *made], key=lambda made: round(_least_at_starts(system, made), 2))
-
-
-def _strongest(system: System, forms: Sequence[Form], groups: Sequence[Sequence[Form]]) -> list[Form]:
-    """Of each group in turn as many as are clearly independent of all before them at every start, the farthest from these first."""
-    points = _start_points(system)
-    before = [*system.constraints, *forms]
-    offered = [form for group in groups for form in group]
-    left = [[_unit(row) for row in matrix] for matrix in sampled_rows(system, [*before, *offered], points)]
-    chosen: list[Form] = []
-
-    def leave(k: int) -> None:
-        """Only what of the rows is across the k-th one stays."""
-        for rows in left:
-            own = _unit(rows[k])
-            for i, row in enumerate(rows):
-                along = sum(map(operator.mul, row, own))
-                rows[i] = [x - along * y for x, y in zip(row, own, strict=True)]
-
-    for k in range(len(before)):
-        leave(k)
-    place = len(before)
-    for group in groups:
-        places = range(place, place + len(group))
-        place += len(group)
-        while left and places:
-            far = {k: round(min(math.hypot(*rows[k]) for rows in left), 2) for k in places}
-            best = max(places, key=lambda k: far[k])
-            if far[best] < _WEAK:
-                break
-            chosen.append(offered[best - len(before)])
-            leave(best)
-    return chosen
-
-
-def _unit(row: Sequence[float]) -> list[float]:
-    """Of length 1; nothing where only rounding is left."""
-    length = math.hypot(*row)
-    return [x / length for x in row] if length > _ROUNDING else [0.0] * len(row)
 
 
 def _turning_pools(system: System, every: Sequence[Form]) -> list[list[Form]]:

@@ -1,56 +1,42 @@
 """The growth vector of a distribution: ranks of D_1 = span(fields), D_{k+1} = D_k + [D_1, D_k] at a generic point.
 
-No bracket is written down.  The one of X with V is the derivative of V, carried back, along the flow of X (R. Abraham, J. E.
-Marsden and T. Ratiu, Manifolds, Tensor Analysis, and Applications, 2nd ed. (1988), thm. 4.2.19), so [X_1, [X_2, ... [X_r, V]]] at a
-point is read off the Taylor coefficients of the fields where the flows lead from it.  One field is replaced by a random combination
-G of all: nearly all brackets that are needed are then ad_G^k, and one curve gives them for every k.  Each run of
-another field costs a variable (:mod:`nhc.algebra.exact.jets`).
+No bracket is written down.  Along a path with dx/ds = sum of w_i(s) X_i(x), vectors V(x(s)) carried back to its start are the
+Chen series of the brackets [X_i, [X_j, ... V]] there (K.-T. Chen, Bull. Amer. Math. Soc. 83 (1977), 831-879).  The coefficient of
+s^k is a sum of brackets with r = k, k - 1, ... fields in front of V: each power of s that a weight brings stands for a field that
+is not there.  Fields are counted by the power of z and the *missing* ones by that of e, s^k = z^r e^(k-r), so that what belongs to
+z^r lies in D_{r+1}.  Weights that are random series make these vectors span D_{r+1} as the powers of e grow; where one generic
+field G leads to all brackets, as ad_G^r V, e^0 is enough.
+
+Whether it is enough is known by a bound (no more brackets of r + 1 fields are independent in any Lie algebra), or else by one more
+bracket [U, W] of a random U in D_1 with a random sum W of the vectors of D_r.  It is bilinear: if it lies in what was found, with a
+probability of 1 - 2/p all of [D_1, D_r] does.  The start of the path is moved along U for it, by a variable whose square is zero.
 """
 
 from __future__ import annotations
 
+import random
 from collections.abc import Callable, Sequence
+from functools import cache
 from operator import mul
 
 from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Echelon, extend_echelon
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
 from nhc.algebra.exact.field import FieldPoint, Unlucky
-from nhc.algebra.exact.jets import JetPlan, Jets, Series, make_box, plan_jets
+from nhc.algebra.exact.jets import WIDTH, Jets, Series, make_box, plan_jets
 from nhc.algebra.exact.modular import enough_points
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.graph import Graph, Node
-from nhc.records import record
 
 Field = tuple[Node, ...]
 Vector = list[int]
-
-_Matrix = list[list[tuple[int, list[int]]]]
-"""Rows of entries that are not zero: column, packed series by monomial."""
+Combination = tuple[Field, Sequence[Node]]
+"""The sum of symbols times fields, and these symbols."""
 
 _MOST_POINTS = 12
 _FIRST_SEED = 9_000_011
-_BYTES = 20  # of a coefficient of a product: two residues of 61 bits, summed over powers, components and monomials
-
-
-@record
-class Word:
-    """An iterated Lie bracket ad_X^e ... ad_G^power X_base of the fields X_1, X_2, ... and the drift G.
-
-    ``runs`` are pairs (k, e), the outermost first, each for e brackets with X_k, or with G where k is 0.
-    """
-
-    runs: tuple[tuple[int, int], ...]
-    power: int
-    base: int
-
-    def under(self, letter: int) -> Word:
-        """The bracket of the field ``letter`` (0: G) with this one."""
-        if self.runs and self.runs[0][0] == letter:
-            return Word(((letter, self.runs[0][1] + 1), *self.runs[1:]), self.power, self.base)
-        if not letter and not self.runs:
-            return Word((), self.power + 1, self.base)
-        return Word(((letter, 1), *self.runs), self.power, self.base)
+_LONG = 4
+_MOST_MISSING = 8  # times the number of variables: no system that was met needed a tenth of it
 
 
 def growth_vector(
@@ -58,18 +44,19 @@ def growth_vector(
     variables: Sequence[Node],
     fields: Sequence[Field],
     settle: Callable[[FieldPoint], object] | None = None,
+    combination: Combination | None = None,
 ) -> tuple[int, ...]:
     """The ranks until they stop growing or fill the space; of several points, where signs occur, the largest.
 
-    ``settle`` puts a point on a leaf that the fields do not leave.
+    ``settle`` puts a point on a leaf that the fields do not leave.  ``combination``: a shorter way to write them.
 
     One point is enough but where signs occur (the root of a square), which may be the wrong ones at every second point.
     """
-    flag = _Flag(graph, variables, fields)
+    flag = _Flag(graph, variables, fields, combination)
     found: list[tuple[int, ...]] = []
     count = min(_MOST_POINTS, enough_points(graph, flag.nodes, 1))
     seeds = range(_FIRST_SEED, _FIRST_SEED + MOST_DRAWS)
-    for _, point in draw_points(graph, flag.closed, primes_of(graph)[0], seeds, settle=settle):
+    for _, point in draw_points(graph, flag.plan.nodes, primes_of(graph)[0], seeds, settle=settle):
         try:
             found.append(flag.ranks(point))
         except Unlucky:
@@ -82,28 +69,32 @@ def growth_vector(
     return tuple(max(ranks[min(k, len(ranks) - 1)] for ranks in found) for k in range(length))
 
 
+@cache
+def most_brackets(letters: int, length: int) -> int:
+    """Independent brackets of ``length`` letters in the free Lie algebra (Witt 1937): letters^n = sum of d times those of d | n."""
+    inner: int = sum(d * most_brackets(letters, d) for d in range(1, length) if length % d == 0)
+    return int(letters**length - inner) // length
+
+
 class _Flag:
-    """The fields with G in the first one's place, and their Jacobian matrices."""
+    """The fields, their combination with weights, and its Jacobian matrix."""
 
-    def __init__(self, graph: Graph, variables: Sequence[Node], fields: Sequence[Field]) -> None:
-        self.graph, self.variables = graph, tuple(variables)
-        weights = [graph.symbol(f"weight {k}", "other") for k in range(len(fields))]
-        mixed = tuple(graph.dot(weights, column) for column in zip(*fields, strict=True))
-        self.fields = (mixed, *fields[1:])
-        self.slopes = [self._differentiate(field) for field in self.fields]
-        self.nodes = [x for field in self.fields for x in field]
-        entries = [[x for row in rows for _, x in row] for rows in self.slopes]
-        self.steps = [
-            plan_jets(graph, [*field, *own], self.variables) for field, own in zip(self.fields, entries, strict=True)
-        ]
-        self.flow = plan_jets(graph, [*self.nodes, *entries[0]], self.variables)
-        self.closed = [node for plan in (self.flow, *self.steps) for node in plan.nodes]
-
-    def _differentiate(self, field: Field) -> list[list[tuple[int, Node]]]:
-        """The rows of the Jacobian matrix, each as its entries that are not zero."""
-        g = self.graph
-        columns = [tangent(g, field, {variable: g.one}) for variable in self.variables]
-        return [[(b, entry) for b, entry in enumerate(row) if entry != g.zero] for row in zip(*columns, strict=True)]
+    def __init__(
+        self, graph: Graph, variables: Sequence[Node], fields: Sequence[Field], combination: Combination | None
+    ) -> None:
+        self.variables, self.fields = tuple(variables), tuple(fields)
+        if combination is None:
+            weights = [graph.symbol(f"weight {k}", "other") for k in range(len(fields))]
+            columns = [[field[i] for field in fields] for i in range(len(variables))]
+            combination = tuple(graph.dot(weights, column) for column in columns), weights
+        self.mixed, self.weights = tuple(combination[0]), tuple(combination[1])
+        columns = [tangent(graph, self.mixed, {variable: graph.one}) for variable in variables]
+        self.slopes = [[(c, entry) for c, entry in enumerate(column) if entry != graph.zero] for column in columns]
+        self.nodes = [x for field in (*fields, self.mixed) for x in field]
+        entries = [entry for column in self.slopes for _, entry in column]
+        self.plan = plan_jets(graph, [*self.nodes, *entries], (*self.variables, *self.weights))
+        mask, given = graph.mask(self.weights), set(self.weights)
+        self.weighted = [node for node in self.plan.nodes if graph.deps[node] & mask and node not in given]
 
     def ranks(self, point: FieldPoint) -> tuple[int, ...]:
         """The growth vector at a point.
@@ -111,131 +102,164 @@ class _Flag:
         Raises:
             Unlucky: it lies on a pole.
         """
-        brackets = _Brackets(self, point)
-        size, p = len(self.variables), point.prime
+        missing = 0
+        while missing <= _MOST_MISSING * len(self.variables):
+            found, enough = self._try(_Path(self, point, missing, probed=False))
+            if not enough and not self._seems_free(found, missing):
+                found, enough = self._try(_Path(self, point, missing, probed=True))
+            if enough:
+                return found
+            missing = self._more(found, missing)
+        raise Unlucky
+
+    def _seems_free(self, ranks: Sequence[int], missing: int) -> bool:
+        """Whether all brackets were independent for long, and the path is too poor to show more of them."""
+        letters, length = len(self.fields), len(ranks) + 1
+        wanted = min(len(self.variables) - ranks[-1], most_brackets(letters, length))
+        return length > _LONG and (missing + 1) * (letters - 1) < wanted
+
+    def _more(self, ranks: Sequence[int], missing: int) -> int:
+        """How many powers of e to try next, after these ranks were found in full.
+
+        Of the vectors that belong to one power all but one may be new, for the combination of the fields that leads along the path
+        has no bracket with itself.
+        """
+        letters, size = len(self.fields), len(self.variables)
+        if self._seems_free(ranks, missing):
+            length, known = len(ranks), ranks[-1]
+            wanted = 0
+            while known < size:
+                length += 1
+                wanted = max(wanted, min(size - known, most_brackets(letters, length)))
+                known += most_brackets(letters, length)
+            return -(-wanted // (letters - 1))
+        before = ranks[-2] if len(ranks) > 1 else 0
+        wanted = min(size - ranks[-1], letters * (ranks[-1] - before))
+        return max(missing + 1, min(2 * missing + 1, -(-wanted // max(letters - 1, 1))))
+
+    def _try(self, path: _Path) -> tuple[tuple[int, ...], bool]:
+        """The ranks that a path shows, and whether they are all there is."""
+        size, p = len(self.variables), path.prime
         rows: Echelon = []
-        newest = [
-            Word((), 0, j) for j in range(len(self.fields)) if extend_echelon(rows, brackets.value(Word((), 0, j)), p)
-        ]
-        letters = [word.base for word in newest]
-        ranks = [len(rows)]
-        while ranks[-1] < size:
-            grown = []
-            for letter in letters:
-                for word in newest:
-                    if word == Word((), 0, letter):
-                        continue
-                    bracket = word.under(letter)
-                    if len(rows) < size and extend_echelon(rows, brackets.value(bracket), p):
-                        grown.append(bracket)
-            if not grown:
+        ranks: list[int] = []
+        bound, probe = 0, None
+        while not ranks or ranks[-1] < size:
+            for vector in path.vectors():
+                if len(rows) < size:
+                    extend_echelon(rows, vector, p)
+            bound += most_brackets(len(self.fields), len(ranks) + 1)
+            if path.probed:
+                if probe is not None and extend_echelon(rows, probe, p):
+                    return tuple(ranks), False
+                probe = path.probe()
+            elif ranks and len(rows) < min(size, bound):
+                return tuple(ranks), False
+            if ranks and len(rows) == ranks[-1]:
                 break
             ranks.append(len(rows))
-            newest = grown
-        return tuple(ranks)
+            if ranks[-1] < size:
+                path.extend()
+        return tuple(ranks), True
 
 
-class _Brackets:
-    """Values of words at one point; those that differ in the length of the first run, the power of G and the base at once."""
+class _Path:
+    """The start of a random path, moved along a random U where it is ``probed``, with up to ``missing`` powers of e.
 
-    def __init__(self, flag: _Flag, point: FieldPoint) -> None:
-        self.flag, self.point, self.prime = flag, point, point.prime
-        self.start = point.evaluate(flag.variables)
-        self.longest = len(self.start) - len(flag.fields) + 1
-        self._known: dict[tuple[object, ...], list[list[list[Vector]]]] = {}
+    Series are by monomial e^j (then, probed, those times the small variable) and power of z.  ``back[c]`` are those of the column c
+    of the matrix that carries vectors back to the start; a number holds its rows one after another, so that a product with a
+    residue is that of all of them (Kronecker 1882).
+    """
 
-    def value(self, word: Word) -> Vector:
-        """Components modulo the prime."""
-        letter, length = word.runs[0] if word.runs else (0, 0)
-        key = (letter, *word.runs[1:]) if word.runs else ()
-        known = self._known.get(key, [])
-        if len(known) <= length or len(known[0]) <= word.power:
-            power = max(word.power, len(known[0]) - 1 if known else 0)
-            if known and word.power == len(known[0]):  # farther at once, lest each step be a new start
-                power = min(2 * power, max(power, self.longest))
-            runs = ((letter, max(length, len(known) - 1)), *word.runs[1:]) if word.runs else ()
-            known = self._known[key] = self._compute(runs, power)
-        return known[length][word.power][word.base]
+    def __init__(self, flag: _Flag, point: FieldPoint, missing: int, *, probed: bool) -> None:
+        self.flag, self.prime, self.probed, self.missing = flag, point.prime, probed, missing
+        self.draw = random.Random(f"path {missing} {probed}")
+        self.box = make_box((missing, 1) if probed else (missing,))
+        monomials = range(len(self.box.parts))
+        place: list[Series] = [[[x if i == 0 else 0] for i in monomials] for x in point.evaluate(flag.variables)]
+        own = point.evaluate(flag.weights)
+        later = [[self.draw.randrange(self.prime) for _ in range(missing)] for _ in own]
+        if probed:
+            self.turn = self._turn(point, own)
+            for series, speed in zip(place, point.evaluate(flag.mixed), strict=True):
+                series[missing + 1] = [speed]
+            self._weigh(point, own)
+        weights: list[Series] = [
+            [[x] for x in (w, *more, *([0] * (missing + 1 if probed else 0)))]
+            for w, more in zip(own, later, strict=True)
+        ]
+        self.place, self.weights = place, weights
+        self.jets = Jets(flag.plan, point, [*place, *weights], self.box)
+        self.jets.extend(0)
+        self.back: list[Series] = [
+            [[1 << 8 * WIDTH * c if i == 0 else 0] for i in monomials] for c in range(len(place))
+        ]
+        self.newest: list[list[Vector]] = []
 
-    def _compute(self, runs: Sequence[tuple[int, int]], order: int) -> list[list[list[Vector]]]:
-        """By length of the first run, power of G and base."""
-        flag = self.flag
-        place: list[Series] = [[[x]] for x in self.start]
-        lengths: tuple[int, ...] = ()
-        turns = []
-        for letter, length in runs:
-            jets = self._move(flag.steps[letter], letter, place, lengths, length)
-            turns.append(self._read_slopes(jets, letter))
-            place = [[[coefficients[k]] for k in range(length + 1) for coefficients in series] for series in place]
-            lengths = (*lengths, length)
-        jets = self._move(flag.flow, 0, place, lengths, order)
-        vectors = [[jets.series[x] for x in field] for field in flag.fields]
-        table = [self._carry(vectors, self._read_slopes(jets, 0), lengths, order)]
-        for (_, length), turn in zip(reversed(runs), reversed(turns), strict=True):
-            lengths = lengths[:-1]
-            carried = [
-                self._carry([self._fold(vector, length) for vector in bases], turn, lengths, length)
-                for bases in table[0]
-            ]
-            table = [[powers[e] for powers in carried] for e in ((length,) if lengths else range(length + 1))]
-        return [[[[x[0] for x in vector] for vector in bases] for bases in powers] for powers in table]
+    def _weigh(self, point: FieldPoint, weights: Vector) -> None:
+        point.evaluate([], dict(zip(self.flag.weights, weights, strict=True)))
+        point.fill(self.flag.weighted)
 
-    def _move(self, plan: JetPlan, letter: int, place: list[Series], lengths: tuple[int, ...], order: int) -> Jets:
-        """The plan's series along the flow of a field from the place, whose own series grow up to the order."""
-        p, field = self.prime, self.flag.fields[letter]
-        jets = Jets(plan, self.point, place, make_box(lengths))
-        for k in range(order + 1):
-            jets.extend(k)
-            if k < order:
-                scale = pow(k + 1, -1, p)
-                for series, x in zip(place, field, strict=True):
-                    for own, slope in zip(series, jets.series[x], strict=True):
-                        own.append(slope[k] * scale % p)
-        return jets
+    def _turn(self, point: FieldPoint, own: Vector) -> list[list[tuple[int, int]]]:
+        """Make the mixed field U at the point; its Jacobian matrix by column, each its entries that are not zero."""
+        self._weigh(point, [self.draw.randrange(self.prime) for _ in own])
+        return [[(row, point.values[entry]) for row, entry in column] for column in self.flag.slopes]
 
-    def _read_slopes(self, jets: Jets, letter: int) -> _Matrix:
-        return [[(b, [_pack(c) for c in jets.series[x]]) for b, x in row] for row in self.flag.slopes[letter]]
+    def extend(self) -> None:
+        """By one power of z."""
+        p, series, made = self.prime, self.jets.series, len(self.place[0][0])
+        counts = [made + i % (self.missing + 1) for i in range(len(self.box.parts))]  # the power of s
+        scales = [pow(count, -1, p) for count in counts]
+        carried = [self._carry(column) for column in self.flag.slopes]
+        for own, new in zip(self.back, carried, strict=True):
+            for powers, rows, scale in zip(own, new, scales, strict=True):
+                powers.append(_pack([-x * scale % p for x in rows]) if rows else 0)
+        for own, node in zip(self.place, self.flag.mixed, strict=True):
+            for powers, slope, scale in zip(own, series[node], scales, strict=True):
+                powers.append(slope[made - 1] * scale % p)
+        for own in self.weights:
+            for powers in own:
+                powers.append(0)
+        self.jets.extend(made)
 
-    def _fold(self, vector: list[list[int]], length: int) -> list[Series]:
-        """Series in the last variable of the box in the place of s."""
-        size = len(vector[0]) // (length + 1)
-        return [[x[i::size] for i in range(size)] for x in vector]
-
-    def _carry(
-        self, vectors: list[list[Series]], matrix: _Matrix, lengths: tuple[int, ...], order: int
-    ) -> list[list[list[list[int]]]]:
-        """ad_X^e of the vectors, for e up to the order, where the flow of X starts: by e, vector, component and monomial."""
-        parts, found = make_box(lengths).parts, []
-        for left in range(order, -1, -1):
-            found.append([[[c[0] for c in x] for x in vector] for vector in vectors])
-            vectors = [self._carry_back(vector, matrix, parts, left) for vector in vectors] if left else []
+    def _carry(self, column: Sequence[tuple[int, Node]]) -> list[Vector]:
+        """The newest coefficients of the matrix ``back`` times a column, by monomial and row."""
+        series = self.jets.series
+        known = [(self.back[c], series[entry]) for c, entry in column]
+        last, size = len(self.place[0][0]) - 1, len(self.place)
+        found = []
+        for pairs in self.box.parts:
+            total = sum(sum(map(mul, x[i], y[j][last::-1])) for x, y in known for i, j in pairs)
+            found.append(_unpack(total, size) if total else [])
         return found
 
-    def _carry_back(
-        self, vector: list[Series], matrix: _Matrix, parts: Sequence[Sequence[tuple[int, int]]], length: int
-    ) -> list[Series]:
-        """d vector/ds minus matrix times vector, the first ``length`` coefficients."""
+    def vectors(self) -> list[Vector]:
+        """What belongs to the newest power of z, carried back to the start, by field and power of e."""
         p = self.prime
-        packed = [[_pack(c[:length]) for c in series] for series in vector]
-        weights = range(1, length + 1)
-        carried = []
-        for series, row in zip(vector, matrix, strict=True):
-            new = []
-            for own, pairs in zip(series, parts, strict=True):
-                total = sum(entry[i] * packed[b][j] for b, entry in row for i, j in pairs)
-                slope = map(mul, weights, own[1:])
-                new.append([(x - y) % p for x, y in zip(slope, _unpack(total, length), strict=True)])
-            carried.append(new)
-        return carried
+        self.newest = []
+        for field in self.flag.fields:
+            carried = self._carry(list(enumerate(field)))
+            self.newest.append([[x % p for x in rows] or [0] * len(self.place) for rows in carried])
+        return [vector for found in self.newest for vector in found[: self.missing + 1]]
+
+    def probe(self) -> Vector:
+        """[U, W] for a random sum W of the newest vectors."""
+        p, size = self.prime, len(self.place)
+        total, moved = [0] * size, [0] * size
+        for found in self.newest:
+            for vector, change in zip(found[: self.missing + 1], found[self.missing + 1 :], strict=True):
+                factor = self.draw.randrange(p)
+                total = [(x + factor * y) % p for x, y in zip(total, vector, strict=True)]
+                moved = [(x + factor * y) % p for x, y in zip(moved, change, strict=True)]
+        for column, x in zip(self.turn, total, strict=True):
+            for row, entry in column:
+                moved[row] = (moved[row] - entry * x) % p
+        return moved
 
 
-def _pack(coefficients: Sequence[int]) -> int:
-    """A polynomial as one number, whose products are those of the polynomials (Kronecker 1882)."""
-    return int.from_bytes(b"".join([c.to_bytes(_BYTES, "little") for c in coefficients]), "little")
+def _pack(residues: Sequence[int]) -> int:
+    return int.from_bytes(b"".join([x.to_bytes(WIDTH, "little") for x in residues]), "little")
 
 
 def _unpack(number: int, count: int) -> list[int]:
-    """The first coefficients of a packed polynomial."""
-    size = max(count * _BYTES, (number.bit_length() + 7) // 8)
-    text = number.to_bytes(size, "little")
-    return [int.from_bytes(text[k : k + _BYTES], "little") for k in range(0, count * _BYTES, _BYTES)]
+    text = number.to_bytes(count * WIDTH, "little")
+    return [int.from_bytes(text[k : k + WIDTH], "little") for k in range(0, count * WIDTH, WIDTH)]

@@ -51,7 +51,8 @@ def classify(system: System, frame: Frame | None = None) -> Integrability:
     entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
     rheonomic = any(g.depends(x, g.deps[system.t]) for x in entries)
     settle = leaf_of(system, [x for e in (*frame.free_vectors, frame.drift) for x in e]).settle
-    growth = growth_vector(g, system.q, frame.free_vectors, settle)
+    whole = None if affine else (frame.kinematics, frame.free)
+    growth = growth_vector(g, system.q, frame.free_vectors, settle, whole)
     hidden = n - growth[-1]
     if affine or rheonomic:
         fields = [(*e, g.zero) for e in frame.free_vectors] + [(*frame.drift, g.one)]

@@ -15,8 +15,11 @@ from functools import cached_property
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.monomials import sum_products
 from nhc.mechanics.trees.chain import Chain
+from nhc.mechanics.trees.order import choose_order
 from nhc.mechanics.trees.recursion import Terms
 from nhc.mechanics.trees.rods import Rods
+
+_NEAR = 9  # forms in the order among which those are sought that move together
 
 
 @dataclass
@@ -73,21 +76,23 @@ class Elimination:
         chain = self.chain
         self._ready = [i for i in range(chain.rates) if not gone[i] and not self._waits[i]]
         self._take_rates()
-        for j in reversed(range(chain.rates, chain.size)):
+        order = choose_order(chain.rates, chain.definitions)
+        for place, j in enumerate(order):
             if gone[j]:
                 continue
-            group = self._group(j, gone)
+            group = self._group(order[place : place + _NEAR], gone)
             self._replace(group)
             for k in group:
                 gone[k] = True
             self._take_rates()
 
-    def _group(self, j: int, gone: Sequence[bool]) -> list[int]:
-        """The form j and those before it that are ready too and hold what it holds with a moving coefficient."""
+    def _group(self, near: Sequence[int], gone: Sequence[bool]) -> list[int]:
+        """The first of these forms and those that are ready too and hold what it holds with a moving coefficient."""
         chain, g = self.chain, self.graph
+        j, *others = near
         shared = {c for c, a in chain.definitions[j - chain.rates].items() if g.value(a) is None}
         found = [j]
-        for k in reversed(range(max(chain.rates, j - 8), j)):
+        for k in others:
             if gone[k] or self._waits[k]:
                 continue
             if any(g.value(a) is None and c in shared for c, a in chain.definitions[k - chain.rates].items()):

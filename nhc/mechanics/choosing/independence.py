@@ -1,0 +1,75 @@
+"""How independent velocity forms are of each other on what the constraints allow, at points."""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Sequence
+
+from nhc.algebra.graph import Node
+from nhc.mechanics.regular.trials import sampled_rows
+from nhc.mechanics.system import Form, System
+
+CLEAR = 0.03
+"""Of a form's length: what is left of it beside others of which it is clearly independent."""
+_ROUNDING = 1e-12
+
+
+def independence(system: System, made: Sequence[Form], points: Sequence[dict[Node, float]]) -> float:
+    """How long the free velocities, of forms of length 1, are at least on what the constraints and those before them leave."""
+    least = 1.0
+    for matrix in sampled_rows(system, [*system.constraints, *made], points):
+        across: list[list[float]] = []
+        for k, row in enumerate(matrix):
+            rest = _unit(row)
+            for known in (*across, *across):  # twice is enough (Kahan and Parlett), once is not
+                along = sum(map(operator.mul, rest, known))
+                rest = [x - along * y for x, y in zip(rest, known, strict=True)]
+            if k >= system.l:
+                least = min(least, math.hypot(*rest))
+            across.append(_unit(rest))
+    return least
+
+
+def strongest(
+    system: System,
+    forms: Sequence[Form],
+    groups: Sequence[Sequence[Form]],
+    points: Sequence[dict[Node, float]],
+    least: float = CLEAR,
+) -> list[Form]:
+    """Of each group in turn as many as are independent by ``least`` of all before them at every point, the farthest first."""
+    digits = 2 if least == CLEAR else 6
+    before = [*system.constraints, *forms]
+    offered = [form for group in groups for form in group]
+    left = [[_unit(row) for row in matrix] for matrix in sampled_rows(system, [*before, *offered], points)]
+    chosen: list[Form] = []
+
+    def leave(k: int) -> None:
+        """Only what of the rows is across the k-th one stays."""
+        for rows in left:
+            own = _unit(rows[k])
+            for i, row in enumerate(rows):
+                along = sum(map(operator.mul, row, own))
+                rows[i] = [x - along * y for x, y in zip(row, own, strict=True)]
+
+    for k in range(len(before)):
+        leave(k)
+    place = len(before)
+    for group in groups:
+        places = range(place, place + len(group))
+        place += len(group)
+        while left and places:
+            far = {k: round(min(math.hypot(*rows[k]) for rows in left), digits) for k in places}
+            best = max(places, key=lambda k: far[k])
+            if far[best] < least:
+                break
+            chosen.append(offered[best - len(before)])
+            leave(best)
+    return chosen
+
+
+def _unit(row: Sequence[float]) -> list[float]:
+    """Of length 1; nothing where only rounding is left."""
+    length = math.hypot(*row)
+    return [x / length for x in row] if length > _ROUNDING else [0.0] * len(row)
