@@ -14,11 +14,9 @@ from nhc.mechanics.system import System
 
 
 def whole_kinetic(system: System) -> Kinetic | None:
-    """T by forms of which only parameters are taken out; None where T is no quadratic polynomial in forms, where it has rotations,
-    or where the rule is off.
-    """
+    """T by forms of which only parameters are taken out; None where T is no quadratic polynomial in forms, or the rule is off."""
     g = system.graph
-    if system.rotations or "trees" in g.off:
+    if "trees" in g.off:
         return None
     degree = degrees(g, system.v)
     if degree[system.T] != 2:

@@ -18,8 +18,10 @@ from nhc.algebra.monomials import split_parameters, tidy
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
+from nhc.mechanics.trees.covectors import Covector, Sweeps
 from nhc.mechanics.trees.recursion import Recursion, Terms, Weights, read_recursion
 from nhc.mechanics.trees.units import common_mass, part_masses, scales
+from nhc.mechanics.turning import moving
 from nhc.records import record
 
 _MANY = 6  # forms per rate beyond which no recursion is sought: they are the forms of a few bodies under constraints
@@ -62,21 +64,24 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic) -> Chain | None
         return None
     g = system.graph
     mask = g.mask(system.p)
-    to_motion = dict(zip(system.v, motion.velocities, strict=True))
+    to_motion = moving(system, motion.velocities)
     forms = substitute(g, kinetic.atoms, to_motion)
-    recursion = read_recursion(g, forms, motion.w, mask)
+    sweeps = Sweeps(system, motion.velocities)
+    recursion = read_recursion(g, forms, motion.w, mask, sweeps.rates_of_entries())
     if recursion is None:
         return None
     to_motion.update(zip(kinetic.u, forms, strict=True))
-    along = {**dict(zip(system.q, motion.velocities, strict=True)), system.t: g.one}
-    weights, pull = _hessian(g, kinetic, recursion, to_motion, along)
-    potential, weight = _weigh(system, kinetic)
+    weights, pull = _hessian(g, kinetic, recursion, to_motion, sweeps.seeds)
+    potential, places, weight = _weigh(system, kinetic)
     for k, force in weight.items():
         for i, a in recursion.forms[k].items():
             pull[i] = g.add(pull[i], g.mul(a, force))
-    for i, force in enumerate(_forces(system, kinetic, motion, potential, to_motion)):
+    forces = _forces(kinetic, sweeps, potential, places, to_motion)
+    if forces is None:
+        return None
+    for i, force in enumerate(pullback_gradient(g, forces, motion.w)):
         pull[i] = g.add(pull[i], force)
-    return _in_units(system, motion, recursion, weights, pull, along)
+    return _in_units(system, motion, recursion, weights, pull, sweeps.seeds)
 
 
 # --- T's Hessian and the forces --------------------------------------------------------------------------------
@@ -105,8 +110,10 @@ def _hessian(
     return {key: h for key, h in weights.items() if h != g.zero}, pull
 
 
-def _weigh(system: System, kinetic: Kinetic) -> tuple[list[Node], dict[int, Node]]:
-    """dU/dq apart from what U has of the positions whose rates are forms of T, and dU by these, by number of the form."""
+def _weigh(system: System, kinetic: Kinetic) -> tuple[Node, dict[Node, Node], dict[int, Node]]:
+    """U with symbols for the positions whose rates are forms of T, these symbols' positions, and dU by these, by number of the
+    form.
+    """
     g = system.graph
     present = set(reachable(g, [system.U]))
     places: dict[Node, tuple[int, bool]] = {}
@@ -119,42 +126,40 @@ def _weigh(system: System, kinetic: Kinetic) -> tuple[list[Node], dict[int, Node
             places[place] = k, negative
     symbols = {place: g.symbol(f"place{k}", "held") for place, (k, _) in places.items()}
     (potential,) = substitute(g, [system.U], symbols)
-    slopes = gradient(g, potential, [*system.q, *symbols.values()])
-    slopes = substitute(g, slopes, {symbol: place for place, symbol in symbols.items()})
-    found = zip(places.values(), slopes[system.n :], strict=True)
-    return slopes[: system.n], {k: g.neg(f) if negative else f for (k, negative), f in found if f != g.zero}
+    meaning = {symbol: place for place, symbol in symbols.items()}
+    slopes = substitute(g, gradient(g, potential, list(symbols.values())), meaning)
+    found = zip(places.values(), slopes, strict=True)
+    return potential, meaning, {k: g.neg(f) if negative else f for (k, negative), f in found if f != g.zero}
 
 
 def _forces(
-    system: System, kinetic: Kinetic, motion: Motion, potential: Sequence[Node], to_motion: dict[Node, Node]
-) -> list[Node]:
-    """What pulls at each kept velocity apart from T's forms: dT/dq, dU/dq, Q, and the forms that are not exact."""
-    g = system.graph
-    total = [
-        g.add(slope, g.add(u, q))
-        for slope, u, q in zip(gradient(g, kinetic.tau, system.q), potential, system.Q, strict=True)
-    ]
-    turned = _turning(system, kinetic, motion, to_motion)
-    total = [g.sub(a, b) for a, b in zip(substitute(g, total, to_motion), turned, strict=True)]
-    if motion.velocities == motion.w:
-        return total
-    return pullback_gradient(g, list(zip(motion.velocities, total, strict=True)), motion.w)
+    kinetic: Kinetic, sweeps: Sweeps, potential: Node, places: dict[Node, Node], to_motion: dict[Node, Node]
+) -> list[tuple[Node, Node]] | None:
+    """(velocity on the motion, what pulls at it) apart from T's forms: dT/dq, dU/dq, Q, and the forms that are not exact.
+
+    None where these hold a quaternion's own rates.
+    """
+    g, system = sweeps.graph, kinetic.system
+    turned = _turning(kinetic, sweeps, to_motion)
+    if turned is None:
+        return None
+    applied = Covector(tuple(0 if k in sweeps.quaternions else x for k, x in enumerate(system.Q)), system.torques)
+    total = sweeps.slopes_of(potential).put(g, places).plus(g, applied)
+    total = sweeps.slopes_of(kinetic.tau).plus(g, total).put(g, to_motion)
+    return sweeps.pairs(total.plus(g, turned, -1))
 
 
-def _turning(system: System, kinetic: Kinetic, motion: Motion, to_motion: dict[Node, Node]) -> list[Node]:
-    """pi_k domega_k(X, e_i) summed over the forms that are not exact, by reverse sweeps over pi_k u_k with pi_k held."""
-    g = system.graph
+def _turning(kinetic: Kinetic, sweeps: Sweeps, to_motion: dict[Node, Node]) -> Covector | None:
+    """pi_k domega_k(X, e) summed over the forms that are not exact, by reverse sweeps over pi_k u_k with pi_k held."""
+    g = sweeps.graph
     held = [k for k in range(len(kinetic.u)) if not kinetic.is_exact(k)]
-    if not held:
-        return [g.zero] * system.n
+    forms = sweeps.named([kinetic.atoms[k] for k in held])
+    if sweeps.has_own_rates(forms):
+        return None
     symbols = [g.symbol(f"slope{k + 1}", "held") for k in held]
-    weighted = [(kinetic.atoms[k], symbol) for k, symbol in zip(held, symbols, strict=True)]
-    along = {**dict(zip(system.q, motion.velocities, strict=True)), system.t: g.one}
-    moved = tangent(g, pullback_gradient(g, weighted, system.v), along)
-    turned = pullback_gradient(g, weighted, system.q)
+    turned = sweeps.turned(list(zip(forms, symbols, strict=True)))
     slopes = substitute(g, [kinetic.slope[k] for k in held], to_motion)
-    values = [g.sub(a, b) for a, b in zip(moved, substitute(g, turned, to_motion), strict=True)]
-    return substitute(g, values, dict(zip(symbols, slopes, strict=True)))
+    return turned.put(g, to_motion).put(g, dict(zip(symbols, slopes, strict=True)))
 
 
 # --- units -----------------------------------------------------------------------------------------------------
