@@ -15,6 +15,7 @@ from nhc.mechanics.trees.tree import Elimination
 from nhc.pipeline import Model, model
 from nhc.program.build import Planner
 from nhc.program.plan import factor, solve_factored
+from tests.trees import robot_arm
 
 AXES = "xyz"
 Matrix = list[list[str]]
@@ -123,6 +124,14 @@ def test_the_rates_are_the_dense_ones(case: Joints) -> None:
     assert known > 0
     right = [g.symbol(f"r{i}", "test") for i in range(found.system.n)]
     assert are_equal(g, tree.solve(right), solve_factored(g, matrix, right))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_arms_of_hinges(seed: int) -> None:
+    """Components of T come in any order and with zeros among them."""
+    found, tree, _ = made(robot_arm(seed, joints=4))
+    g = found.system.graph
+    assert are_equal(g, tree.rates, solve_factored(g, factor(g, found.equations.mass), list(found.equations.force)))
 
 
 SINGLE = """

@@ -31,7 +31,7 @@ def list_triples(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
         group = groups.setdefault(factor, [])
         group.append(k)
         if len(group) == 3:
-            found.append(tuple(group))
+            found.append(tuple(sorted(group)))
             group.clear()
     return found
 
