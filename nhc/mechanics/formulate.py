@@ -23,6 +23,7 @@ from nhc.mechanics.regular.determined import check_determined
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.choice import FEW, worthwhile_tree
+from nhc.mechanics.trees.covectors import Sweeps
 from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.values import scene_values
 from nhc.mechanics.whole_forms import whole_kinetic
@@ -96,7 +97,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
 
 def _tree(system: System, formulation: Formulation) -> Elimination | None:
     """The elimination along the tree of a system without constraints, where it is worth it and T is surely positive."""
-    if formulation.frame is not None or system.l or system.n <= FEW:
+    if not _is_free(system, formulation) or system.n - system.l <= FEW:
         return None
     kinetic = whole_kinetic(system)
     if kinetic is None or not kinetic.is_positive():
@@ -104,23 +105,41 @@ def _tree(system: System, formulation: Formulation) -> Elimination | None:
     return worthwhile_tree(system, motion_of(system, formulation), kinetic)
 
 
+def _is_free(system: System, formulation: Formulation) -> bool:
+    """Whether nothing is constrained but the lengths of quaternions, and their rates are those of angular velocities."""
+    frame = formulation.frame
+    if not system.rotations:
+        return frame is None and not system.l
+    return frame is not None and len(frame.turned) == len(system.rotations) == system.l
+
+
 def _from_leaves(system: System, formulation: Formulation, tree: Elimination, kinetic: Kinetic | None) -> Equations:
     """Equations whose matrix is assembled only when something else than the rates needs it."""
 
     def assemble() -> tuple[Matrix, tuple[Node, ...]]:
-        return _assemble(_route(system, formulation, kinetic or kinetic_structure(system)).rows)
+        return _assemble(dense().rows)
 
+    def dense() -> _Route:
+        return _route(system, formulation, kinetic or kinetic_structure(system))
+
+    def react() -> tuple[Row, ...]:
+        """Of the lengths of quaternions: nothing, where they are seen by the entries and angular velocities alone."""
+        if Sweeps(system, motion.velocities).hides_quaternions([system.T, system.U]):
+            return (Row((system.graph.zero,) * len(motion.w), system.graph.zero),) * system.l
+        return dense().react()
+
+    motion = motion_of(system, formulation)
     return Equations(
         system=system,
         formulation=formulation.name,
         number=formulation.number,
-        motion=motion_of(system, formulation),
+        motion=motion,
         assemble=assemble,
         definite=True,
         multipliers=(),
-        react=lambda: (),
+        react=react,
         sweep=lambda: None,
-        guards=(),
+        guards=formulation.frame.guards if formulation.frame is not None else (),
         tree=tree,
     )
 

@@ -6,6 +6,8 @@ the first of them, y1' = l sin(th1) th1', has to stay what the next ones, y2' = 
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import MUL, NEG, Graph, Node
 from nhc.algebra.solving.linear import degrees
@@ -13,18 +15,19 @@ from nhc.mechanics.kinetic import Kinetic, list_atoms
 from nhc.mechanics.system import System
 
 
-def whole_kinetic(system: System) -> Kinetic | None:
-    """T by forms of which only parameters are taken out; None where T is no quadratic polynomial in forms, where it has rotations,
-    or where the rule is off.
+def whole_kinetic(system: System, whole: Container[Node] = ()) -> Kinetic | None:
+    """T by forms of which only parameters are taken out; None where T is no quadratic polynomial in forms, or the rule is off.
+
+    Forms in ``whole``, and their negatives, keep their parameters.
     """
     g = system.graph
-    if system.rotations or "trees" in g.off:
+    if "trees" in g.off:
         return None
     degree = degrees(g, system.v)
     if degree[system.T] != 2:
         return None
     parameters = g.mask(system.p)
-    atoms = list_atoms(g, system.T, degree, lambda node: _without_parameters(g, node, parameters))
+    atoms = list_atoms(g, system.T, degree, lambda node: _without_parameters(g, node, parameters, whole))
     u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
     (tau,) = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))
     if g.depends(tau, g.mask(system.v)):
@@ -41,8 +44,8 @@ def whole_kinetic(system: System) -> Kinetic | None:
     return Kinetic(system, tuple(atoms), u, tau, slope, tuple(hessian))
 
 
-def _without_parameters(graph: Graph, node: Node, parameters: int) -> Node:
-    while graph.op[node] in (MUL, NEG):
+def _without_parameters(graph: Graph, node: Node, parameters: int, whole: Container[Node]) -> Node:
+    while graph.op[node] in (MUL, NEG) and node not in whole and graph.neg(node) not in whole:
         constant = [c for c in graph.children(node) if not graph.deps[c] & ~parameters]
         moving = [c for c in graph.children(node) if graph.deps[c] & ~parameters]
         if graph.op[node] == MUL and not constant:

@@ -49,7 +49,7 @@ def held_tree(equations: Equations, kept: Sequence[Form]) -> HeldTree | None:
     """The rates of the ``kept`` forms; None where T is not positive without the constraints, or light, or these leave few rates."""
     system, motion = equations.system, equations.motion
     g, free = system.graph, len(motion.w)
-    if not 0 < 2 * system.l <= free or free <= FEW:
+    if not 0 < 2 * system.l <= free or free <= FEW or system.rotations:
         return None
     kinetic = whole_kinetic(system)
     if kinetic is None or not kinetic.is_positive():

@@ -10,7 +10,7 @@ Nothing here is a matrix over all rates: the cost follows the tree.  Forces are 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from nhc.algebra.calculus import gradient, pullback_gradient, reachable, substitute, tangent
 from nhc.algebra.graph import NEG, Graph, Node
@@ -18,8 +18,11 @@ from nhc.algebra.monomials import split_parameters, tidy
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
+from nhc.mechanics.trees.bodies import Spatial
+from nhc.mechanics.trees.covectors import Covector, Sweeps
 from nhc.mechanics.trees.recursion import Recursion, Terms, Weights, read_recursion
 from nhc.mechanics.trees.units import common_mass, part_masses, scales
+from nhc.mechanics.turning import moving
 from nhc.records import record
 
 _MANY = 6  # forms per rate beyond which no recursion is sought: they are the forms of a few bodies under constraints
@@ -54,29 +57,40 @@ class Chain:
         return self.rates + len(self.definitions)
 
 
-def find_chain(system: System, motion: Motion, kinetic: Kinetic) -> Chain | None:
+def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatial | None = None) -> Chain | None:
     """The recursion of T's velocity forms (:func:`nhc.mechanics.whole_forms.whole_kinetic`) along a motion, with forces;
-    None where the forms are not sums and products.
+    None where the forms are not sums and products.  ``spatial`` is a recursion that was read from the bodies' positions.
     """
     if len(kinetic.u) > _MANY * len(motion.w):
         return None
     g = system.graph
     mask = g.mask(system.p)
-    to_motion = dict(zip(system.v, motion.velocities, strict=True))
+    to_motion = moving(system, motion.velocities)
     forms = substitute(g, kinetic.atoms, to_motion)
-    recursion = read_recursion(g, forms, motion.w, mask)
+    sweeps = Sweeps(system, motion.velocities)
+    if spatial is None:
+        recursion = read_recursion(g, forms, motion.w, mask, sweeps.rates_of_entries())
+    else:
+        recursion = spatial.recursion
     if recursion is None:
         return None
     to_motion.update(zip(kinetic.u, forms, strict=True))
-    along = {**dict(zip(system.q, motion.velocities, strict=True)), system.t: g.one}
-    weights, pull = _hessian(g, kinetic, recursion, to_motion, along)
-    potential, weight = _weigh(system, kinetic)
+    weights, pull = _hessian(g, kinetic, recursion, to_motion, sweeps.seeds)
+    potential, places, weight = _weigh(system, kinetic)
     for k, force in weight.items():
         for i, a in recursion.forms[k].items():
             pull[i] = g.add(pull[i], g.mul(a, force))
-    for i, force in enumerate(_forces(system, kinetic, motion, potential, to_motion)):
+    forces = _forces(kinetic, sweeps, potential, places, to_motion, spatial.known if spatial is not None else ())
+    if forces is None:
+        return None
+    for i, force in enumerate(pullback_gradient(g, forces, motion.w)):
         pull[i] = g.add(pull[i], force)
-    return _in_units(system, motion, recursion, weights, pull, along)
+    if spatial is None:
+        return _in_units(system, motion, recursion, weights, pull, sweeps.seeds)
+    torques = substitute(g, [torque for _, torque in spatial.torques], to_motion)
+    for (i, _), torque in zip(spatial.torques, torques, strict=True):
+        pull[i] = g.add(pull[i], torque)
+    return _in_units(system, motion, recursion, weights, pull, sweeps.seeds, spatial.turns)
 
 
 # --- T's Hessian and the forces --------------------------------------------------------------------------------
@@ -105,8 +119,10 @@ def _hessian(
     return {key: h for key, h in weights.items() if h != g.zero}, pull
 
 
-def _weigh(system: System, kinetic: Kinetic) -> tuple[list[Node], dict[int, Node]]:
-    """dU/dq apart from what U has of the positions whose rates are forms of T, and dU by these, by number of the form."""
+def _weigh(system: System, kinetic: Kinetic) -> tuple[Node, dict[Node, Node], dict[int, Node]]:
+    """U with symbols for the positions whose rates are forms of T, these symbols' positions, and dU by these, by number of the
+    form.
+    """
     g = system.graph
     present = set(reachable(g, [system.U]))
     places: dict[Node, tuple[int, bool]] = {}
@@ -119,49 +135,59 @@ def _weigh(system: System, kinetic: Kinetic) -> tuple[list[Node], dict[int, Node
             places[place] = k, negative
     symbols = {place: g.symbol(f"place{k}", "held") for place, (k, _) in places.items()}
     (potential,) = substitute(g, [system.U], symbols)
-    slopes = gradient(g, potential, [*system.q, *symbols.values()])
-    slopes = substitute(g, slopes, {symbol: place for place, symbol in symbols.items()})
-    found = zip(places.values(), slopes[system.n :], strict=True)
-    return slopes[: system.n], {k: g.neg(f) if negative else f for (k, negative), f in found if f != g.zero}
+    meaning = {symbol: place for place, symbol in symbols.items()}
+    slopes = substitute(g, gradient(g, potential, list(symbols.values())), meaning)
+    found = zip(places.values(), slopes, strict=True)
+    return potential, meaning, {k: g.neg(f) if negative else f for (k, negative), f in found if f != g.zero}
 
 
 def _forces(
-    system: System, kinetic: Kinetic, motion: Motion, potential: Sequence[Node], to_motion: dict[Node, Node]
-) -> list[Node]:
-    """What pulls at each kept velocity apart from T's forms: dT/dq, dU/dq, Q, and the forms that are not exact."""
-    g = system.graph
-    total = [
-        g.add(slope, g.add(u, q))
-        for slope, u, q in zip(gradient(g, kinetic.tau, system.q), potential, system.Q, strict=True)
-    ]
-    turned = _turning(system, kinetic, motion, to_motion)
-    total = [g.sub(a, b) for a, b in zip(substitute(g, total, to_motion), turned, strict=True)]
-    if motion.velocities == motion.w:
-        return total
-    return pullback_gradient(g, list(zip(motion.velocities, total, strict=True)), motion.w)
+    kinetic: Kinetic,
+    sweeps: Sweeps,
+    potential: Node,
+    places: dict[Node, Node],
+    to_motion: dict[Node, Node],
+    known: Collection[int],
+) -> list[tuple[Node, Node]] | None:
+    """(velocity on the motion, what pulls at it) apart from T's forms: dT/dq, dU/dq, Q, and the forms that are not exact, without
+    those whose turning is ``known``.
+
+    None where these hold a quaternion's own rates.
+    """
+    g, system = sweeps.graph, kinetic.system
+    turned = _turning(kinetic, sweeps, to_motion, known)
+    if turned is None:
+        return None
+    applied = Covector(tuple(0 if k in sweeps.quaternions else x for k, x in enumerate(system.Q)), system.torques)
+    total = sweeps.slopes_of(potential).put(g, places).plus(g, applied)
+    total = sweeps.slopes_of(kinetic.tau).plus(g, total).put(g, to_motion)
+    return sweeps.pairs(total.plus(g, turned, -1))
 
 
-def _turning(system: System, kinetic: Kinetic, motion: Motion, to_motion: dict[Node, Node]) -> list[Node]:
-    """pi_k domega_k(X, e_i) summed over the forms that are not exact, by reverse sweeps over pi_k u_k with pi_k held."""
-    g = system.graph
-    held = [k for k in range(len(kinetic.u)) if not kinetic.is_exact(k)]
-    if not held:
-        return [g.zero] * system.n
+def _turning(kinetic: Kinetic, sweeps: Sweeps, to_motion: dict[Node, Node], known: Collection[int]) -> Covector | None:
+    """pi_k domega_k(X, e) summed over the forms that are not exact, by reverse sweeps over pi_k u_k with pi_k held."""
+    g = sweeps.graph
+    held = [k for k in range(len(kinetic.u)) if k not in known and not kinetic.is_exact(k)]
+    forms = sweeps.named([kinetic.atoms[k] for k in held])
+    if sweeps.has_own_rates(forms):
+        return None
     symbols = [g.symbol(f"slope{k + 1}", "held") for k in held]
-    weighted = [(kinetic.atoms[k], symbol) for k, symbol in zip(held, symbols, strict=True)]
-    along = {**dict(zip(system.q, motion.velocities, strict=True)), system.t: g.one}
-    moved = tangent(g, pullback_gradient(g, weighted, system.v), along)
-    turned = pullback_gradient(g, weighted, system.q)
+    turned = sweeps.turned(list(zip(forms, symbols, strict=True)))
     slopes = substitute(g, [kinetic.slope[k] for k in held], to_motion)
-    values = [g.sub(a, b) for a, b in zip(moved, substitute(g, turned, to_motion), strict=True)]
-    return substitute(g, values, dict(zip(symbols, slopes, strict=True)))
+    return turned.put(g, to_motion).put(g, dict(zip(symbols, slopes, strict=True)))
 
 
 # --- units -----------------------------------------------------------------------------------------------------
 
 
 def _in_units(
-    system: System, motion: Motion, recursion: Recursion, weights: Weights, pull: list[Node], along: dict[Node, Node]
+    system: System,
+    motion: Motion,
+    recursion: Recursion,
+    weights: Weights,
+    pull: list[Node],
+    along: dict[Node, Node],
+    turns: Sequence[Node] = (),
 ) -> Chain:
     g, rates = system.graph, recursion.rates
     mask = g.mask(system.p)
@@ -184,16 +210,7 @@ def _in_units(
         {c: divided(g.mul(a, scale[rates + k]), scale[c]) for c, a in terms.items()}
         for k, terms in enumerate(recursion.definitions)
     )
-    velocity = [g.mul(scale[i], w) for i, w in enumerate(motion.w)]
-    turn, steady = [], []
-    for k, terms in enumerate(definitions):
-        moving = tangent(g, [*terms.values(), recursion.constants[k]], along)
-        pairs = zip(terms, moving[:-1], strict=True)
-        parts = [join(g, rate, velocity[c], mask, motion.w) for c, rate in pairs if rate != g.zero]
-        turn.append(g.add(g.sum(parts), g.mul(scale[rates + k], moving[-1])))
-        steady.append(moving[-1] == g.zero)
-        constant = g.mul(scale[rates + k], recursion.constants[k])
-        velocity.append(g.add(g.sum([g.mul(a, velocity[c]) for c, a in terms.items()]), constant))
+    velocity, turn, steady = _motion_of(g, motion, recursion, definitions, scale, along, turns, mask)
     return Chain(
         graph=g,
         rates=rates,
@@ -210,6 +227,30 @@ def _in_units(
         velocities=motion.w,
         along=along,
     )
+
+
+def _motion_of(
+    g: Graph,
+    motion: Motion,
+    recursion: Recursion,
+    definitions: Sequence[Terms],
+    scale: Sequence[Node],
+    along: dict[Node, Node],
+    turns: Sequence[Node],
+    mask: int,
+) -> tuple[list[Node], list[Node], list[bool]]:
+    """Velocities of all variables, the ``turn`` of the definitions where ``turns`` does not give it, and which are ``steady``."""
+    velocity = [g.mul(s, w) for s, w in zip(scale[: recursion.rates], motion.w, strict=True)]
+    turn, steady = [], []
+    for k, (terms, held) in enumerate(zip(definitions, recursion.constants, strict=True)):
+        own = scale[recursion.rates + k]
+        *moving, growth = tangent(g, [*(terms.values() if k >= len(turns) else ()), held], along)
+        pairs = zip(terms, moving, strict=False)
+        parts = [join(g, rate, velocity[c], mask, motion.w) for c, rate in pairs if rate != g.zero]
+        turn.append(g.mul(own, turns[k]) if k < len(turns) else g.add(g.sum(parts), g.mul(own, growth)))
+        steady.append(growth == g.zero)
+        velocity.append(g.add(g.sum([g.mul(a, velocity[c]) for c, a in terms.items()]), g.mul(own, held)))
+    return velocity, turn, steady
 
 
 def join(graph: Graph, x: Node, y: Node, parameters: int, w: Sequence[Node]) -> Node:

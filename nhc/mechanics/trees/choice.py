@@ -10,6 +10,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
+from nhc.mechanics.trees.bodies import read_bodies
 from nhc.mechanics.trees.chain import Chain, find_chain
 from nhc.mechanics.trees.forces import lift_forces
 from nhc.mechanics.trees.tree import Elimination
@@ -20,6 +21,10 @@ ANGLE = 30
 """Operations that a sine with its cosine takes the time of."""
 FEW = 3
 """Rates up to which both ways are written out and compared."""
+_BOTH = 12
+"""Rates up to which two recursions are both solved; beyond, the one that starts from less is."""
+_SHORT = 30
+"""Operations for each rate from which the elimination starts, up to which no other recursion is looked for."""
 _ENTRY, _CARRIED = 8, 4
 """Operations for an entry of the mass matrix with its share of the forces, and for a rate in a form that holds it by another,
 beside those of the coefficients and of the forces on the rates, which both ways have."""
@@ -34,9 +39,34 @@ def _angles(graph: Graph, nodes: Sequence[Node]) -> int:
     return len({graph.a[node] for node in reachable(graph, nodes) if graph.op[node] in ("sin", "cos")})
 
 
-def tree_of(system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[Node] = ()) -> Elimination | None:
-    """The elimination along the tree; None where there is no recursion, or a pivot vanishes identically."""
-    chain = find_chain(system, motion, kinetic)
+def tree_of(
+    system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[Node] = (), *, bodies: bool = True
+) -> Elimination | None:
+    """The elimination along the tree; None where there is no recursion, or a pivot vanishes identically.
+
+    Bodies that turn in space by angles have two: of T's forms as they are written, and of the ``bodies``.
+    """
+    chains = [find_chain(system, motion, kinetic)]
+    long = bodies and (chains[0] is None or _setting(chains[0]) > _SHORT * system.n)
+    spatial = read_bodies(system) if long and motion.velocities == motion.w == system.v else None
+    if spatial is not None:
+        chains.append(find_chain(system, motion, spatial.kinetic, spatial))
+        if system.n > _BOTH:
+            chains = [min((chain for chain in chains if chain is not None), key=_setting, default=None)]
+    found = [_eliminate(chain, beside) for chain in chains]
+    trees = [tree for tree in found if tree is not None]
+    if len(trees) < 2:
+        return trees[0] if trees else None
+    return min(trees, key=lambda tree: work(tree.graph, tree.rates))
+
+
+def _setting(chain: Chain) -> int:
+    """Operations of what the elimination starts from."""
+    coefficients = [a for terms in chain.definitions for a in terms.values()]
+    return count(chain.graph, [*coefficients, *chain.turn, *chain.force])
+
+
+def _eliminate(chain: Chain | None, beside: Sequence[Node]) -> Elimination | None:
     if chain is None:
         return None
     try:
@@ -48,10 +78,11 @@ def tree_of(system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[N
 
 def worthwhile_tree(system: System, motion: Motion, kinetic: Kinetic) -> Elimination | None:
     """The elimination along the tree, where it takes fewer operations than the matrix would."""
-    tree = tree_of(system, motion, kinetic)
+    many = system.n > _BOTH
+    tree = tree_of(system, motion, kinetic, bodies=many)
     if tree is None or work(tree.graph, tree.rates) + CHAINED * len(motion.w) >= dense_cost(tree.chain):
-        return None
-    return tree
+        return None  # both ways are compared when the other one is written out
+    return tree if many else tree_of(system, motion, kinetic)
 
 
 def dense_cost(chain: Chain) -> int:

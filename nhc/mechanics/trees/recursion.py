@@ -7,7 +7,7 @@ Forms whose sums were written from the far end, or without anything in common, g
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import reachable
@@ -42,9 +42,14 @@ class Recursion:
         return self.size - 1
 
 
-def read_recursion(graph: Graph, forms: Sequence[Node], w: Sequence[Node], parameters: int) -> Recursion | None:
-    """The recursion behind nodes that are affine in w; None where one is not built of sums and products alone."""
-    found = _as_written(graph, forms, w, parameters)
+def read_recursion(
+    graph: Graph, forms: Sequence[Node], w: Sequence[Node], parameters: int, inner: Container[Node] = ()
+) -> Recursion | None:
+    """The recursion behind nodes that are affine in w; None where one is not built of sums and products alone.
+
+    What is ``inner`` to a body, the rate of an entry of its matrix, is no form of its own, however often it is used.
+    """
+    found = _as_written(graph, forms, w, parameters, inner)
     if found is not None:
         found = _continue_single_terms(graph, found, parameters)
     if found is None or sum(map(len, found.definitions)) <= _WIDE * len(found.definitions):
@@ -53,7 +58,9 @@ def read_recursion(graph: Graph, forms: Sequence[Node], w: Sequence[Node], param
     return min(found, other, key=lambda r: sum(map(len, r.definitions)))
 
 
-def _as_written(graph: Graph, forms: Sequence[Node], w: Sequence[Node], parameters: int) -> Recursion | None:
+def _as_written(
+    graph: Graph, forms: Sequence[Node], w: Sequence[Node], parameters: int, inner: Container[Node]
+) -> Recursion | None:
     nodes = reachable(graph, forms, graph.mask(tuple(w)))
     uses, summed = dict.fromkeys(nodes, 0), dict.fromkeys(nodes, 0)
     for node in nodes:
@@ -76,7 +83,7 @@ def _as_written(graph: Graph, forms: Sequence[Node], w: Sequence[Node], paramete
         if parts is None:
             return None
         terms, constant = parts
-        shared = summed[node] > 1 or (graph.op[node] == ADD and uses[node] > 1)
+        shared = (summed[node] > 1 or (graph.op[node] == ADD and uses[node] > 1)) and node not in inner
         if (shared or node in atoms) and not _is_plain(graph, terms, constant, parameters):
             known[node] = {made.define(terms, constant): graph.one}, graph.zero
         else:
