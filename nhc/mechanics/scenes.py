@@ -311,10 +311,13 @@ def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[For
 
 
 def kept_velocities(system: System, forms: Sequence[Form], start: Start) -> list[float]:
-    """The values of velocity forms at the start."""
+    """The values of velocity forms at the start; not a number where a form has none (log(x) x' at x = 0)."""
     place = start.values(system)
     result = []
     for form in forms:
-        numbers = [float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place)]
+        try:
+            numbers = [float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place)]
+        except (ArithmeticError, ValueError):
+            numbers = [math.nan] * (system.n + 1)
         result.append(sum(a * v for a, v in zip(numbers[:-1], start.v, strict=True)) + numbers[-1])
     return result

@@ -127,10 +127,9 @@ def reduce_one(equations: Equations, formulation: Formulation, start: Start) -> 
     system = equations.system
     known = {**intervals(system), **{symbol: (x, x) for symbol, x in zip(system.p, start.p, strict=True)}}
     try:
-        made = reduce_equations(equations, formulation, start.scene, known)
-    except Unlucky:
-        made = keep_everything(equations, formulation, start.scene)
-    return _cheapest_planner(made)[2]
+        return _cheapest_planner(reduce_equations(equations, formulation, start.scene, known))[2]
+    except (Unlucky, ZeroDivisionError):  # singular, or so at the values that stand for what is left out
+        return _cheapest_planner(keep_everything(equations, formulation, start.scene))[2]
 
 
 def _fold(system: System, start: Start) -> dict[Node, Node]:

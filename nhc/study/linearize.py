@@ -21,6 +21,8 @@ from nhc.study.units import Matrix, balance
 ROUNDING = 1e-13
 """By how much, relative to its size, the matrix may be off."""
 _NEARBY = 1e-2
+_MOVED = 0.3  # of the way to a steady motion nearby: less is the search coming back
+_BETWEEN, _ASTRAY = 0.37, 0.1  # a family has steady motions on the way there, too
 _FLOOR = 1e-5  # a matrix of rounding has rank 0
 
 
@@ -171,22 +173,46 @@ def _split(matrix: Matrix, count: int | None = None) -> tuple[Matrix, Matrix]:
 
 
 def _family(model: SteadyModel, steady: Steady, made: _Local, null: Matrix) -> int:
-    """The dimension of the family: the null directions that are left at steady motions nearby, off any special point."""
+    """The dimension of the family of steady motions: of what the steady motions nearby span, off any special point.
+
+    A null direction alone says little: at a root of higher order (x'' ~ x^2, a pitchfork at its threshold) there is one too, and
+    the search from beside it comes back, or goes to another root.  At special points there are more of them than nearby.
+    """
     smallest = zeros = len(null)
-    if not zeros:
-        return 0
     y, rest = np.array(made.model.inside(steady.y)), list(model.rest)
     scale = _NEARBY * (1.0 + float(np.max(np.abs(y), initial=0.0)))
-    for weights in (np.sqrt(np.arange(1.0, zeros + 1)), np.cos(np.arange(1.0, zeros + 1))):
+    away = replace(model, turning=None, symmetries=(steady.turns,))
+
+    def beside(move: Matrix) -> tuple[Steady, Matrix]:
         guess = np.array(y)
-        guess[rest] += scale * (weights / np.linalg.norm(weights)) @ null
-        try:
-            away = replace(model, turning=None, symmetries=(steady.turns,))
-            near = _about(model, find_steady(away, made.model.outside(guess)))
-        except ArithmeticError:
-            continue
-        smallest = min(smallest, len(_split(near.basis @ near.full @ near.basis.T)[0]))
-    return smallest
+        guess[rest] += scale * move @ null
+        found = find_steady(away, made.model.outside(guess))
+        return found, np.asarray(null @ (np.array(made.model.inside(found.y)) - y)[rest] / scale)
+
+    moves = np.zeros((0, zeros))
+    for direction in _directions(zeros):
+        for side in (1.0, -1.0):
+            try:
+                found, moved = beside(side * direction)
+                size = float(np.linalg.norm(moved))
+                if size < _MOVED or np.linalg.norm(beside(_BETWEEN * moved)[1] - _BETWEEN * moved) > _ASTRAY * size:
+                    continue
+                near = _about(model, found)
+            except ArithmeticError:
+                continue
+            smallest = min(smallest, len(_split(near.basis @ near.full @ near.basis.T)[0]))
+            moves = np.vstack([moves, moved])
+            break
+        if np.linalg.matrix_rank(moves, tol=_MOVED) == zeros:
+            break
+    return min(smallest, int(np.linalg.matrix_rank(moves, tol=_MOVED))) if zeros else 0
+
+
+def _directions(count: int) -> Matrix:
+    """Unit vectors that span the space, the first two of no special direction."""
+    places = np.arange(1.0, count + 1)
+    found = np.vstack([np.sqrt(places), np.cos(places), np.eye(count)]) if count > 1 else np.eye(count)
+    return np.asarray(found / np.linalg.norm(found, axis=1)[:, None])
 
 
 @record

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -14,6 +15,7 @@ from nhc.study.field import RANK, Hold, SteadyModel
 from nhc.study.units import Matrix, Vector, beside, is_steady, normal
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
+_WEAKEST = 1e-13  # singular values below this part of the largest one are rounding
 _LEAST_FRAME = 0.01  # of the coframe's relative determinant, per constraint
 
 
@@ -173,7 +175,7 @@ def _iterate(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequ
     raise NotSteady(f"no steady motion after {_STEPS} steps from there", size, model.outside(y[: len(model.flow.y)]))
 
 
-def _step(value: Vector, slopes: Matrix, across: Matrix, damping: float) -> Vector:
+def _step(value: Vector, slopes: Matrix, across: Matrix, damping: float, rank: float = RANK) -> Vector:
     """Levenberg's step with ``damping`` |value|, within ``across``: quadratic also where solutions are not isolated, as in a
     family of steady motions, whose own directions are weak near it and must not be taken for wanted (Yamashita and Fukushima 2001).
     """
@@ -182,7 +184,7 @@ def _step(value: Vector, slopes: Matrix, across: Matrix, damping: float) -> Vect
         inside = np.linalg.svd(across)[2][len(across) :]
     left, sizes, right = np.linalg.svd(slopes @ inside.T, full_matrices=False)
     damping *= float(np.linalg.norm(value))
-    weights = np.where(sizes > RANK * sizes.max(initial=0.0), sizes / np.maximum(sizes**2 + damping**2, 1e-300), 0.0)
+    weights = np.where(sizes > rank * sizes.max(initial=0.0), sizes / np.maximum(sizes**2 + damping**2, 1e-300), 0.0)
     return np.asarray(-(weights * (left.T @ value)) @ right @ inside)
 
 
@@ -193,7 +195,26 @@ def _halves(before: Vector, move: Vector) -> bool:
 
 
 def _accept(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold], steps: int) -> Steady:
-    """The iteration can do no better: either rounding is all that is left, or there is nothing to find."""
+    """The iteration can do no better: either rounding is all that is left, or there is nothing to find.
+
+    Beside very steep slopes (a coframe that is almost singular) plain ones count as weak, and one step along them is left to do.
+    """
+    try:
+        return _accepted(model, turns, y, holds, steps)
+    except NotSteady:
+        value, slopes, _ = _equations(model, turns, y, holds)
+        move = _step(value, slopes, _bound(model, y, slopes[len(model.rest) :]), 0.0, _WEAKEST)
+        with suppress(ArithmeticError):
+            return _accepted(model, turns, y + move, holds, steps + 1)
+        raise
+
+
+def _accepted(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold], steps: int) -> Steady:
+    """The steady motion at y.
+
+    Raises:
+        NotSteady: there is none.
+    """
     value, slopes, scale = _equations(model, turns, y, holds)
     state, turning = _parted(model, turns, y)
     own = model if turning is None else replace(model, turning=turning)

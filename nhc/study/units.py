@@ -26,6 +26,7 @@ _ZERO = 1e-12  # what is smaller is a zero that was rounded
 _SWEEPS, _GAIN = 200, 0.95
 _TRIALS = 3
 _LEAST_SIZE = 1e-3
+_REACH = 1e-7  # how far a double root may be, as the rates are rounded
 
 
 @record
@@ -183,10 +184,15 @@ def _loops(slopes: Matrix) -> list[list[int]]:
 def is_steady(value: Vector, slopes: Matrix, y: Vector, others: Callable[[], Sequence[Vector]]) -> bool:
     """Whether rates are zero up to what 1e-7 in the state (where they have a double root) and rounding make of them.
 
-    ``slopes`` are those of the rates; ``others`` gives the rates of the trials.
+    ``slopes`` are those of the rates; ``others`` gives the rates of the trials.  What a step of that length does not remove is
+    left: far out on a force that fades away the slopes are as small as the rates, and the root is not near.
     """
-    allowed = 1e-7 * (np.abs(slopes) @ (1.0 + np.abs(y))) + 1e-14 * max(1.0, float(np.max(np.abs(slopes), initial=0.0)))
-    if np.all(np.abs(value) <= allowed):
+    left, sizes, _ = np.linalg.svd(slopes, full_matrices=False)
+    most = _REACH * (1.0 + float(np.max(np.abs(y), initial=0.0)))
+    step = (left.T @ value) / np.maximum(sizes, 1e-300)
+    remains = value - left @ (sizes * np.clip(step, -most, most))
+    allowed = np.full(len(value), 1e-14 * max(1.0, float(np.max(np.abs(slopes), initial=0.0))))
+    if np.all(np.abs(remains) <= allowed):
         return True
     change = np.max([np.abs(other - value) for other in others()], axis=0, initial=0.0)
-    return bool(np.all(np.abs(value) <= allowed + 100.0 * change))
+    return bool(np.all(np.abs(remains) <= allowed + 100.0 * change))

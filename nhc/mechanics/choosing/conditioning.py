@@ -43,12 +43,16 @@ class Choice:
 def conditioning(system: System, formulation: Formulation, place: Place) -> float:
     """|det| of the coframe over the lengths of its rows (Hadamard), its l-th root: in [0, 1], 0 where it is singular.
 
-    A free form counts with the length that it has elsewhere, so that one that vanishes is not taken for a good one.
+    A free form counts with the length that it has elsewhere, so that one that vanishes is not taken for a good one.  Where a
+    form has no value (log(x) x' at x = 0) the coframe is singular, too.
     """
     if formulation.frame is None:
         return 1.0
     forms = formulation.frame.forms
-    rows = balanced_rows(system, forms, place)
+    try:
+        rows = balanced_rows(system, forms, place)
+    except (ArithmeticError, ValueError):
+        return 0.0
     value = relative_determinant(rows, range(len(rows))) ** len(rows)
     for form, row in zip(forms[system.l :], rows[system.l :], strict=True):
         length = _norm(row)
