@@ -53,6 +53,7 @@ class ExplicitText:
     hidden: str
     dense: tuple[Line, ...]
     exponent: int
+    trust: float
     waiting: Waiting
     paced: bool = True
 
@@ -71,6 +72,7 @@ class CollocationText:
     pole: str
     stiff: bool
     exponent: int
+    trust: float
     paced: bool = False
 
 
@@ -116,6 +118,7 @@ def describe_explicit(method: Explicit, kernel: Kernel | None) -> ExplicitText:
         hidden=" + ".join(f"s->k[{j}][i]" for j in hidden),
         dense=tuple(Line(CUBIC + j, print_sum(row)) for j, row in enumerate(method.dense)),
         exponent=max(method.exponent, 1),
+        trust=method.trust,
         waiting=plan_waiting(method, kernel) if kernel else Waiting(),
     )
 
@@ -133,6 +136,7 @@ def describe_collocation(method: Collocation) -> CollocationText:
         pole=repr(method.pole),
         stiff=method.adaptive,
         exponent=max(method.exponent, 1),
+        trust=method.trust,
     )
 
 

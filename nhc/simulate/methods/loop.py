@@ -81,12 +81,15 @@ class _Run:
 
     def leave(self, kind: int, status: int = 0) -> Outcome:
         s = self.step
-        return Outcome(kind, status, s.t, list(s.y), s.h, self.steps, self.rejected, s.calls, s.jacobians, self.states)
+        return Outcome(
+            kind, status, s.t, list(s.y), s.h, self.steps, self.rejected, s.calls, s.jacobians, self.states, s.size
+        )
 
 
 def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcome:
     """Fill the rows of a task; the outcome says how far it came."""
     step = Step(model, task.p, task.times[0], list(task.y), 0.0 if task.step > 0 else task.tolerance)
+    step.size = [max(a, b) for a, b in zip(step.size, task.sizes or step.size, strict=True)]
     run = _Run(model, method, task, news, step, [list(task.y)], since=task.times[0])
     run.stop, run.bound = next_bound(task, step.t, 0)
     try:
@@ -243,7 +246,7 @@ def _advance(run: _Run) -> Outcome | None:
         run.growth, s.first = 1.0, True
         run.next = h * (max(_pace(run, error, True), 0.333) if error > 1.0 else 0.25)
         if task.step <= 0 and error > 1.0:
-            s.learn_sizes(error if isinstance(run.method, Explicit) else error * error)
+            s.learn_sizes(error if isinstance(run.method, Explicit) else error * error, run.method.trust)
         if task.step > 0 or run.next < 4 * _EPSILON * max(abs(s.t), 1e-3 * duration):
             return run.leave(reason, s.status)
         return None

@@ -63,14 +63,14 @@ class Step:
         least = 1e-6 * max(sizes, default=0.0)
         return [max(self.tolerance * max(size, least), sys.float_info.min) for size in sizes]
 
-    def learn_sizes(self, square: float) -> None:
-        """From a state that is next to nothing: sizes to come, by a refused step that is right to a tenth.
+    def learn_sizes(self, square: float, trust: float) -> None:
+        """From a state that is next to nothing: sizes to come, by a refused step that is right to the part ``trust`` of its end.
 
         Leaving rest as a power of the time, a motion has the same error relative to itself in each step from there, however short.
         ``square``: of the error relative to what is allowed.
         """
         ends = [abs(x) for x in self.reached]
-        if square * self.tolerance**2 <= 0.01 and max(self.size, default=0.0) <= 1e-3 * max(ends, default=0.0):
+        if square * self.tolerance**2 <= trust**2 and max(self.size, default=0.0) <= 1e-3 * max(ends, default=0.0):
             self.size = [max(a, b) for a, b in zip(self.size, ends, strict=True)]
 
     def cubic(self) -> list[Vector]:
