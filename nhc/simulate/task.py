@@ -6,14 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from nhc.program.ir import Stop
+from nhc.program.stepping import MOST_STEPS
 from nhc.records import record
 
 DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED, STALLED = range(9)
-MOST_STEPS = 1_000_000_000
-STRIDE = 20_000
-"""Attempts after which adaptive steps are looked at: whether the rest would take more than MOST_STEPS of the same length."""
-PATIENCE = 50
-"""How often in a row they are seen to do so: past a singular place steps are that short too, for some hundred thousand."""
 
 
 @record

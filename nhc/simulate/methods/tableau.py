@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from nhc.program.stepping import LIMITS
 from nhc.records import record
 
 Row = tuple[float, ...]
@@ -29,7 +30,7 @@ class Explicit:
     errors: tuple[Row, ...]
     dense: tuple[Row, ...]
     exponent: int
-    trust: float = 0.1
+    trust: float = LIMITS.trust
 
     @property
     def adaptive(self) -> bool:
