@@ -68,16 +68,23 @@ class Step:
         return self.model.jacobian(t, y, self.p)
 
     def find_sizes(self, reached: Vector) -> Vector:
-        """What the errors of entries are relative to: their own sizes in the run so far, this end included."""
+        """What the errors of entries are relative to: their own sizes in the run so far, this end included.
+
+        Rounding counts as such up to a millionth of the largest: past a singular place, where a refused step may end, slopes are as
+        sensitive as noise.
+        """
         rows = zip(self.size, self.coming, reached, strict=True)
         sizes = [max(size, coming, abs(end)) for size, coming, end in rows]
         largest = max(sizes, default=0.0)
-        return [max(x, part * largest) for x, part in zip(sizes, self.spared, strict=True)] if self.spared else sizes
+        if self.spared:
+            sizes = [max(x, part * largest) for x, part in zip(sizes, self.spared, strict=True)]
+        step = abs(self.h) / (self.tolerance or 1.0)
+        noises = [min(step * noise, 1e-6 * largest) for noise in self.noise]
+        return [max(x, noise) for x, noise in zip(sizes, noises, strict=True)]
 
     def allowed(self, reached: Vector) -> Vector:
         """The error that each entry may make; rounding is none."""
-        least, t, h = sys.float_info.min, self.tolerance, abs(self.h)
-        return [max(t * x, h * noise, least) for x, noise in zip(self.find_sizes(reached), self.noise, strict=True)]
+        return [max(self.tolerance * x, sys.float_info.min) for x in self.find_sizes(reached)]
 
     @property
     def telling(self) -> bool:
