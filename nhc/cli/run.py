@@ -166,7 +166,7 @@ def _check_accuracy(method: str, tolerance: float, step: float) -> None:
 
 def _check_steps(step: float, start: float, end: float) -> None:
     """Refuse fixed steps that are more than any run takes."""
-    from nhc.simulate.task import MOST_STEPS
+    from nhc.program.stepping import MOST_STEPS
 
     if step and abs(end - start) / step > MOST_STEPS:
         raise click.UsageError(f"`--step {step!r}` makes more than {MOST_STEPS:.0e} steps of this scene's time")

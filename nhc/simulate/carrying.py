@@ -68,3 +68,14 @@ def carry(job: Job, following: Job, outcome: Outcome) -> list[float]:
     v = tuple(place[x] for x in system.v)
     start = replace(job.start, time=(outcome.t, job.start.time[1]), q=tuple(outcome.y[: system.n]), v=v)
     return [*start.q, *kept_velocities(system, following.kept, start)]
+
+
+def carry_sizes(job: Job, following: Job, outcome: Outcome) -> tuple[float, ...]:
+    """The largest magnitudes that entries of the state of ``following`` have had: of those that ``job`` has, too, and else none.
+
+    The error of what comes to rest counts against the size that it had, and not against what rounding leaves of it.
+    """
+    if not outcome.sizes:
+        return ()
+    known = dict(zip(job.state_names, outcome.sizes, strict=True))
+    return tuple(known.get(name, 0.0) for name in following.state_names)

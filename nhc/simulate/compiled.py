@@ -19,6 +19,7 @@ class _Task(ctypes.Structure):
     _fields_ = (
         ("p", _Doubles),
         ("y", _Doubles),
+        ("sizes", _Doubles),
         ("times", _Doubles),
         ("rows", ctypes.c_long),
         ("tolerance", ctypes.c_double),
@@ -84,6 +85,7 @@ class CompiledModel:
                 ("jacobians", ctypes.c_long),
                 ("t", ctypes.c_double),
                 ("y", ctypes.c_double * states),
+                ("size", ctypes.c_double * states),
                 ("h", ctypes.c_double),
             )
 
@@ -139,6 +141,7 @@ class CompiledModel:
         return _Task(
             ctypes.cast(_doubles(p), _Doubles),  # the pointer keeps its array alive
             ctypes.cast(_doubles(y), _Doubles),
+            ctypes.cast(_doubles(task.sizes), _Doubles) if task.sizes else None,
             ctypes.cast(_doubles(task.times), _Doubles),
             len(task.times),
             task.tolerance,
@@ -160,6 +163,7 @@ class CompiledModel:
             found.calls,
             found.jacobians,
             [flat[k : k + self.states] for k in range(0, len(flat), self.states)],
+            list(found.size),
         )
 
     def quantities(

@@ -7,6 +7,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from nhc.program.stepping import LEAST_TOLERANCE, MOST_STEPS, SAFETY
 from nhc.records import record
 from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel
@@ -19,11 +20,9 @@ from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.switching import Follower
-from nhc.simulate.task import DONE, EVENT, MOST_STEPS, STOPPED, ModelError, Outcome, Task
+from nhc.simulate.task import DONE, EVENT, STOPPED, ModelError, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 
-SAFETY = 0.01  # of the wanted accuracy, for errors add up and grow
-LEAST_TOLERANCE = 3e-15
 POINTS = 201
 MOST_HALVINGS = 20
 Model = CompiledModel | InterpretedModel | NaturalModel

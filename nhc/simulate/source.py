@@ -9,12 +9,12 @@ from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
 from nhc.program.hold import SINGULAR_HOLD, TORN_HOLD
 from nhc.program.ir import Function, Load, Program
+from nhc.program.stepping import LIMITS
 from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
 from nhc.simulate.kernel import Kernel, print_kernel
 from nhc.simulate.methods.natural import Scheme
 from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
-from nhc.simulate.task import MOST_STEPS, PATIENCE, STRIDE
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
@@ -53,6 +53,7 @@ class ExplicitText:
     hidden: str
     dense: tuple[Line, ...]
     exponent: int
+    trust: float
     waiting: Waiting
     paced: bool = True
 
@@ -71,6 +72,7 @@ class CollocationText:
     pole: str
     stiff: bool
     exponent: int
+    trust: float
     paced: bool = False
 
 
@@ -116,6 +118,7 @@ def describe_explicit(method: Explicit, kernel: Kernel | None) -> ExplicitText:
         hidden=" + ".join(f"s->k[{j}][i]" for j in hidden),
         dense=tuple(Line(CUBIC + j, print_sum(row)) for j, row in enumerate(method.dense)),
         exponent=max(method.exponent, 1),
+        trust=method.trust,
         waiting=plan_waiting(method, kernel) if kernel else Waiting(),
     )
 
@@ -133,6 +136,7 @@ def describe_collocation(method: Collocation) -> CollocationText:
         pole=repr(method.pole),
         stiff=method.adaptive,
         exponent=max(method.exponent, 1),
+        trust=method.trust,
     )
 
 
@@ -194,10 +198,11 @@ def write_source(
         **_HOLD_STATUSES,
         "collocations": bool(implicit),
         "hermite": bool(explicit) or any(not method.adaptive for method in implicit),
+        "adaptive": any(method.adaptive for method in methods),
         "allowed": any(method.adaptive for method in methods) or bool(implicit),
         "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),
         "methods": tuple(describe(method, kernel) for method in methods),
-        "stride": (STRIDE, MOST_STEPS / STRIDE, PATIENCE),
+        "limits": LIMITS,
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from nhc.mechanics.choosing.conditioning import Choice, conditioning, find_better, is_mass_sound, name_of
 from nhc.program.planner import SINGULAR_FRAME
 from nhc.records import record
-from nhc.simulate.carrying import carry, is_same, make_job, place_of
+from nhc.simulate.carrying import carry, carry_sizes, is_same, make_job, place_of
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.pacing import Pace
 from nhc.simulate.prepare import Job, Recipe
@@ -84,11 +84,12 @@ class Follower:
             if outcome.t == task.times[0]:  # nothing came of it
                 legs.pop()
                 rest = task.times[1:]
-            job, task = following, replace(task, y=y, times=(outcome.t, *rest))
+            sizes = carry_sizes(job, following, outcome)
+            job, task = following, replace(task, y=y, times=(outcome.t, *rest), sizes=sizes)
 
     def _repeat(self, whole: Job, task: Task) -> list[Leg]:
         self.job, self.jobs = whole, []
-        return self.run(replace(task, y=whole.y, p=whole.p))
+        return self.run(replace(task, y=whole.y, p=whole.p, sizes=()))
 
     def _pace(self, pace: Pace, leg: Leg) -> Job | None:
         former = pace.method

@@ -6,21 +6,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from nhc.program.ir import Stop
+from nhc.program.stepping import MOST_STEPS
 from nhc.records import record
 
 DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED, STALLED = range(9)
-MOST_STEPS = 1_000_000_000
-STRIDE = 20_000
-"""Attempts after which adaptive steps are looked at: whether the rest would take more than MOST_STEPS of the same length."""
-PATIENCE = 50
-"""How often in a row they are seen to do so: past a singular place steps are that short too, for some hundred thousand."""
 
 
 @record
 class Task:
     """``times``: the rows wanted, from the start to the end.  ``tolerance``: relative to each component's size so far;
     ``step``: fixed steps of at most that length, where positive.  ``stops``: where adaptive steps have to end
-    (:mod:`nhc.program.clock`), in the order of the run.
+    (:mod:`nhc.program.clock`), in the order of the run.  ``sizes``: the largest magnitudes of the state's entries before the start,
+    where the task goes on with another one's run.
     """
 
     p: Sequence[float]
@@ -30,13 +27,15 @@ class Task:
     step: float = 0.0
     most: int = MOST_STEPS
     stops: Sequence[Stop] = ()
+    sizes: Sequence[float] = ()
 
 
 @dataclass(slots=True)
 class Outcome:
     """``kind`` is one of the constants above, ``status`` the model's code (SINGULAR) or the watched value's index.
 
-    ``states`` are the rows that were reached; ``t, y`` is where it ended, ``h`` the last step's length.
+    ``states`` are the rows that were reached; ``t, y`` is where it ended, ``h`` the last step's length; ``sizes`` are the largest
+    magnitudes of the entries so far, of methods that look at them.
     """
 
     kind: int
@@ -49,6 +48,7 @@ class Outcome:
     calls: int = 0
     jacobians: int = 0
     states: list[list[float]] = field(default_factory=list)
+    sizes: list[float] = field(default_factory=list)
 
 
 class News:

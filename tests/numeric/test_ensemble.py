@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from nhc.cli.entry import main
-from nhc.language import decode, read
+from nhc.language import Source, decode, read
+from nhc.program.stepping import LIMITS
 from nhc.simulate.ensemble import Ensemble, run_ensemble
 from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.opening import open_scene
@@ -216,3 +217,22 @@ def test_what_only_a_row_can_lose_is_watched(
     assert main(["run", str(spec), "--points", "2", "--ensemble", str(starts)]) == 3
     rows = capsys.readouterr().err
     assert "start 2 fails" in rows and "start 1 fails" not in rows and says in rows
+
+
+def test_a_start_whose_end_is_out_of_reach_is_given_up() -> None:
+    """At 1e10 radians per second it takes 1e10 steps: lanes see it as a single run does, and the others go on."""
+    text = (
+        "nhc: 1\nsystem: whirr\ncoordinates: [x]\nparameters: {k: 4}\nT: x'^2/2\nV: k*x^2/2\n"
+        "scenes: {a: {initial: {x: 1}, time: [0, 1]}}\n"
+    )
+    source = Source("whirr.yaml", text)
+    job = open_scene(source, method="dop853", whole=True)
+    starts = list_starts(job.system, job.scene, read_starts("k\n1e20\n4\n1e20\n1e9\n", decode(source)))
+    found = run_ensemble(job, starts, Settings("dop853", 1e-6, 0.0, 2)).members
+    assert [member.ended for member in found] == ["failed", "done", "failed", "done"]
+    one = run(move_start(job, starts[0]), Settings("dop853", 1e-6, 0.0, 2))
+    for member in (found[0], found[2]):
+        assert "out of reach" in member.reason and member.reason == one.reason
+        assert member.outcome.steps + member.outcome.rejected == LIMITS.stride * LIMITS.patience
+    assert found[1].rows[-1][0] == pytest.approx(math.cos(2), abs=1e-6)
+    assert found[3].rows[-1][0] == pytest.approx(math.cos(1e9**0.5), abs=1e-3)

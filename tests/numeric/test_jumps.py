@@ -16,6 +16,7 @@ from nhc.mechanics.properties.facts import describe
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.pipeline import Options, check, reduce_scene
+from nhc.program.stepping import Limits
 from nhc.simulate.methods import loop
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
@@ -196,7 +197,7 @@ def test_a_run_ends_soon_where_dry_friction_sticks(
 ) -> None:
     """x' = 1 - 0.3 t until it is at rest; beyond, the rates jump to and fro, and steps are as short as rounding lets them be."""
     if not compiled:  # a million steps in Python take minutes
-        monkeypatch.setattr(loop, "PATIENCE", 1)
+        monkeypatch.setattr(loop, "LIMITS", Limits(patience=1))
     text = (
         "nhc: 1\nsystem: sliding\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nforces: {x: -0.3*sign(x'), y: 1}\n"
         "scenes: {a: {initial: {x': 1}, time: [0, 5]}}\n"

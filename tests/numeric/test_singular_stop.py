@@ -10,7 +10,8 @@ import pytest
 from nhc.cli.entry import main
 from nhc.language import Source, decode, read
 from nhc.simulate.opening import open_scene
-from nhc.simulate.run import Settings, Trajectory, run
+from nhc.simulate.run import Settings, Trajectory, load, run
+from nhc.simulate.task import DONE, Task
 from tests.support import SPECS, spec_path
 
 BOARD = """
@@ -61,6 +62,21 @@ def test_close_by_it_goes_on_says_so_and_is_right() -> None:
     assert max(abs(a - b) for a, b in zip(one.rows[-1], other.rows[-1], strict=True)) < 1e-7
     assert any("digits are lost" in note for note in one.notes)
     assert any("the constraints nearly lose rank" in note for note in other.notes)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("method", ["dop853", "dopri5"])
+def test_what_comes_to_rest_keeps_its_size_through_all_parts_of_a_run(method: str, compiled: bool) -> None:
+    """The axles stop, and their speeds go to zero as fast as e^(-1000 t) does.  A run in four parts, for looks at its stiffness and
+    at the rank, takes the steps of a single part: what is left of a speed does not count as all of it.
+    """
+    job = open_scene(board("0.401"), "through", "multipliers", method=method)
+    legs = run(job, Settings(method, 1e-9, 0.0, 3, compiled))
+    one = open_scene(board("0.401"), "through", "multipliers", method=method, stay=True)
+    model, _ = load(one, method, compiled)
+    whole = model.integrate(Task(one.p, one.y, (0.0, 3.0), 1e-11), method, model.news())
+    assert legs.ended == "done" and whole.kind == DONE
+    assert legs.outcome.steps + legs.outcome.rejected < 1.1 * (whole.steps + whole.rejected)
 
 
 def body(d: str) -> Source:

@@ -6,6 +6,7 @@ from nhc.emit.c.literals import print_comment, print_float, print_string
 from nhc.emit.options import EmitError
 from nhc.emit.statements import Status, list_statuses
 from nhc.program.ir import Program, SceneData
+from nhc.program.stepping import LIMITS
 from nhc.records import record
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
@@ -117,6 +118,7 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
         "parameters": max(len(program.parameters), 1),
         "statuses": tuple(Status(s.code, print_string(print_comment(s.what))) for s in list_statuses(program)),
         "points": POINTS,
+        "limits": LIMITS,
     }
 
 

@@ -21,8 +21,11 @@ def attempt(s: Step, method: Explicit) -> float:
     s.k, s.shape = [s.slope], None
     slopes(s, method, 1, method.stages)
     s.arrived = s.k[method.stages]
-    if not method.errors or s.tolerance <= 0.0:
-        return 0.0
+    return again(s, method) if method.errors and s.tolerance > 0.0 else 0.0
+
+
+def again(s: Step, method: Explicit) -> float:
+    """The square of the error of a step that is there, relative to what is allowed."""
     allowed = s.allowed(s.reached)
     norms = [
         sum((1.0 / a * combine(row, s.k, i)) ** 2 for i, a in enumerate(allowed)) / len(allowed)

@@ -8,9 +8,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from nhc.program.hold import TORN_HOLD
+from nhc.program.stepping import LIMITS
 from nhc.simulate.methods import collocation, explicit
+from nhc.simulate.methods.holding import Held, hold_end
 from nhc.simulate.methods.leaping import Placed, find_most
+from nhc.simulate.methods.rounding import is_faint, reconsider
 from nhc.simulate.methods.step import NoSolution, Step
 from nhc.simulate.methods.stops import cross, foresee, next_bound
 from nhc.simulate.methods.tableau import Explicit, Tableau
@@ -19,13 +21,10 @@ from nhc.simulate.task import (
     CROSSED,
     DONE,
     EVENT,
-    MOST_STEPS,
     NO_SOLUTION,
-    PATIENCE,
     SINGULAR,
     STALLED,
     STOPPED,
-    STRIDE,
     TOO_MANY,
     UNDERFLOW,
     News,
@@ -37,7 +36,7 @@ _EPSILON = sys.float_info.epsilon
 _LEAST_ERROR = 1e-8  # explicit methods give the error's square
 
 
-class Watched(Placed, Protocol):
+class Watched(Placed, Held, Protocol):
     """A model with values to watch."""
 
     @property
@@ -51,8 +50,6 @@ class Watched(Placed, Protocol):
 
     @property
     def holds(self) -> Sequence[Sequence[str]]: ...
-
-    def hold(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
 
     def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
 
@@ -81,12 +78,15 @@ class _Run:
 
     def leave(self, kind: int, status: int = 0) -> Outcome:
         s = self.step
-        return Outcome(kind, status, s.t, list(s.y), s.h, self.steps, self.rejected, s.calls, s.jacobians, self.states)
+        return Outcome(
+            kind, status, s.t, list(s.y), s.h, self.steps, self.rejected, s.calls, s.jacobians, self.states, s.size
+        )
 
 
 def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcome:
     """Fill the rows of a task; the outcome says how far it came."""
     step = Step(model, task.p, task.times[0], list(task.y), 0.0 if task.step > 0 else task.tolerance)
+    step.size = [max(a, b) for a, b in zip(step.size, task.sizes or step.size, strict=True)]
     run = _Run(model, method, task, news, step, [list(task.y)], since=task.times[0])
     run.stop, run.bound = next_bound(task, step.t, 0)
     try:
@@ -172,19 +172,20 @@ def _plan(run: _Run) -> tuple[float, float] | None:
 def _is_stalled(run: _Run) -> bool:
     """Whether the rest would take more steps than any run does, if they stay as short as the last: a motion slides along a jump."""
     tried, s = run.steps + run.rejected, run.step
-    if run.task.step > 0 or tried - run.marked < STRIDE:
+    if run.task.step > 0 or tried - run.marked < LIMITS.stride:
         return False
     passed, run.marked, run.since = abs(s.t - run.since), tried, s.t
-    run.stalls = run.stalls + 1 if passed * (MOST_STEPS / STRIDE) < abs(run.task.times[-1] - s.t) else 0
-    return run.stalls >= PATIENCE
+    run.stalls = run.stalls + 1 if passed < LIMITS.few * abs(run.task.times[-1] - s.t) else 0
+    if run.stalls > 0:  # what holds it up may be next to nothing
+        s.spared = [1e-6] * len(s.y)
+    return run.stalls >= LIMITS.patience
 
 
 def _attempt(run: _Run, reach: float) -> tuple[float, int]:
     """(error relative to what is allowed, outcome to leave with where it is no number)."""
     s = run.step
-    module = explicit if isinstance(run.method, Explicit) else collocation
     try:
-        error = module.attempt(s, run.method)
+        error = _measure_error(run)
     except NoSolution:
         return math.nan, NO_SOLUTION
     except ArithmeticError as singular:
@@ -196,30 +197,26 @@ def _attempt(run: _Run, reach: float) -> tuple[float, int]:
         run.most = find_most(s, run.model, run.task)
         if run.most == 0.0:
             return math.nan, UNDERFLOW
-    if 0.0 <= error <= 1.0 and run.model.holds and not _hold_end(run, reach):
+    if 0.0 <= error <= 1.0 and run.model.holds and not hold_end(s, run.model, reach, run.steps == 0):
         return math.nan, SINGULAR
     return error, UNDERFLOW
 
 
-def _hold_end(run: _Run, reach: float) -> bool:
-    """The step's end on the constraints; False where it has none.
-
-    A step's drift is small beside its way: where it is not, also in shorter steps, a constraint jumps, as a sign or the branch of
-    an angle does.  The first step also takes up what the start is off.
-    """
-    s, reached = run.step, run.step.reached
+def _measure_error(run: _Run) -> float:
+    """That of an attempt, with what rounding allows where it may be rounding that is too much."""
+    s, method, twice = run.step, run.method, run.growth == 1.0
     try:
-        s.reached = run.model.hold(reach, reached, run.task.p)
-    except ArithmeticError as singular:
-        s.status = getattr(singular, "status", 0)
-        return False
-    least = max(sys.float_info.min, 1e-6 * max(s.size, default=0.0))
-    sizes = [max(size, abs(end), least) for size, end in zip(s.size, reached, strict=True)]
-    moved = max(abs(b - a) / size for a, b, size in zip(reached, s.reached, sizes, strict=True))
-    way = max(abs(b - a) / size for a, b, size in zip(s.y, reached, sizes, strict=True))
-    most = 1e-3 if s.tolerance > 0 and way > 2e-3 else 0.5 * way
-    s.status = TORN_HOLD if run.steps > 0 and moved > 1e-5 + most else 0
-    return s.status == 0
+        error = explicit.attempt(s, method) if isinstance(method, Explicit) else collocation.attempt(s, method)
+    except NoSolution:
+        s.reached = s.y
+        if s.tolerance <= 0.0 or not (twice or is_faint(s)):
+            raise
+        error = math.nan
+    if error <= 1.0 or s.tolerance <= 0.0 or not (twice or is_faint(s)):
+        return error
+    if isinstance(method, Explicit):
+        return reconsider(s, error, twice, lambda: explicit.again(s, method)) if error > 1.0 else error
+    return reconsider(s, error, twice, lambda: collocation.attempt(s, method))
 
 
 def _advance(run: _Run) -> Outcome | None:
@@ -242,8 +239,9 @@ def _advance(run: _Run) -> Outcome | None:
         run.rejected += 1
         run.growth, s.first = 1.0, True
         run.next = h * (max(_pace(run, error, True), 0.333) if error > 1.0 else 0.25)
-        if task.step <= 0 and error > 1.0:
-            s.learn_sizes(error if isinstance(run.method, Explicit) else error * error)
+        if task.step <= 0:
+            square = error if isinstance(run.method, Explicit) else error * error
+            s.learn_sizes(square if error > 1.0 else sys.float_info.max, run.method.trust)
         if task.step > 0 or run.next < 4 * _EPSILON * max(abs(s.t), 1e-3 * duration):
             return run.leave(reason, s.status)
         return None
@@ -272,8 +270,7 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     if which >= 0:
         s.y, s.t = _point(run, cut), s.t + cut * s.h
         return run.leave(EVENT if which < model.events else CROSSED, which)
-    s.t, s.y, s.slope, s.first = reach, s.reached, s.arrived, False
-    s.size = [max(a, abs(b)) for a, b in zip(s.size, s.y, strict=True)]
+    s.move(reach)
     run.news.t = reach
     if reach == task.times[-1]:
         return run.leave(DONE)

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from nhc.program.stepping import LIMITS
+
 Vector = list[float]
 
 
@@ -24,7 +26,12 @@ class NoSolution(Exception):
 
 @dataclass
 class Step:
-    """From (t, y) with slope to (t + h, reached) with arrived; ``tolerance`` 0 means fixed steps; ``shape`` is the interpolant."""
+    """From (t, y) with slope to (t + h, reached) with arrived; ``tolerance`` 0 means fixed steps; ``shape`` is the interpolant.
+
+    ``size``: the largest magnitudes so far; ``coming``: those that refused steps let hope for; ``noise``: what rounding may make of
+    the slopes; ``wrong``: the square of the error of the step refused last, ``stuck``: how often in a row that was none the less
+    for its length; ``spared``: the part of the largest entry that does for one, if for any.
+    """
 
     model: Model
     p: Sequence[float]
@@ -36,6 +43,11 @@ class Step:
     reached: Vector = field(default_factory=list)
     arrived: Vector = field(default_factory=list)
     size: Vector = field(default_factory=list)
+    coming: Vector = field(default_factory=list)
+    noise: Vector = field(default_factory=list)
+    wrong: float = 0.0
+    stuck: int = 0
+    spared: Vector = field(default_factory=list)
     k: list[Vector] = field(default_factory=list)
     shape: list[Vector] | None = None
     first: bool = True
@@ -45,6 +57,7 @@ class Step:
 
     def __post_init__(self) -> None:
         self.size = [abs(x) for x in self.y]
+        self.coming, self.noise = [0.0] * len(self.y), [0.0] * len(self.y)
 
     def rhs(self, t: float, y: Vector) -> Vector:
         self.calls += 1
@@ -54,24 +67,73 @@ class Step:
         self.jacobians += 1
         return self.model.jacobian(t, y, self.p)
 
-    def allowed(self, reached: Vector) -> Vector:
-        """The error that each component may make: relative to its own size in the run so far, this step's end included.
+    def find_sizes(self, reached: Vector) -> Vector:
+        """What the errors of entries are relative to: their own sizes in the run so far, this end included.
 
-        From rest, where nothing has a size yet, what grows with a high power of the time counts beside what grows sooner.
+        Rounding counts as such up to a millionth of the largest: past a singular place, where a refused step may end, slopes are as
+        sensitive as noise.
         """
-        sizes = [max(a, abs(b)) for a, b in zip(self.size, reached, strict=True)]
-        least = 1e-6 * max(sizes, default=0.0)
-        return [max(self.tolerance * max(size, least), sys.float_info.min) for size in sizes]
+        rows = zip(self.size, self.coming, reached, strict=True)
+        sizes = [max(size, coming, abs(end)) for size, coming, end in rows]
+        largest = max(sizes, default=0.0)
+        if self.spared:
+            sizes = [max(x, part * largest) for x, part in zip(sizes, self.spared, strict=True)]
+        step = abs(self.h) / (self.tolerance or 1.0)
+        noises = [min(step * noise, 1e-6 * largest) for noise in self.noise]
+        return [max(x, noise) for x, noise in zip(sizes, noises, strict=True)]
 
-    def learn_sizes(self, square: float) -> None:
-        """From a state that is next to nothing: sizes to come, by a refused step that is right to a tenth.
+    def allowed(self, reached: Vector) -> Vector:
+        """The error that each entry may make; rounding is none."""
+        return [max(self.tolerance * x, sys.float_info.min) for x in self.find_sizes(reached)]
 
-        Leaving rest as a power of the time, a motion has the same error relative to itself in each step from there, however short.
+    @property
+    def telling(self) -> bool:
+        """Whether a refused step tells anything: not where the state grows by a higher power of the time than the twelfth.
+
+        Far beyond its stability a method makes anything of a state, and its estimate of the error may be a tenth of that.
+        """
+        end = max((*self.size, *map(abs, self.reached)), default=0.0)
+        speed = max(map(abs, self.arrived), default=0.0)
+        return abs(self.h) * speed <= 12.0 * end
+
+    @property
+    def resting(self) -> bool:
+        """Whether the state was next to nothing up to here."""
+        return max(self.size, default=0.0) <= 1e-3 * max(map(abs, self.reached), default=0.0)
+
+    def learn_sizes(self, square: float, trust: float) -> None:
+        """Of what is next to nothing: sizes to come, by a refused step if it and those refused after it are right to the part
+        ``trust`` of their ends, or to three tenths where some entries are spared.
+
+        Leaving rest as a power of the time, a motion has the same error relative to itself in each step, however short.
         ``square``: of the error relative to what is allowed.
         """
-        ends = [abs(x) for x in self.reached]
-        if square * self.tolerance**2 <= 0.01 and max(self.size, default=0.0) <= 1e-3 * max(ends, default=0.0):
-            self.size = [max(a, b) for a, b in zip(self.size, ends, strict=True)]
+        tame = trust >= 1.0  # any step that is solved
+        self.stuck = self.stuck + 1 if self.wrong > 0.0 and square >= 0.25 * self.wrong else 0
+        self.wrong = square
+        if not (square * self.tolerance**2 <= max(trust**2, 0.09 if self.spared else 0.0) and (tame or self.telling)):
+            self.coming = [0.0] * len(self.y)
+            return
+        rows = zip(self.coming, self.size, map(abs, self.reached), map(abs, self.arrived), strict=True)
+        h = abs(self.h)
+        self.coming = [
+            max(a, end) if size <= 1e-3 * end and (tame or h * v <= 12.0 * end) else a for a, size, end, v in rows
+        ]
+
+    def spare(self) -> None:
+        """Where everything rests, or errors are none the less for shorter steps, as those of high powers of the time: from here on
+        a millionth of the largest entry does for what is next to nothing.
+        """
+        if not self.telling or (self.stuck < LIMITS.hopeless and not self.resting):
+            return
+        rows = zip(self.spared or [0.0] * len(self.y), self.size, self.reached, strict=True)
+        self.spared = [1e-6 if size <= 1e-3 * abs(end) else part for part, size, end in rows]
+
+    def move(self, t: float) -> None:
+        """The step is taken: the next one begins at its end."""
+        self.t, self.y, self.slope, self.first = t, self.reached, self.arrived, False
+        self.size = [max(a, b, abs(x)) for a, b, x in zip(self.size, self.coming, self.y, strict=True)]
+        self.coming, self.wrong, self.stuck = [0.0] * len(self.y), 0.0, 0
 
     def cubic(self) -> list[Vector]:
         """Hermite's cubic through both ends, in the terms of ``interpolate``."""

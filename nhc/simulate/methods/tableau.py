@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from nhc.program.stepping import LIMITS
 from nhc.records import record
 
 Row = tuple[float, ...]
@@ -16,6 +17,8 @@ class Explicit:
     of a step in its error estimates (none: fixed steps only).  The interpolant is, with x the part of the step and
     d the step's difference, y + x (d + (1 - x) (h f0 - d + x (2 d - h (f0 + f1) + (1 - x) (h D1 k + x (h D2 k +
     ...))))) with D the rows of ``dense``. ``exponent``: a step is scaled by error^(-1/exponent).
+    ``trust``: the largest estimated error, relative to a refused step's end, with which that end still has the right size; beyond
+    its stability a method ends anywhere.
     """
 
     name: str
@@ -27,6 +30,7 @@ class Explicit:
     errors: tuple[Row, ...]
     dense: tuple[Row, ...]
     exponent: int
+    trust: float = LIMITS.trust
 
     @property
     def adaptive(self) -> bool:
@@ -39,6 +43,8 @@ class Collocation:
 
     ``stiff``: the last stage is the step, and ``errors`` are the weights of the embedded estimate
     (pole - h J)^-1 (h f0 + errors_i (y_i - y)); without them the steps are fixed.
+    ``trust``: as above; where Newton's iteration has solved a stiff step, its end has the right size, and the estimate of a motion
+    that grows with a power of the time is off by 0.11 (t^4) to 0.83 (high powers) of it.
     """
 
     name: str
@@ -50,6 +56,7 @@ class Collocation:
     errors: Row
     pole: float
     exponent: int
+    trust: float = 1.0
 
     @property
     def adaptive(self) -> bool:

@@ -21,6 +21,7 @@ from nhc.mechanics.scenes import Start
 from nhc.mechanics.turning import mass_matrix
 from nhc.program.build import Planner, build_functions
 from nhc.program.needed import Column, needed_function, reactions_of
+from nhc.program.stepping import LEAST_TOLERANCE, SAFETY
 from nhc.program.structure import structure_of
 from nhc.simulate.compile import CompileError, build
 from nhc.simulate.compiled import CompiledModel
@@ -29,7 +30,7 @@ from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, prepare
-from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, list_times
+from nhc.simulate.run import list_times
 from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import DONE, Outcome, Task
 from nhc.study.units import Matrix, sizes_of

@@ -1,0 +1,38 @@
+"""What bounds adaptive steps, in runs of any kind and in emitted drivers alike."""
+
+from __future__ import annotations
+
+from nhc.records import record
+
+SAFETY = 0.01
+"""Of the wanted accuracy, for each step: errors add up and grow."""
+LEAST_TOLERANCE = 3e-15
+MOST_STEPS = 1_000_000_000
+
+
+@record
+class Limits:
+    """When a run whose steps become ever shorter is given up, and an entry of the state that holds them up let go.
+
+    After ``stride`` attempts it is asked whether the rest would take more than MOST_STEPS of the same length: whether less than
+    ``few`` of it is done.  ``patience``: how often in a row that is so before the run ends; past a singular place steps are that
+    short too, for some hundred thousand.  ``hopeless``: refusals in a row by errors that are none the less for the shorter step,
+    after which an entry that is next to nothing is held to a millionth of the largest one.  ``trust``: the error of a refused step
+    of an explicit method, relative to its end, up to which it tells how large the state becomes.  ``faint``: the part of the
+    largest entry below which another one may be made by rounding.
+    """
+
+    stride: int = 20_000
+    patience: int = 50
+    hopeless: int = 2
+    trust: float = 0.1
+    faint: float = 1e-10
+    safety: float = SAFETY
+    least_tolerance: float = LEAST_TOLERANCE
+
+    @property
+    def few(self) -> float:
+        return self.stride / MOST_STEPS
+
+
+LIMITS = Limits()
