@@ -19,18 +19,7 @@ def reachable(
     With ``within``, only those that contain one of its symbols; what is ``known`` is left out, and not walked into.
     """
     kids, deps = graph.kids, graph.deps
-    if known is not None:
-        every = within == -1
-        seen = {root for root in roots if root not in known and (every or deps[root] & within)}
-        stack = list(seen)
-        while stack:
-            for child in kids[stack.pop()]:
-                if child not in seen and child not in known and (every or deps[child] & within):
-                    seen.add(child)
-                    if kids[child]:
-                        stack.append(child)
-        return sorted(seen)
-    if within == -1:
+    if within == -1 and known is None:
         asked = tuple(roots)
         if asked == graph.reached[0]:  # several passes look at the same roots, one after the other
             return graph.reached[1].copy()
@@ -45,11 +34,12 @@ def reachable(
         found = sorted(seen)
         graph.reached = asked, found.copy()
         return found
-    seen = {root for root in roots if deps[root] & within}
+    every, passed = within == -1, known or ()
+    seen = {root for root in roots if root not in passed and (every or deps[root] & within)}
     stack = list(seen)
     while stack:
         for child in kids[stack.pop()]:
-            if child not in seen and deps[child] & within:
+            if child not in seen and child not in passed and (every or deps[child] & within):
                 seen.add(child)
                 if kids[child]:
                     stack.append(child)
