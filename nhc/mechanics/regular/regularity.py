@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 from itertools import combinations
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
-from nhc.algebra.evaluate import evaluate
+from nhc.algebra.calculus import reachable
+from nhc.algebra.evaluate import evaluate_into
 from nhc.algebra.graph import Node
 from nhc.algebra.minors import list_entries, relative_minors, subtract
 from nhc.algebra.polynomial import normalise
@@ -46,22 +47,31 @@ def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[in
 
 
 def pivot_weakness(system: System) -> Callable[[Sequence[Node], Sequence[Node]], list[int]]:
-    """A measure for elimination: at how many trial points a pivot is small against its row (its scale)."""
+    """A measure for elimination: at how many trial points a pivot is small against its row (its scale).
+
+    Each pivot is made of those before it, so that a point remembers their values; one where some have none is out.
+    """
     points: list[dict[Node, float]] = []
+    walked = set[Node]()
 
     def measure(pivots: Sequence[Node], scales: Sequence[Node]) -> list[int]:
-        points.extend(() if points else trial_points(system))
-        counts = [0] * len(pivots)
-        for point in points:
-            try:
-                values = evaluate(system.graph, [*pivots, *scales], point)
-            except (ArithmeticError, ValueError):
-                continue
-            for k in range(len(pivots)):
-                counts[k] += not abs(values[k]) > _WEAK * abs(values[len(pivots) + k])
-        return counts
+        if not walked:
+            points.extend(map(dict, trial_points(system)))
+        new = reachable(system.graph, [*pivots, *scales], known=walked)
+        walked.update(new)
+        points[:] = [point for point in points if _add_values(point, system, new)]
+        pairs = list(zip(pivots, scales, strict=True))
+        return [sum(not abs(point[d]) > _WEAK * abs(point[scale]) for point in points) for d, scale in pairs]
 
     return measure
+
+
+def _add_values(point: dict[Node, float], system: System, nodes: Sequence[Node]) -> bool:
+    try:
+        evaluate_into(point, system.graph, nodes)
+    except (ArithmeticError, ValueError):
+        return False
+    return True
 
 
 def weakness(values: Sequence[float]) -> tuple[int, float]:
