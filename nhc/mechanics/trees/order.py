@@ -23,9 +23,8 @@ def choose_order(rates: int, definitions: Sequence[Terms]) -> list[int]:
     written = list(reversed(forms))
     depth = _find_depths(rates, definitions)
     other = sorted(forms, key=lambda j: (depth[j], j), reverse=True)
-    return min((written, 1.0), (other, 1 / _SHORTER), key=lambda pair: pair[1] * _waiting(rates, definitions, pair[0]))[
-        0
-    ]
+    shorter = _waiting(rates, definitions, other) < _SHORTER * _waiting(rates, definitions, written)
+    return other if shorter else written
 
 
 def _find_depths(rates: int, definitions: Sequence[Terms]) -> list[int]:
