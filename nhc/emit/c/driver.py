@@ -119,6 +119,8 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
         "statuses": tuple(Status(s.code, print_string(print_comment(s.what))) for s in list_statuses(program)),
         "points": POINTS,
         "limits": LIMITS,
+        "adaptive": True,
+        "allowed": True,
     }
 
 

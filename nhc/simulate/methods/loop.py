@@ -176,7 +176,7 @@ def _is_stalled(run: _Run) -> bool:
         return False
     passed, run.marked, run.since = abs(s.t - run.since), tried, s.t
     run.stalls = run.stalls + 1 if passed < LIMITS.few * abs(run.task.times[-1] - s.t) else 0
-    if run.stalls > 0:  # what holds it up may be next to nothing
+    if run.stalls > 0:  # what stalls it may be next to nothing
         s.spared = [1e-6] * len(s.y)
     return run.stalls >= LIMITS.patience
 
