@@ -39,25 +39,32 @@ def _angles(graph: Graph, nodes: Sequence[Node]) -> int:
     return len({graph.a[node] for node in reachable(graph, nodes) if graph.op[node] in ("sin", "cos")})
 
 
-def tree_of(
-    system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[Node] = (), *, bodies: bool = True
-) -> Elimination | None:
+def tree_of(system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[Node] = ()) -> Elimination | None:
     """The elimination along the tree; None where there is no recursion, or a pivot vanishes identically.
 
-    Bodies that turn in space by angles have two: of T's forms as they are written, and of the ``bodies``.
+    Bodies that turn in space by angles have two: of T's forms as they are written, and of the bodies.
     """
-    chains = [find_chain(system, motion, kinetic)]
-    long = bodies and (chains[0] is None or _setting(chains[0]) > _SHORT * system.n)
-    spatial = read_bodies(system) if long and motion.velocities == motion.w == system.v else None
-    if spatial is not None:
-        chains.append(find_chain(system, motion, spatial.kinetic, spatial))
-        if system.n > _BOTH:
-            chains = [min((chain for chain in chains if chain is not None), key=_setting, default=None)]
-    found = [_eliminate(chain, beside) for chain in chains]
-    trees = [tree for tree in found if tree is not None]
-    if len(trees) < 2:
-        return trees[0] if trees else None
-    return min(trees, key=lambda tree: work(tree.graph, tree.rates))
+    written = find_chain(system, motion, kinetic)
+    bodies = _chain_of_bodies(system, motion, written)
+    if bodies is not None and written is not None and system.n > _BOTH:
+        return _eliminate(min(written, bodies, key=_setting), beside)
+    return _shorter(_eliminate(written, beside), _eliminate(bodies, beside))
+
+
+def _chain_of_bodies(system: System, motion: Motion, written: Chain | None) -> Chain | None:
+    """The recursion of bodies in space; None where there is none, or the one of T's forms starts from little."""
+    if motion.velocities != system.v or motion.w != system.v:
+        return None
+    if written is not None and _setting(written) <= _SHORT * system.n:
+        return None
+    spatial = read_bodies(system)
+    return find_chain(system, motion, spatial.kinetic, spatial) if spatial is not None else None
+
+
+def _shorter(one: Elimination | None, other: Elimination | None) -> Elimination | None:
+    if one is None or other is None:
+        return one or other
+    return min((one, other), key=lambda tree: work(tree.graph, tree.rates))
 
 
 def _setting(chain: Chain) -> int:
@@ -78,11 +85,18 @@ def _eliminate(chain: Chain | None, beside: Sequence[Node]) -> Elimination | Non
 
 def worthwhile_tree(system: System, motion: Motion, kinetic: Kinetic) -> Elimination | None:
     """The elimination along the tree, where it takes fewer operations than the matrix would."""
-    many = system.n > _BOTH
-    tree = tree_of(system, motion, kinetic, bodies=many)
-    if tree is None or work(tree.graph, tree.rates) + CHAINED * len(motion.w) >= dense_cost(tree.chain):
+    if system.n > _BOTH:
+        tree = tree_of(system, motion, kinetic)
+        return tree if tree is not None and _is_worthwhile(tree, motion) else None
+    written = find_chain(system, motion, kinetic)
+    tree = _eliminate(written, ())
+    if tree is None or not _is_worthwhile(tree, motion):
         return None  # both ways are compared when the other one is written out
-    return tree if many else tree_of(system, motion, kinetic)
+    return _shorter(tree, _eliminate(_chain_of_bodies(system, motion, written), ()))
+
+
+def _is_worthwhile(tree: Elimination, motion: Motion) -> bool:
+    return work(tree.graph, tree.rates) + CHAINED * len(motion.w) < dense_cost(tree.chain)
 
 
 def dense_cost(chain: Chain) -> int:
