@@ -11,14 +11,10 @@ import pytest
 
 from nhc.algebra.calculus import count
 from nhc.algebra.exact.modular import are_equal
-from nhc.algebra.graph import Node
 from nhc.diagnostics import Source
-from nhc.mechanics.trees.choice import tree_of
-from nhc.mechanics.trees.tree import Elimination
-from nhc.mechanics.whole_forms import whole_kinetic
-from nhc.pipeline import Model, emit, model
+from nhc.pipeline import emit, model
 from nhc.program.build import Planner
-from nhc.program.plan import factor, solve_factored
+from tests.numeric.test_chains import dense, made
 from tests.support import error, python_model
 
 AXES = "xyz"
@@ -134,20 +130,6 @@ def matrix_of(e: Any) -> Any:
     """Of a quaternion of length 1."""
     turn = skew(e[1:])
     return np.eye(3) + 2 * e[0] * turn + 2 * turn @ turn
-
-
-def made(text: str) -> tuple[Model, Elimination]:
-    found = model(Source("tree.yaml", text))
-    kinetic = whole_kinetic(found.system)
-    assert kinetic is not None
-    tree = tree_of(found.system, found.equations.motion, kinetic)
-    assert tree is not None
-    return found, tree
-
-
-def dense(found: Model, right: list[Node]) -> list[Node]:
-    g = found.system.graph
-    return solve_factored(g, factor(g, found.equations.mass), right)
 
 
 KINDS = [(0, "fixed", "body"), (1, "fixed", "space"), (2, "free", "body"), (3, "free", "space"), (4, "driven", "body")]
