@@ -209,13 +209,13 @@ def _advise(system: System, place: dict[Node, float]) -> tuple[str, ...]:
     there = assemble(system, place, free)
     moved = [(system.q_names[i], there[system.q[i]]) for i in free if there[system.q[i]] != place[system.q[i]]]
     if not moved or _distances(system, there):
-        return ("give initial coordinates that satisfy it",)
+        return ("give initial coordinates that satisfy the constraints",)
     some = ", ".join(f"{name}: {value:.10g}" for name, value in moved[:8])
     near = ", ".join(
         f"{name}: {{near: {value:.2g}}}" for name, value in moved[: max(1, min(len(system.constraints), 4))]
     )
     return (
-        f"near by, all is well at `{some}{', ...' if len(moved) > 8 else ''}`",
+        f"the nearest place where the constraints hold: `{some}{', ...' if len(moved) > 8 else ''}`",
         f"or let coordinates follow from the others: `{near}`",
     )
 

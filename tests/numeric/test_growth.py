@@ -166,43 +166,36 @@ def without_velocities(text: Callable[[int], str]) -> Callable[[int], str]:
     return lambda count: re.sub(r"(?m)^quasi_velocities:\n(?:  .*\n)*", "", text(count))
 
 
-def apart(count: int, sign: str = "-") -> str:
-    """A snake whose wheels stand behind the middles of their links, or before them: its tail then swings out ever more."""
-    every, define, rows = range(1, count + 1), ["x1: x", "y1: y"], []
-    for i in every:
-        if i > 1:
-            define.append(f"x{i}: x{i - 1} - a*cos(b{i - 1}) - a*cos(b{i})")
-            define.append(f"y{i}: y{i - 1} - a*sin(b{i - 1}) - a*sin(b{i})")
-        rows.append(f"- -sin(b{i})*(x{i} {sign} e*cos(b{i}))' + cos(b{i})*(y{i} {sign} e*sin(b{i}))' = 0")
+def snake(count: int, rows: list[str], parameters: str) -> str:
+    """Links behind one another, b_i their directions, with the constraints ``rows``."""
+    every, define = range(1, count + 1), ["x1: x", "y1: y"]
+    for i in every[1:]:
+        define.append(f"x{i}: x{i - 1} - a*cos(b{i - 1}) - a*cos(b{i})")
+        define.append(f"y{i}: y{i - 1} - a*sin(b{i - 1}) - a*sin(b{i})")
     return assemble(
         ["x", "y", *(f"b{i}" for i in every)],
         {
-            "parameters": "{a: 0.5, J: 0.1, e: 0.2}",
+            "parameters": parameters,
             "define": define,
             "T": "(" + " + ".join(f"x{i}'^2 + y{i}'^2 + J*b{i}'^2" for i in every) + ")/2",
             "constraints": rows,
         },
     )
+
+
+def apart(count: int, sign: str = "-") -> str:
+    """A snake whose wheels stand behind the middles of their links, or before them: its tail then swings out ever more."""
+    rows = [
+        f"- -sin(b{i})*(x{i} {sign} e*cos(b{i}))' + cos(b{i})*(y{i} {sign} e*sin(b{i}))' = 0"
+        for i in range(1, count + 1)
+    ]
+    return snake(count, rows, "{a: 0.5, J: 0.1, e: 0.2}")
 
 
 def seldom(count: int) -> str:
     """A snake with wheels under every third link: constraints leave many velocities, each on what is behind it."""
-    every, define, rows = range(1, count + 1), ["x1: x", "y1: y"], []
-    for i in every:
-        if i > 1:
-            define.append(f"x{i}: x{i - 1} - a*cos(b{i - 1}) - a*cos(b{i})")
-            define.append(f"y{i}: y{i - 1} - a*sin(b{i - 1}) - a*sin(b{i})")
-        if i % 3 == 1:
-            rows.append(f"- -sin(b{i})*x{i}' + cos(b{i})*y{i}' = 0")
-    return assemble(
-        ["x", "y", *(f"b{i}" for i in every)],
-        {
-            "parameters": "{a: 0.5, J: 0.1}",
-            "define": define,
-            "T": "(" + " + ".join(f"x{i}'^2 + y{i}'^2 + J*b{i}'^2" for i in every) + ")/2",
-            "constraints": rows,
-        },
-    )
+    rows = [f"- -sin(b{i})*x{i}' + cos(b{i})*y{i}' = 0" for i in range(1, count + 1, 3)]
+    return snake(count, rows, "{a: 0.5, J: 0.1}")
 
 
 def test_recursions_side_by_side_stay_linear() -> None:

@@ -199,7 +199,8 @@ def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:
         return found
     # a rank is too small only at special points; signs make half of the points special for an entry
     enough = enough_points(graph, flat, 1)
-    for at, count in ((seed, min(enough, _RANK_POINTS)), (seed + 1, enough - _RANK_POINTS)):
-        if count > (at == seed) and found < full:
-            found = max(found, rank_at(sample(graph, flat, count, at)))
+    if enough > 1:
+        found = max(found, rank_at(sample(graph, flat, min(enough, _RANK_POINTS), seed)))
+    if enough > _RANK_POINTS and found < full:
+        found = max(found, rank_at(sample(graph, flat, enough - _RANK_POINTS, seed + 1)))
     return found

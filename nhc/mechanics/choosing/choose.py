@@ -205,8 +205,21 @@ def chaplygin_dependent(system: System, choice: DependentChoice) -> tuple[Depend
     """The dependent velocities of Čaplygin's equations, with their frame and hypotheses.
 
     They are ``choice`` where it allows these equations and where the spec gives it; else the best of the others that allow them,
-    so that no system is refused for what nhc chose.
+    so that no system is refused for what nhc chose.  Who asks again, to say what was found, gets the same answer.
     """
+    known: list[tuple[System, tuple[int, ...], tuple[DependentChoice, Frame, chaplygin.Hypotheses]]]
+    known = system.graph.memory.setdefault("chaplygin dependents", [])
+    for owner, columns, answer in known:
+        if owner is system and columns == choice.dependent:
+            return answer
+    found = _find_chaplygin_dependent(system, choice)
+    known.append((system, choice.dependent, found))
+    return found
+
+
+def _find_chaplygin_dependent(
+    system: System, choice: DependentChoice
+) -> tuple[DependentChoice, Frame, chaplygin.Hypotheses]:
     frame = coordinate_frame(system, choice.dependent)
     found = chaplygin.hypotheses(frame, choice.dependent)
     if system.dependent or not found.fatal:

@@ -39,7 +39,7 @@ def strongest(
     least: float = CLEAR,
 ) -> list[Form]:
     """Of each group in turn as many as are independent by ``least`` of all before them at every point, the farthest first."""
-    digits = 2 if least == CLEAR else 6
+    digits = -math.floor(math.log10(least))  # what differs by less is as far
     before = [*system.constraints, *forms]
     offered = [form for group in groups for form in group]
     left = [[_unit(row) for row in matrix] for matrix in sampled_rows(system, [*before, *offered], points)]
