@@ -56,6 +56,14 @@ def test_two_terms(text: str, joined: str) -> None:
     assert (made == node) if not joined else (to_text(g, made) == joined)
 
 
+def test_a_sum_that_is_a_term_elsewhere() -> None:
+    """It is joined where it is a factor, though a longer sum has it as a term."""
+    g, node = read("m*(cos(a)*cos(b) + sin(a)*sin(b)) + w*(v + (cos(a)*cos(b) + sin(a)*sin(b)))")
+    (made,) = join_sums(g, [node])
+    assert to_text(g, made) == "m*cos(a - b) + w*(v + cos(a - b))"
+    assert are_equal(g, [made], [node])
+
+
 def test_what_was_given_stays() -> None:
     g, kept = read("cos(a)*cos(b) + sin(a)*sin(b)")
     node = g.mul(kept, g.symbol("v"))

@@ -6,7 +6,7 @@ Emitted code keeps the products, whose sines and cosines it has anyway (the othe
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
 
 from nhc.algebra.calculus import list_terms, reachable, rebuild
@@ -21,8 +21,7 @@ _MOST = 60  # terms of a sum that are looked at
 def join_sums(graph: Graph, nodes: Sequence[Node], kept: Mapping[Node, Node] | None = None) -> list[Node]:
     """The nodes with each sum below them joined, innermost first; ``kept``: nodes and what stands for them untouched."""
     needed = reachable(graph, nodes)
-    inner = {kid for node in needed if graph.op[node] in (ADD, NEG) for kid in graph.children(node)}
-    inner -= set(nodes)  # terms of longer sums are looked at with these
+    whole = find_whole(graph, nodes, needed)
     new: dict[Node, Node] = dict(kept or {})
     for node in needed:
         if node in new:
@@ -31,11 +30,20 @@ def join_sums(graph: Graph, nodes: Sequence[Node], kept: Mapping[Node, Node] | N
         moved = [new[kid] for kid in children]
         made = node if moved == list(children) else rebuild(graph, node, moved)
         body = graph.a[made] if graph.op[made] == NEG else made  # a sum may come out as the negative of one
-        if graph.op[body] == ADD and (graph.op[node] != ADD or node not in inner):
+        if graph.op[body] == ADD and (graph.op[node] != ADD or node in whole):
             joined = _join_sum(graph, body)
             made = joined if body == made else graph.neg(joined)
         new[node] = made
     return [new[node] for node in nodes]
+
+
+def find_whole(graph: Graph, roots: Iterable[Node], needed: Sequence[Node]) -> set[Node]:
+    """What is not only a term of longer sums, among the nodes that the roots need: a sum there is looked at as a whole."""
+    whole = set(roots)
+    for node in reversed(needed):
+        if graph.op[node] != ADD and (graph.op[node] != NEG or node in whole):
+            whole.update(graph.children(node))
+    return whole
 
 
 def _join_sum(graph: Graph, node: Node) -> Node:

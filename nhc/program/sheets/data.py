@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 from nhc.language import Scene, unparse
@@ -117,7 +118,9 @@ def reason_sheet(desk: Desk) -> DraftSheet:
     formulation = desk.formulation
     sheet = DraftSheet("formulation", "The formulation")
     title = TITLES[formulation.name]
-    sheet.say(f"The equations are {title}. Why these: {formulation.reason.rstrip('.')}.")
+    velocities = "|".join(map(re.escape, desk.system.q_names))
+    reason = re.sub(rf"\b({velocities})'(?!\w)", r"$\1'$", formulation.reason.rstrip("."))
+    sheet.say(f"The equations are {title}. Why these: {reason}.")
     if formulation.name == "chaplygin":
         if formulation.broken:
             sheet.say("Of the hypotheses of I.3 these do not hold, and the generalized equations are used:")

@@ -14,7 +14,7 @@ from nhc.algebra.calculus import count, reachable, rebuild, substitute
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
-from nhc.algebra.rewriting.joined import join_sums
+from nhc.algebra.rewriting.joined import find_whole, join_sums
 from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftSheet, Part
 
 _REPEATED = 8  # operations from which a repeated expression gets a name
@@ -120,10 +120,7 @@ def _square_cosines(graph: Graph, drafts: Sequence[DraftSheet], owners: Collecti
     """With cos(x)^2 for 1 - sin(x)^2 and the other way round; canonical forms know one of the two only."""
     roots = list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
     needed = reachable(graph, roots)
-    whole = set(roots)  # what is no term of a longer sum
-    for node in reversed(needed):
-        if graph.op[node] != ADD and (graph.op[node] != NEG or node in whole):
-            whole.update(graph.children(node))
+    whole = find_whole(graph, roots, needed)
     changed = {node: node for node in needed if node in owners and graph.children(node)}
     for node in needed:
         if graph.op[node] == ADD and node in whole and node not in changed:
