@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 Place = Callable[[float, float], tuple[float, float]]
 _WIDTH, _HEIGHT, _LEFT, _BOTTOM, _TOP, _RIGHT = 640, 400, 90, 50, 20, 120
+_LINE = 15  # between names, in the units of the drawing
 _STYLES = ("#1b6ca8", "#c8553d")
 
 
@@ -33,25 +34,31 @@ def draw_scaling(times: dict[str, dict[int, float]]) -> str:
         lines.append(f'<text x="{x}" y="{y + 20}" text-anchor="middle">{n}</text>')
     x, y = place(math.sqrt(sizes[0] * sizes[-1]), 10.0**low)
     lines.append(f'<text x="{x}" y="{y + 40}" text-anchor="middle">number of trailers or links</text>')
-    lines.append(_draw_linear(place, sizes, next(iter(times.values())), high))
-    ends = {family: found[max(found)] for family, found in times.items()}
+    dashed, end = _draw_linear(place, sizes, next(iter(times.values())), high)
+    lines.append(dashed)
+    names = [(*end, "linear", "#888888")]
     for (family, found), colour in zip(times.items(), _STYLES, strict=False):
         points = [place(n, seconds * 1e3) for n, seconds in sorted(found.items())]
         path = " ".join(f"{x},{y}" for x, y in points)
         lines.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="2"/>')
         lines += [f'<circle cx="{x}" cy="{y}" r="3.5" fill="{colour}"/>' for x, y in points]
-        x, y = points[-1]
-        aside = -4 if ends[family] == max(ends.values()) else 12  # names of lines that end close together stand apart
-        lines.append(f'<text x="{x + 10}" y="{y + aside}" fill="{colour}">{family}</text>')
+        names.append((*points[-1], family, colour))
+    lines += _draw_names(names)
     return "\n".join([*lines, "</svg>"]) + "\n"
 
 
-def _draw_linear(place: Place, sizes: list[int], found: dict[int, float], high: int) -> str:
-    """The dashed line of linear cost, as far as it stays in the frame."""
+def _draw_names(ends: list[tuple[float, float, str, str]]) -> list[str]:
+    """Each line's name beside its end, and below the name before it where they would meet."""
+    found, before = list[str](), -math.inf
+    for x, y, name, colour in sorted(ends, key=lambda end: end[1]):
+        before = round(max(y + 4, before + _LINE), 1)
+        found.append(f'<text x="{x + 10}" y="{before}" fill="{colour}">{name}</text>')
+    return found
+
+
+def _draw_linear(place: Place, sizes: list[int], found: dict[int, float], high: int) -> tuple[str, tuple[float, float]]:
+    """The dashed line of linear cost, as far as it stays in the frame, and its end."""
     first = found[sizes[0]] * 1e3
     last = min(sizes[-1], sizes[0] * 10.0**high / first)
     (x1, y1), (x2, y2) = place(sizes[0], first), place(last, first * last / sizes[0])
-    return (
-        f'<line x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}" stroke="#888888" stroke-dasharray="5 4"/>'
-        f'<text x="{x2 + 10}" y="{y2 + 4}" fill="#888888">linear</text>'
-    )
+    return f'<line x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}" stroke="#888888" stroke-dasharray="5 4"/>', (x2, y2)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
+from benchmarks.chart import draw_scaling
 from benchmarks.models import Compiled, difference, hand_sources, names, nhc_sources, parameters, source, states
 from benchmarks.systems import STYLES, drop_section, spec
 from nhc.language import decode
@@ -73,3 +76,12 @@ def test_peer_kane_agrees(name: str, tmp_path: Path) -> None:
     rates = made.rates.xreplace(point).evalf()
     found = [*rates, *mass.LUsolve(forcing)[: len(kept)]]
     assert difference([float(x) for x in found], expected) < 1e-12
+
+
+def test_names_of_lines_that_end_together_stand_apart() -> None:
+    """A family of exactly linear cost ends where the line of linear cost does, and another one on it."""
+    sizes = (5, 10, 100)
+    drawn = draw_scaling({"one": {n: 2e-3 * n for n in sizes}, "other": {n: 2.01e-3 * n for n in sizes}})
+    places = sorted(float(y) for y in re.findall(r'y="([0-9.]+)" fill="#\w+">(?:one|other|linear)<', drawn))
+    assert len(places) == 3
+    assert min(b - a for a, b in pairwise(places)) >= 15
