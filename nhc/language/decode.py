@@ -10,8 +10,8 @@ from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 
 from .advice import meant_key, meant_method
 from .drawing import decode_drawing
-from .extend import merge_bases
-from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
+from .extend import merge_bases, plain
+from .keys import INSTEAD, SPEC_KEYS, SYSTEM_PATTERN, VERSION
 from .names import fold, is_name
 from .nodes import Items, Node, Table, Text
 from .one_forms import check_form
@@ -50,22 +50,26 @@ class _Draft:
 
 
 class _Decoder:
-    def __init__(self, source: Source, root: Table, bag: Bag) -> None:
+    def __init__(self, source: Source, written: Table, bag: Bag) -> None:
         self.source = source
-        self.root = root
+        self.written = written
+        self.root, offered = plain(written, bag)
         self.bag = bag
         self.shapes = Shapes(bag)
-        self.scope = Scope(bag)
+        self.scope = Scope(bag, offered)
+        self.scope.open = bag.has_errors
         self.draft = _Draft()
         self.uncounted = False  # constraints may stand under a key that is misspelled
 
     def run(self) -> Spec:
-        place = self.root.entries[0][0].span if self.root.entries else self.root.span
-        rotates = self.root.get("rotation") is not None  # then other coordinates need not be
-        keys = [key.optional() if rotates and key.name == "coordinates" else key for key in SPEC_KEYS]
-        meant = self.shapes.check_keys(self.root, keys, "the spec", place, meant_key)
+        place = self.written.entries[0][0].span if self.written.entries else self.written.span
+        given = {text.value for text, _ in self.written.entries}
+        keys = [key.optional() if INSTEAD.get(key.name) in given else key for key in SPEC_KEYS]
+        meant = self.shapes.check_keys(self.written, keys, "the spec", place, meant_key)
         strange = any(text.value not in _KEYS and not isinstance(node, Text) for text, node in self.root.entries)
-        self.scope.open = strange or any(key in _DECLARING for key in meant)  # what it declares is not known
+        self.scope.open = (
+            self.scope.open or strange or any(key in _DECLARING for key in meant)
+        )  # what it declares is not known
         self.uncounted = strange or "constraints" in meant or "holonomic" in meant
         version, system = self._version(), self._system()
         self._declare()
@@ -238,12 +242,12 @@ class _Decoder:
         node = self.root.get("forces")
         table = self.shapes.table(node, "a mapping of coordinates to expressions") if node is not None else None
         found: dict[str, Definition] = {}
-        turning = [name for rotation in self.draft.rotations for name in rotation.velocities]
+        moving = self.scope.of_kind("define", "quasi")
         quaternions = [name for rotation in self.draft.rotations for name in rotation.coordinates]
         for text, value in table.entries if table else ():
             name = fold(text.value)
             tree = self._parse(value)
-            if not self.scope.check_coordinate(text, turning, quaternions):
+            if not self.scope.check_coordinate(text, moving, quaternions):
                 continue
             if pushes_quaternion(text, self.draft.rotations, self.bag):
                 continue

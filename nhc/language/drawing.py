@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from nhc.diagnostics import quote
 
-from .keys import BODY_KEYS, CIRCLE_KEYS, DRAW_KEYS
+from .keys import CIRCLE_KEYS, DRAW_KEYS, DRAWN_BODY_KEYS
 from .nodes import Node, Table, Text
 from .shape import Shapes
 from .spec import FIGURES, Figure, Place
@@ -97,7 +97,7 @@ class _Drawing:
         table = self._table(node, "a body", "body: {at: [x, y], angle: theta, shape: [[0, 0], [1, 0], [0, 1]]}")
         if table is None:
             return None
-        self.shapes.check_keys(table, BODY_KEYS, "a body", key.span)
+        self.shapes.check_keys(table, DRAWN_BODY_KEYS, "a body", key.span)
         at, angle, shape = table.get("at"), table.get("angle"), table.get("shape")
         origin = self._point(at, "the place of a body", _IN_PLANE) if at is not None else None
         turn = self.read(angle) if angle is not None else None

@@ -11,6 +11,7 @@ from pathlib import Path, PurePosixPath
 
 from nhc.diagnostics import Bag, Source, Span, SpecError
 
+from .keys import BODILY
 from .names import fold
 from .nodes import Items, Node, Table, Text
 from .yaml_reader import read_nodes
@@ -85,6 +86,15 @@ def _merge_roots(base: Table, own: Table) -> Table:
         base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value not in _POTENTIALS))
     base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value != KEY))
     return _merge(base, own, _coordinates(base, own))
+
+
+def plain(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...]]:
+    """The spec with its ``bodies`` written out, and the names that they bring."""
+    if not any(text.value in BODILY for text, _ in root.entries):
+        return root, ()
+    from .write_out import write_out  # few specs need it
+
+    return write_out(root, bag)
 
 
 def _merge(base: Table, own: Table, rates: frozenset[str] = frozenset()) -> Table:

@@ -25,6 +25,10 @@ class Key:
         return Key(self.name, self.kind, False, self.about, self.choices)
 
 
+_TURNS = "turns from the axes of `on` to its own, one after another: `[z: yaw, x: roll]`; `[]` if left out"
+_INERTIA = (
+    "about the centre of mass on its own axes: one moment about every axis, `[A, B, C]`, or entries of the matrix"
+)
 _COORDINATES = "a list of names, or each name with `unit`, `about`, `range`; may be left out beside `rotation`"
 
 SPEC_KEYS = (
@@ -46,8 +50,11 @@ SPEC_KEYS = (
         "orientations in space: each name with `velocities`, `frame`, or a list of names",
     ),
     Key("parameters", "parameters", False, "constants: each name with its number, or with `value`, `unit`, `about`"),
+    Key("bodies", "bodies", False, "rigid bodies, by name: mass, inertia, place and turns, from which nhc makes T"),
+    Key("points", "points", False, "points on bodies, by name: their places and velocities"),
+    Key("gravity", "place", False, "acceleration of gravity on all bodies: `[X, Y]` or `[X, Y, Z]`, in space"),
     Key("define", "expressions", False, "named expressions, in any order without a cycle"),
-    Key("T", "expression", True, "kinetic energy"),
+    Key("T", "expression", True, "kinetic energy; that of `bodies` is added, and it may be left out beside them"),
     Key("U", "expression", False, "force function, Q_i = + dU/dq_i; not together with `V`"),
     Key("V", "expression", False, "potential energy, Q_i = - dV/dq_i; not together with `U`"),
     Key(
@@ -68,6 +75,12 @@ SPEC_KEYS = (
     Key("scenes", "scenes", False, "concrete situations, by name"),
 )
 
+BODILY = ("bodies", "points", "gravity")
+"""Keys that are written out as definitions and energies before anything else reads the spec."""
+
+INSTEAD = {"coordinates": "rotation", "T": "bodies"}
+"""Required keys that may be left out beside another one."""
+
 COORDINATE_KEYS = (
     Key("unit", "unit", False, "unit, such as `m` or `rad`"),
     Key("about", "text", False, "what it is"),
@@ -78,6 +91,33 @@ ROTATION_KEYS = (
     Key("velocities", "three", False, "names of the angular velocity's components; `R_w1`, `R_w2`, `R_w3` if left out"),
     Key("frame", "choice", False, "the axes of these components; `body` if left out", ROTATION_FRAMES),
     Key("quaternion", "four", False, "names of the quaternion, its scalar part first; `R_0` to `R_3` if left out"),
+    Key("about", "text", False, "what it is"),
+)
+
+BODY_KEYS = (
+    Key("on", "name", False, "the body on whose axes it is placed; space if left out"),
+    Key("at", "place", False, "its origin on the axes of `on`: `[X, Y]` or `[X, Y, Z]`; their origin if left out"),
+    Key("turns", "turns", False, _TURNS),
+    Key("rotation", "name", False, "in place of `turns`: a rotation, from its own axes to those of `on`"),
+    Key("mass", "expression", False, "its mass; none if left out"),
+    Key("centre", "place", False, "its centre of mass on its own axes; its origin if left out"),
+    Key("inertia", "inertia", False, _INERTIA),
+    Key("about", "text", False, "what it is"),
+)
+
+INERTIA_KEYS = (
+    Key("xx", "expression", False, "moment about the first axis"),
+    Key("yy", "expression", False, "moment about the second axis"),
+    Key("zz", "expression", False, "moment about the third axis"),
+    Key("yz", "expression", False, "entry of the matrix: minus the sum of m*y*z"),
+    Key("xz", "expression", False, "entry of the matrix: minus the sum of m*x*z"),
+    Key("xy", "expression", False, "entry of the matrix: minus the sum of m*x*y"),
+)
+
+POINT_KEYS = (
+    Key("on", "name", False, "the body on whose axes it is placed; space if left out"),
+    Key("at", "place", True, "where it is on these axes: `[X, Y]` or `[X, Y, Z]`"),
+    Key("of", "name", False, "the body whose matter moves there; `on` if left out"),
     Key("about", "text", False, "what it is"),
 )
 
@@ -135,7 +175,7 @@ CIRCLE_KEYS = (
     Key("normal", "vector", False, "its axis in space, of any length; `[0, 0, 1]` if left out"),
 )
 
-BODY_KEYS = (
+DRAWN_BODY_KEYS = (
     Key("at", "spot", True, "`[X, Y]`, where the origin of the body's axes is"),
     Key("angle", "expression", True, "from the x axis to the body's first axis, counterclockwise, in radians"),
     Key("shape", "polygon", True, "three corners or more on the body's axes"),

@@ -28,7 +28,8 @@ class Text:
         first = self.offsets[min(start, last)]
         if end <= start:
             return Span(first, first)
-        return Span(first, self.offsets[min(end, last) - 1] + 1)
+        stop = self.offsets[min(end, last) - 1] + 1
+        return Span(first, stop) if stop > first else self.span  # parts of a text that is put together stand anywhere
 
 
 @record

@@ -12,8 +12,11 @@ from .keys import (
     CIRCLE_KEYS,
     COORDINATE_KEYS,
     DRAW_KEYS,
+    DRAWN_BODY_KEYS,
+    INERTIA_KEYS,
     NEAR_KEYS,
     PARAMETER_KEYS,
+    POINT_KEYS,
     ROTATION_KEYS,
     SCENE_KEYS,
     SPEC_KEYS,
@@ -87,6 +90,15 @@ def _shape(key: Key) -> dict[str, Any]:
         case "three" | "four":
             count = 3 if key.kind == "three" else 4
             return {**_listed({"type": "string", "pattern": _NAME}), "minItems": count, "maxItems": count}
+        case "name":
+            return {"type": "string", "pattern": _NAME}
+        case "bodies" | "points":
+            return {**_named(_object(BODY_KEYS if key.kind == "bodies" else POINT_KEYS)), "minProperties": 1}
+        case "turns":
+            turns = {"type": "object", "minProperties": 1, "maxProperties": 1, "additionalProperties": False}
+            return _listed({**turns, "properties": {axis: _VALUE for axis in "xyz"}})
+        case "inertia":
+            return {"anyOf": [_VALUE, _numbers(3, 3), _object(INERTIA_KEYS)]}
         case "order":
             return {"type": "string", "pattern": "^[xyz]{3}$"}
         case "equations":
@@ -124,7 +136,7 @@ def _drawn_shape(key: Key) -> dict[str, Any]:
         case "circle":
             return _object(CIRCLE_KEYS)
         case "body":
-            return _object(BODY_KEYS)
+            return _object(DRAWN_BODY_KEYS)
         case "figures":
             one = {"oneOf": [{"required": [kind]} for kind in FIGURES]}
             return _listed({**_object(DRAW_KEYS), **one})
@@ -136,8 +148,11 @@ def _spec() -> dict[str, Any]:
     """A spec that extends another need not hold what that has."""
     made = _object(SPEC_KEYS)
     required = made.pop("required")
-    turned = ["rotation" if key == "coordinates" else key for key in required]
-    ways = [{"required": keys} for keys in (["extends"], required, turned)]
+    ways = [{"required": ["extends"]}]
+    for placed in ("coordinates", "rotation"):
+        for energy in ("T", "bodies"):
+            other = {"coordinates": placed, "T": energy}
+            ways.append({"required": [other.get(key, key) for key in required]})
     return {**made, "required": ["nhc"], "anyOf": ways}
 
 
@@ -160,11 +175,14 @@ def reference_table() -> str:
         "rotation": ROTATION_KEYS,
         "start of a coordinate": NEAR_KEYS,
         "start of a rotation": START_KEYS,
+        "body": BODY_KEYS,
+        "body's inertia": INERTIA_KEYS,
+        "point": POINT_KEYS,
         "parameter": PARAMETER_KEYS,
         "scene": SCENE_KEYS,
         "shape to draw": DRAW_KEYS,
         "circle": CIRCLE_KEYS,
-        "body": BODY_KEYS,
+        "body to draw": DRAWN_BODY_KEYS,
     }
     for title, keys in tables.items():
         rows = [f"| `{key.name}` | {'yes' if key.required else ''} | {_about(key)} |" for key in keys]

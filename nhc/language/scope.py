@@ -34,9 +34,13 @@ class Declared:
 
 
 class Scope:
-    """The declared names. ``open``: a declaring section could not be read, so unknown names are passed over."""
+    """The declared names. ``open``: a declaring section could not be read, so unknown names are passed over.
 
-    def __init__(self, bag: Bag) -> None:
+    ``offered`` are names that would be declared if anything used them.
+    """
+
+    def __init__(self, bag: Bag, offered: Sequence[str] = ()) -> None:
+        self.offered = offered
         self.bag = bag
         self.names: dict[str, Declared] = {}
         self.open = False
@@ -86,14 +90,17 @@ class Scope:
         return tuple(name for name, declared in self.names.items() if declared.kind in kinds)
 
     def check_coordinate(self, text: Text, also: Sequence[str] = (), hidden: Sequence[str] = ()) -> bool:
-        """Say whether a text names a coordinate or one of ``also``; report it where it does not, and propose no ``hidden`` one."""
+        """Say whether a text names a coordinate or one of ``also``; report it where it does not, and propose no ``hidden`` one.
+
+        Near names are sought among all of them, but only coordinates are listed.
+        """
         name = fold(text.value)
         kind = self.kind(name)
         if kind == "coordinate" or name in also:
             return True
         if not self.open and not self.is_unknown(name, text.span):
-            proposed = [*(n for n in self.of_kind("coordinate") if n not in hidden), *also]
-            help = suggest(name, proposed, f"the coordinates are {quote(proposed)}")
+            proposed = [n for n in self.of_kind("coordinate") if n not in hidden]
+            help = suggest(name, [*proposed, *also], f"the coordinates are {quote(proposed)}")
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
 
@@ -206,7 +213,9 @@ class Scope:
         else:
             self._searches += 1
             kinds = ("parameter",) if place == "start" else ("coordinate", "parameter", "define", "quasi", "entry")
-            known = (*self.of_kind(*kinds), PI) if place == "start" else (*self.of_kind(*kinds), TIME, PI)
+            known = (
+                (*self.of_kind(*kinds), PI) if place == "start" else (*self.of_kind(*kinds), *self.offered, TIME, PI)
+            )
             near = nearest(name, known) if self._searches <= _SEARCHES else None
             rate = meant_rate(name, self.of_kind("coordinate", "define", "entry")) if place != "start" else ""
             where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"

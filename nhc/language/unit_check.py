@@ -11,7 +11,7 @@ from .names import ENERGIES, PI, TIME
 from .orientation import angles_in
 from .scope import names_in
 from .spec import Constraint, Definition, Holonomic, Initial, Spec
-from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
+from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree, walk
 from .units import ENERGY, ONE, SECOND, Dimension, multiply, parse_unit, raise_to, show
 
 _RATIO = "divide it by a parameter of the same unit"
@@ -45,6 +45,7 @@ class Checker:
         self.loose = False  # in starts, where a number beside a quantity has that one's unit
         self.seen: set[int] = set()  # angles of rotations, each of which stands in several parts of a quaternion
         self.rotations = spec.rotations
+        self.moving = {name for rotation in spec.rotations for name in rotation.velocities}
         self.names: dict[str, Quantity] = {TIME: Quantity(SECOND), PI: Quantity(ONE)}
         for name, unit in list_units(spec):
             self.names[name] = Quantity(parse_unit(unit)) if unit else _UNKNOWN
@@ -53,9 +54,13 @@ class Checker:
             self.names.update(dict.fromkeys(rotation.velocities, Quantity(_PER_SECOND)))
 
     def measure_named(self, spec: Spec) -> None:
-        """Let the quantities of definitions and quasi-velocities be known."""
+        """Let the quantities of definitions and quasi-velocities be known, and which of them are velocities."""
         for name, value in spec.named_values:
             self.names[name] = self.measure(value)
+            if any(
+                isinstance(part, Prime) or (isinstance(part, Name) and part.name in self.moving) for part in walk(value)
+            ):
+                self.moving.add(name)
 
     def measure(self, tree: Syntax) -> Quantity:
         """Return the quantity of an expression; what does not fit in it is reported once, where it stands."""
@@ -246,9 +251,10 @@ def _check_start(checker: Checker, start: Initial) -> None:
 
 
 def _check_force(checker: Checker, force: Definition, energy: Dimension | None) -> None:
-    turning = any(force.name in rotation.velocities for rotation in checker.rotations)
-    coordinate = ONE if turning else checker.names[force.name].dimension
+    pushed = checker.names.get(force.name, _UNKNOWN).dimension
+    if force.name in checker.moving and pushed is not None:
+        pushed = multiply(pushed, raise_to(_PER_SECOND, Fraction(-1)))
     wanted: tuple[Dimension, ...] = ()
-    if energy is not None and coordinate is not None:
-        wanted = (multiply(energy, raise_to(coordinate, Fraction(-1))),)
+    if energy is not None and pushed is not None:
+        wanted = (multiply(energy, raise_to(pushed, Fraction(-1))),)
     checker.demand(force.value, wanted, f"the force on `{force.name}`")

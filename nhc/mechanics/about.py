@@ -11,9 +11,9 @@ from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language import Initial, Name, Override, Prime, Scene, Spec, Syntax, walk
 from nhc.language.names import fold
 from nhc.language.parser import parse_expression
+from nhc.mechanics.expressions import Resolver
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, kept_forms
-from nhc.mechanics.resolve import Resolver
 from nhc.mechanics.scenes import Start, kept_velocities, report_scene
 from nhc.records import record
 

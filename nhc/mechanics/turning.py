@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.mechanics.rotation import Rotation, put, square
 from nhc.mechanics.system import Form, System
@@ -96,18 +96,18 @@ Spread = tuple[tuple[Node, ...], Node]
 """Coefficients of a velocity form, and its constant."""
 
 
-def _spread(system: System, value: Node) -> Spread | None:
+def spread(graph: Graph, v: Sequence[Node], rotations: Sequence[Rotation], value: Node) -> Spread | None:
     """Coefficients of a velocity form by q' and by the rotations' omega, where it is written with these, and its constant."""
-    g = system.graph
+    g = graph
     memo: dict[Node, Spread | None] = g.memory.setdefault("forms by angular velocities", {})
     if value not in memo:
         mapping: dict[Node, Node] = {}
-        symbols = [g.symbol(f"{r.name}_turn{k}", "test") for r in system.rotations for k in range(3)]
-        nodes = [w for r in system.rotations for w in r.omega]
+        symbols = [g.symbol(f"{r.name}_turn{k}", "test") for r in rotations for k in range(3)]
+        nodes = [w for r in rotations for w in r.omega]
         for node, symbol in zip(nodes, symbols, strict=True):
             put(g, mapping, node, symbol)
         try:
-            memo[value] = linear_form(g, substitute(g, [value], mapping)[0], (*system.v, *symbols))
+            memo[value] = linear_form(g, substitute(g, [value], mapping)[0], (*v, *symbols))
         except NotLinear:
             memo[value] = None
     return memo[value]
@@ -119,7 +119,7 @@ def exterior_derivative(system: System, form: Form, x: Direction, e: Direction) 
     The theta_k are the dq_i and the rotations' omega.  None where the form's own words are not known.
     """
     g = system.graph
-    found = _spread(system, form.value) if form.value is not None else None
+    found = spread(g, system.v, system.rotations, form.value) if form.value is not None else None
     if found is None:
         return None
     coefficients, constant = found

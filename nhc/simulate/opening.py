@@ -13,8 +13,9 @@ from nhc.language.scope import Declared, Scope
 from nhc.language.spec import Definition, Scene
 from nhc.language.syntax import Name, Syntax, fold_tree, rebuild
 from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.expressions import Resolver, define_names
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import Resolver, define_names, resolve
+from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import check_scene_name, start_of
 from nhc.mechanics.system import System
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE

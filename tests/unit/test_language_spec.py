@@ -171,13 +171,18 @@ def test_the_schema_is_made_of_the_table() -> None:
     jsonschema.Draft202012Validator.check_schema(tree)
     assert list(tree["properties"]) == [key.name for key in SPEC_KEYS]
     assert tree["required"] == ["nhc"]
-    ways = [["extends"], ["nhc", "system", "coordinates", "T"], ["nhc", "system", "rotation", "T"]]
-    assert tree["anyOf"] == [{"required": keys} for keys in ways]
+    ways = [["nhc", "system", placed, energy] for placed in ("coordinates", "rotation") for energy in ("T", "bodies")]
+    assert tree["anyOf"] == [{"required": keys} for keys in (["extends"], *ways)]
     validator = jsonschema.Draft202012Validator(tree)
     good = {"nhc": 1, "system": "s", "coordinates": ["x"], "T": "x'^2"}
     assert validator.is_valid(good)
     for rotation in (["R"], {"R": {}}, {"R": {"velocities": ["a", "b", "c"], "frame": "space"}}):
         assert validator.is_valid({"nhc": 1, "system": "s", "rotation": rotation, "T": "a^2"})
+    body = {"at": ["x", 0], "turns": [{"z": "x"}, {"x": 1}], "mass": 1, "inertia": [1, 2, "a"]}
+    heavy = {"nhc": 1, "system": "s", "coordinates": ["x"], "bodies": {"b": body}, "gravity": [0, -9.81]}
+    assert validator.is_valid({**heavy, "points": {"p": {"on": "b", "at": [0, 0, 1], "of": "b"}}})
+    for wrong in ({"turns": {"z": "x"}}, {"turns": [{"z": 1, "x": 2}]}, {"turns": [{"w": 1}]}, {"inertia": [1, 2]}, {"at": 0}):
+        assert not validator.is_valid({**heavy, "bodies": {"b": {**body, **wrong}}})
     for start in ([1, 0, 0, "a"], {"axis": [0, 0, 1], "angle": "pi"}, {"yaw": 1}):
         assert validator.is_valid({**good, "scenes": {"s": {"time": [0, 1], "initial": {"R": start}}}})
     for rotation in ([], {}, {"R": {"velocities": ["a", "b"]}}, {"R": {"frame": "inertial"}}):

@@ -16,7 +16,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.diagnostics import Bag, Span, quote, suggest
 from nhc.language import Name, Parameter, Prime, Spec, walk
 from nhc.mechanics.about import Pair, read_pairs
-from nhc.mechanics.resolve import Resolver, define_names
+from nhc.mechanics.expressions import Resolver, define_names
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import parameter_value
 from nhc.records import record

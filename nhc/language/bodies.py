@@ -1,0 +1,189 @@
+"""``bodies`` and ``points`` as they are read: names, places, turns, masses, inertia."""
+
+from __future__ import annotations
+
+from nhc.diagnostics import nearest
+from nhc.records import record
+
+from .keys import BODY_KEYS, INERTIA_KEYS
+from .kinematics import AXES, Inertia, Turn, Turning
+from .names import fold, is_name
+from .nodes import Items, Node, Table, Text
+from .parser import parse_expression
+from .pieces import Piece, Triple, each, piece_of, write
+from .shape import Shapes
+from .syntax import Prime, walk
+from .yaml_reader import is_empty
+
+MOST_TURNS = 6
+_VECTOR = "write `[X, Y]`, or `[X, Y, Z]`"
+_ENTRIES = tuple(key.name for key in INERTIA_KEYS)
+
+
+@record
+class Body:
+    """``mass`` and ``inertia`` are None where the body has none; ``on`` is empty in space."""
+
+    name: Text
+    on: str
+    at: Triple
+    turns: tuple[Turn, ...] | Turning
+    mass: Piece | None
+    centre: Triple
+    inertia: Inertia | None
+
+
+class BodyReader:
+    """Reads the entries of ``bodies`` and ``points``; what is wrong with them goes into the bag."""
+
+    def __init__(self, root: Table, shapes: Shapes) -> None:
+        self.root, self.shapes, self.bag = root, shapes, shapes.bag
+
+    def entries(self, key: str, wanted: str, help: str) -> tuple[tuple[Text, Node], ...]:
+        node = self.root.get(key)
+        table = self.shapes.table(node, wanted, help) if node is not None else None
+        if table is not None and not table.entries:
+            self.bag.error("E0301", f"`{key}` is empty", table.span, help=(help,))
+        return tuple((t, n) for t, n in table.entries if self._is_name(t)) if table is not None else ()
+
+    def _is_name(self, text: Text) -> bool:
+        if not is_name(text.value):
+            help = "a name is made of letters, digits and `_`, and starts with no digit"
+            self.bag.error("E0307", f"`{text.value[:40]}` is not a name", text.span, help=(help,))
+        return is_name(text.value)
+
+    def body(self, name: Text, node: Node) -> Body | None:
+        what = f"body `{name.value}`"
+        table = self.shapes.table(node, f"a mapping for {what}", f"write `{name.value}: {{mass: m, at: [x, y]}}`")
+        if table is None:
+            return None
+        self.shapes.check_keys(table, BODY_KEYS, what, name.span)
+        here = name.span.start
+        at, turns = self.vector(table.get("at"), here), self._turns(table, name)
+        centre, inertia = self.vector(table.get("centre"), here), self._inertia(table.get("inertia"), name)
+        mass = self.piece(table.get("mass"), "a mass")
+        if at is None or turns is None or centre is None:
+            return None
+        return Body(
+            Text(fold(name.value), name.span, True), self.name_under(table, "on"), at, turns, mass, centre, inertia
+        )
+
+    def name_under(self, table: Table, key: str) -> str:
+        node = table.get(key)
+        text = self.shapes.text(node, "the name of a body") if node is not None else None
+        return fold(text.value) if text is not None else ""
+
+    def piece(self, node: Node | None, what: str) -> Piece | None:
+        """An expression of positions; None where there is none, or a wrong one."""
+        text = self.shapes.text(node, f"an expression for {what}") if node is not None else None
+        tree = parse_expression(text.value, text.locate, self.bag) if text is not None else None
+        if tree is None or text is None:
+            return None
+        for part in walk(tree):
+            if isinstance(part, Prime):
+                help = "bodies are said by positions; velocities belong into `constraints`, `forces` or `T`"
+                self.bag.error("E0414", f"a velocity in {what}", part.span, help=(help,))
+                return None
+        return piece_of(text, tree)
+
+    def vector(self, node: Node | None, here: int, what: str = "a place") -> Triple | None:
+        """Three components; the third is 0 where there are two, and all are where nothing is said."""
+        zero = write("0", here)
+        if node is None:
+            return zero, zero, zero
+        items = self.shapes.items(node, f"a list of two or three expressions for {what}", _VECTOR)
+        if items is None:
+            return None
+        if len(items.items) not in (2, 3):
+            message = f"expected a list of two or three expressions for {what}, found {len(items.items)}"
+            self.bag.error("E0301", message, items.span, help=(_VECTOR,))
+            return None
+        found = [self.piece(item, what) for item in items.items]
+        x, y, z = (*found, zero) if len(found) == 2 else found
+        return None if x is None or y is None or z is None else (x, y, z)
+
+    def _turns(self, table: Table, name: Text) -> tuple[Turn, ...] | Turning | None:
+        turns, rotation = table.get("turns"), table.get("rotation")
+        if rotation is not None:
+            text = self.shapes.text(rotation, "the name of a rotation")
+            if turns is not None and text is not None:
+                help = "keep one of them; what turns between can be a body without mass"
+                self.bag.error("E0318", f"`{name.value}` has both `rotation` and `turns`", text.span, help=(help,))
+            return self._rotation(text) if text is not None else None
+        if turns is None:
+            return ()
+        example = "write `turns: [z: yaw, x: roll]`"
+        items = self.shapes.items(turns, "a list of turns", example)
+        found = [self._turn(item, example) for item in items.items] if items is not None else [None]
+        if len(found) > MOST_TURNS:
+            help = "name what turns between as a body without mass, and put the others on it"
+            message = f"`{name.value}` turns {len(found)} times, {MOST_TURNS} are the most of one body"
+            self.bag.error("E0318", message, turns.span, help=(help,))
+            return None
+        made = tuple(step for step in found if step is not None)
+        return made if len(made) == len(found) else None
+
+    def _turn(self, item: Node, example: str) -> Turn | None:
+        table = self.shapes.table(item, "an axis with its angle", example)
+        if table is None:
+            return None
+        if len(table.entries) != 1:
+            self.bag.error("E0301", f"a turn has one axis, found {len(table.entries)}", table.span, help=(example,))
+            return None
+        axis, value = table.entries[0]
+        if axis.value not in AXES or len(axis.value) != 1:
+            help = "write `x`, `y` or `z`: the body's first, second or third axis, where it has got to"
+            self.bag.error("E0312", f"`{axis.value}` is no axis to turn about", axis.span, help=(help,))
+            return None
+        angle = self.piece(value, "an angle")
+        return Turn(AXES.index(axis.value), angle) if angle is not None else None
+
+    def _rotation(self, text: Text) -> Turning | None:
+        """The names that a rotation of the spec brings; mistakes in its declaration are reported where it is decoded."""
+        node = self.root.get("rotation")
+        declared: dict[str, Node | None] = {}
+        if isinstance(node, Table):
+            declared = {fold(key.value): value for key, value in node.entries}
+        elif isinstance(node, Items):
+            declared = {fold(item.value): None for item in node.items if isinstance(item, Text)}
+        name, here = fold(text.value), text.span.start
+        if name not in declared:
+            near = nearest(name, declared)
+            help = f"did you mean `{near}`?" if near else f"declare it: `rotation: [{text.value}]`"
+            self.bag.error("E0302", f"unknown rotation `{text.value}`", text.span, help=(help,))
+            return None
+        table = declared[name]
+        frame = table.get("frame") if isinstance(table, Table) else None
+        given = table.get("velocities") if isinstance(table, Table) else None
+        on_body = not (isinstance(frame, Text) and frame.value == "space")
+        spoken = (
+            [fold(item.value) for item in given.items if isinstance(item, Text)] if isinstance(given, Items) else []
+        )
+        if len(spoken) != 3:
+            spoken = [f"{name}_w{k}" for k in ("123" if on_body else AXES)]
+
+        def row(x: str) -> Triple:
+            return each(lambda k: write(f"{name}_{x}{k + 1}", here))
+
+        return Turning((row("x"), row("y"), row("z")), each(lambda k: write(spoken[k], here)), on_body)
+
+    def _inertia(self, node: Node | None, name: Text) -> Inertia | None:
+        here = name.span.start
+        zero = write("0", here)
+        if node is None or is_empty(node):
+            return None
+        if isinstance(node, Text):
+            one = self.piece(node, "a moment of inertia")
+            return Inertia((one, one, one), (zero, zero, zero)) if one is not None else None
+        if isinstance(node, Items):
+            help = "write `[xx, yy, zz]`, or `{xx: A, yy: B, zz: C, xz: D}`"
+            if len(node.items) != 3:
+                message = f"expected three moments of inertia, found {len(node.items)}"
+                self.bag.error("E0301", message, node.span, help=(help,))
+                return None
+            x, y, z = (self.piece(item, "a moment of inertia") for item in node.items)
+            return None if x is None or y is None or z is None else Inertia((x, y, z), (zero, zero, zero))
+        self.shapes.check_keys(node, INERTIA_KEYS, f"the inertia of `{name.value}`", name.span)
+        known = {key: self.piece(node.get(key), "an entry of the inertia matrix") or zero for key in _ENTRIES}
+        xx, yy, zz, yz, xz, xy = (known[key] for key in _ENTRIES)
+        return Inertia((xx, yy, zz), (yz, xz, xy))

@@ -1,0 +1,247 @@
+"""``bodies``, ``points`` and ``gravity``: rigid bodies said by mass, inertia, place and turns, written out as a plain spec.
+
+What they bring becomes entries of ``define`` and terms of ``T`` and ``V`` before anything else reads the spec, so that the
+rest of nhc knows energies, definitions and constraints only.  Of the names that a body brings those are kept that something uses.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from nhc.diagnostics import Bag, Span, nearest, quote
+
+from . import kinematics, pieces
+from .bodies import Body, BodyReader
+from .keys import BODILY, POINT_KEYS
+from .kinematics import AXES, Frame, Ledger
+from .names import FUNCTIONS, PI, fold
+from .nodes import Items, Node, Table, Text
+from .parser import parse_expression
+from .pieces import Piece, Triple, add, each, multiply, piece_of
+from .shape import Shapes
+from .yaml_reader import is_empty
+
+_LETTERS = re.compile(r"[^\W\d]\w*")
+
+
+def write_out(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...]]:
+    """The spec without ``bodies``, ``points`` and ``gravity``: with the definitions and energies that they stand for.
+
+    The second are all names that they bring, used or not.
+    """
+    writer = _Writer(root, bag)
+    return writer.run(), tuple(writer.ledger.made)
+
+
+class _Writer:
+    def __init__(self, root: Table, bag: Bag) -> None:
+        self.root, self.bag = root, bag
+        self.reader = BodyReader(root, Shapes(bag))
+        self.ledger = Ledger(_constants(root))
+        self.frames: dict[str, Frame] = {"": kinematics.space()}
+        self.energies: list[Piece] = []
+        self.weights: list[Piece] = []
+
+    def run(self) -> Table:
+        bodies = self.reader.entries("bodies", "a mapping of bodies by name", "write `name: {mass: m, at: [x, y]}`")
+        read: dict[str, Body | None] = {}
+        for text, node in bodies:
+            name = fold(text.value)
+            if name in read:
+                self.bag.error("E0305", f"two bodies are named `{name}`", text.span, help=("rename one of them",))
+            read[name] = self.reader.body(text, node)
+        known = {name: body for name, body in read.items() if body is not None}
+        gravity = self._gravity()
+        for body in self._in_order(known, frozenset(read)):
+            self._place(body, gravity)
+        for text, node in self.reader.entries(
+            "points", "a mapping of points by name", "write `name: {on: body, at: [a, 0]}`"
+        ):
+            self._point(text, node, frozenset(read))
+        if bodies and not self.energies and self.root.get("T") is None and not self.bag.has_errors:
+            place = next(text.span for text, _ in self.root.entries if text.value == "bodies")
+            help = "give bodies `mass` or `inertia`, or write `T: ...`"
+            self.bag.error("E0318", "no body has a mass or an inertia, and there is no `T`", place, help=(help,))
+        for span, name in self.ledger.twice.items():
+            help = "rename a body or a point: what a body brings begins with its name and `_`"
+            self.bag.error("E0305", f"`{name}` stands for two things", span, help=(help,))
+        return self._merged()
+
+    def _gravity(self) -> Triple | None:
+        node = self.root.get("gravity")
+        if node is None:
+            return None
+        key = next(text for text, _ in self.root.entries if text.value == "gravity")
+        if self.root.get("bodies") is None:
+            help = "add `bodies`, or write the potential: `V: m*g*z`"
+            self.bag.error("E0318", "`gravity` acts on `bodies`, and there are none", key.span, help=(help,))
+        return self.reader.vector(node, key.span.start, "the acceleration of gravity")
+
+    # --- placing ---
+
+    def _in_order(self, known: dict[str, Body], declared: frozenset[str]) -> Iterator[Body]:
+        """Each body after the one that it stands on; what stands on itself is reported and left out."""
+        done: set[str] = set()
+        for start in known:
+            path: list[str] = []
+            name = start
+            while name and name not in done and name in known and name not in path:
+                path.append(name)
+                name = known[name].on
+            if name in path:
+                cycle = " on ".join([*path[path.index(name) :], name])
+                help = "put one of them in space: leave out its `on`"
+                self.bag.error("E0318", f"bodies stand on one another: {cycle}", known[name].name.span, help=(help,))
+                done.update(path)
+                continue
+            if name and name not in declared and name not in done:
+                self._unknown_body(name, known[path[-1]].name.span, declared)
+            for name in reversed(path):
+                done.add(name)
+                if known[name].on in self.frames:
+                    yield known[name]
+
+    def _unknown_body(self, name: str, span: Span, declared: frozenset[str]) -> None:
+        near = nearest(name, declared)
+        help = f"did you mean `{near}`?" if near else f"the bodies are {quote(sorted(declared))}" if declared else ""
+        place = self._place_of(name, span)
+        self.bag.error("E0302", f"unknown body `{name}`", place, help=(help or "declare it under `bodies`",))
+
+    def _place_of(self, name: str, span: Span) -> Span:
+        """Where a name stands as the value of `on` or `of`."""
+        for key in ("bodies", "points"):
+            table = self.root.get(key)
+            for _, node in table.entries if isinstance(table, Table) else ():
+                for word in ("on", "of"):
+                    value = node.get(word) if isinstance(node, Table) else None
+                    if isinstance(value, Text) and fold(value.value) == name:
+                        return value.span
+        return span
+
+    def _place(self, body: Body, gravity: Triple | None) -> None:
+        name, ledger, here = body.name, self.ledger, body.name.span.start
+        frame = kinematics.place_frame(name, self.frames[body.on], body.at, body.turns, ledger)
+        self.frames[name.value] = frame
+        out = each(lambda x: pieces.dot(body.centre, each(lambda k: frame.axes[k][x]), here))
+        centre = ledger.names(f"{name.value}_c", AXES, pieces.plus(frame.origin, out, here), name.span)
+        if body.mass is None and body.inertia is None:
+            return
+        energy = kinematics.kinetic_energy(frame, body.mass, centre, body.inertia, ledger)
+        if not energy.is_zero:
+            self.energies.append(ledger.name(f"{name.value}_T", energy, name.span))
+        if gravity is not None and body.mass is not None:
+            self.weights.append(multiply(body.mass, pieces.dot(gravity, centre, here), here))
+
+    def _point(self, name: Text, node: Node, declared: frozenset[str]) -> None:
+        what = f"point `{name.value}`"
+        table = self.reader.shapes.table(
+            node, f"a mapping for {what}", f"write `{name.value}: {{on: body, at: [a, 0]}}`"
+        )
+        if table is None:
+            return
+        self.reader.shapes.check_keys(table, POINT_KEYS, what, name.span)
+        at, on = self.reader.vector(table.get("at"), name.span.start), self.reader.name_under(table, "on")
+        of = self.reader.name_under(table, "of") or on
+        for body in dict.fromkeys((on, of)):
+            if body and body not in declared:
+                self._unknown_body(body, name.span, declared)
+        if at is not None and on in self.frames and of in self.frames:
+            folded = Text(fold(name.value), name.span, True)
+            kinematics.place_point(folded, self.frames[on], self.frames[of] if of else None, at, self.ledger)
+
+    # --- the plain spec ---
+
+    def _merged(self) -> Table:
+        """The entries of the spec without the keys that are written out, with what stands for them."""
+        entries = [(text, node) for text, node in self.root.entries if text.value not in BODILY]
+        spoken = set(_words([node for key, node in self.root.entries if key.value not in ("about", "source")]))
+        made = self._used(spoken | {piece.text for piece in self.energies})
+        entries = self._with_energy(entries, "T", self.energies)
+        potential = "U" if self.root.get("U") is not None else "V"
+        signed = self.weights if potential == "U" else [weight.negative() for weight in self.weights]
+        entries = self._with_energy(entries, potential, signed)
+        if not made:
+            return Table(tuple(entries), self.root.span)
+        define = next((node for key, node in entries if key.value == "define"), None)
+        if define is None:
+            key = Text("define", made[0][0].span, True)
+            return Table((*entries, (key, Table(tuple(made), made[0][0].span))), self.root.span)
+        if isinstance(define, Table):
+            define = Table((*define.entries, *made), define.span)
+        return Table(tuple((k, define if k.value == "define" else v) for k, v in entries), self.root.span)
+
+    def _used(self, spoken: set[str]) -> list[tuple[Text, Node]]:
+        """The definitions that something needs."""
+        weights = {name for piece in self.weights for name in pieces.names_of(piece)}
+        pending, kept = [name for name in self.ledger.made if name in spoken | weights], set[str]()
+        while pending:
+            name = pending.pop()
+            if name in kept:
+                continue
+            kept.add(name)
+            needs = pieces.names_of(self.ledger.made[name][0])
+            pending += [other for other in needs if other in self.ledger.made]
+        found: list[tuple[Text, Node]] = []
+        for name, (piece, span) in self.ledger.made.items():
+            if name in kept:
+                found.append((Text(name, span, True), piece.as_text(span)))
+        return found
+
+    def _with_energy(
+        self, entries: list[tuple[Text, Node]], key: str, terms: Sequence[Piece]
+    ) -> list[tuple[Text, Node]]:
+        kept = [term for term in terms if not term.is_zero]
+        if not kept:
+            return entries
+        own = next(((text, node) for text, node in entries if text.value == key), None)
+        first = None
+        if own is not None:
+            text = own[1] if isinstance(own[1], Text) and not is_empty(own[1]) else None
+            tree = parse_expression(text.value, text.locate, Bag(self.bag.source)) if text is not None else None
+            if text is None or tree is None:  # the decoder says what is wrong
+                return entries
+            first = piece_of(text, tree)
+        place = kept[0].places[0]
+        value = add([*([first] if first is not None else []), *kept], place)
+        node = value.as_text(own[1].span if own is not None else Span(place, place + 1))
+        if own is None:
+            return [*entries, (Text(key, node.span, True), node)]
+        return [(text, node if text.value == key else value) for text, value in entries]
+
+
+def _constants(root: Table) -> set[str]:
+    """The names of parameters and pi, and of definitions that are made of these."""
+    node, found = root.get("parameters"), {PI}
+    if isinstance(node, Table):
+        found |= {fold(text.value) for text, _ in node.entries}
+    elif isinstance(node, Items):
+        found |= {fold(item.value) for item in node.items if isinstance(item, Text)}
+    define = root.get("define")
+    waiting = {
+        fold(text.value): set(_words([value])) for text, value in (define.entries if isinstance(define, Table) else ())
+    }
+    while True:
+        more = {name for name, words in waiting.items() if words - FUNCTIONS.keys() <= found} - found
+        if not more:
+            return found
+        found |= more
+
+
+def _words(nodes: Sequence[Node]) -> Iterator[str]:
+    """Every name in some texts, keys included; ``xdot`` is one of ``x`` as well."""
+    pending = list(nodes)
+    while pending:
+        node = pending.pop()
+        match node:
+            case Text():
+                for word in _LETTERS.findall(node.value):
+                    name = fold(word)
+                    yield name
+                    if name.endswith("dot"):
+                        yield name[:-3]
+            case Items():
+                pending += node.items
+            case Table():
+                for text, value in node.entries:
+                    pending += (text, value)

@@ -1,0 +1,55 @@
+"""``forces``: generalized forces Q_i, and the torques on rotations, from the work that is done."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.graph import Node
+from nhc.language.spec import Definition
+from nhc.mechanics.expressions import Resolver, tangent_slopes
+from nhc.mechanics.system import Form
+from nhc.mechanics.turning import spread
+
+
+def resolve_forces(
+    build: Resolver, quasi: Sequence[Form]
+) -> tuple[tuple[Node, ...], tuple[tuple[Node, Node, Node], ...]]:
+    """(Q_i, torques of the rotations): a force does the work of the rate of what it is given on.
+
+    On a coordinate it is Q_i itself, on a component of an angular velocity its torque.  On another velocity w, or on a
+    position whose rate is w, it is Q_i = F dw/dq_i', with the torques F dw/domega_k.
+    """
+    g, spec, turned = build.graph, build.spec, build.rotations
+    given = {force.name: build.node(force.value) for force in spec.forces}
+    Q = [given.get(c.name, g.zero) for c in spec.coordinates]
+    torques = [given.get(name, g.zero) for rotation in spec.rotations for name in rotation.velocities]
+    known = {c.name for c in spec.coordinates} | {w for rotation in spec.rotations for w in rotation.velocities}
+    forms = {form.name: form for form in quasi}
+    pushes = [(given[name], form) for name, form in forms.items() if name in given]
+    for force in spec.forces:
+        if force.name in known:
+            continue
+        form = forms.get(force.name)
+        if form is None:
+            form = _moved(build, force)
+            pushes.append((given[force.name], form))
+        arms = spread(g, build.v, turned, form.value) if turned and form.value is not None else None
+        if arms is not None:
+            torques = [
+                g.add(m, g.mul(given[force.name], a)) for m, a in zip(torques, arms[0][len(build.v) :], strict=True)
+            ]
+    for push, form in pushes:
+        Q = [g.add(q, g.mul(push, a)) for q, a in zip(Q, form.coefficients, strict=True)]
+    return tuple(Q), tuple((torques[k], torques[k + 1], torques[k + 2]) for k in range(0, len(torques), 3))
+
+
+def _moved(build: Resolver, force: Definition) -> Form:
+    """The velocity that a force on a defined position or velocity does its work with."""
+    g, node = build.graph, build.names[force.name]
+    moves = any(tangent_slopes(g, node, build.v))
+    rate = node if moves else build.derivation.of(node)
+    form = build.form(force.name, rate, force.span, "E0424", "the velocity")
+    if not any(tangent_slopes(g, rate, build.v)):
+        help = ("name a position or a velocity that depends on the coordinates",)
+        build.bag.error("E0424", f"`{force.name}` does not move: a force on it does no work", force.span, help=help)
+    return form
