@@ -8,7 +8,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from nhc.cli.options import json_option, list_examples
-from nhc.cli.specs import gallery_paths, ladder_paths
+from nhc.cli.specs import gallery_paths, shelf_paths
 from nhc.cli.terminal import Failure, put, put_json
 from nhc.cli.write import deliver
 
@@ -33,8 +33,8 @@ def command(name: str | None, output: str | None, force: bool, as_json: bool) ->
             raise click.UsageError("`-o` copies one spec: name it")
         _list(paths, as_json)
         return 0
-    if name.startswith("ladder/"):
-        paths = ladder_paths()
+    if "/" in name:
+        paths = shelf_paths()
     if name not in paths:
         from nhc.diagnostics import suggest
 

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from nhc.language import Source
 
 
+SHELVES = ("ladder", "bodies")
+
+
 def gallery_paths() -> dict[str, Path]:
     """Return the gallery's specs by name, in alphabetical order."""
     from nhc.resources import find_specs
@@ -21,11 +24,11 @@ def gallery_paths() -> dict[str, Path]:
     return {path.stem: path for path in sorted(find_specs().glob("*.yaml"))}
 
 
-def ladder_paths() -> dict[str, Path]:
-    """Return the specs of the ladder of models, which extend one another, as ``ladder/<name>``."""
+def shelf_paths() -> dict[str, Path]:
+    """Return the specs beside the gallery's, as ``shelf/name``: models that extend one another, and some by their bodies."""
     from nhc.resources import find_specs
 
-    return {f"ladder/{path.stem}": path for path in sorted((find_specs() / "ladder").glob("*.yaml"))}
+    return {f"{shelf}/{path.stem}": path for shelf in SHELVES for path in sorted((find_specs() / shelf).glob("*.yaml"))}
 
 
 def open_spec(spec: str) -> Source:
@@ -39,7 +42,7 @@ def open_spec(spec: str) -> Source:
 
     if spec == "-" or Path(spec).exists():
         return read(spec)
-    gallery = gallery_paths() if "/" not in spec else ladder_paths()
+    gallery = gallery_paths() if "/" not in spec else shelf_paths()
     if spec not in gallery:
         raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))
     say(f"taking `{spec}` from the gallery")
