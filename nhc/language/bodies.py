@@ -58,6 +58,7 @@ class BodyReader:
         if table is None:
             return None
         self.shapes.check_keys(table, BODY_KEYS, what, name.span)
+        self.shapes.line(table.get("about"))
         here = name.span.start
         at, turns = self.vector(table.get("at"), here), self._turns(table, name)
         centre, inertia = self.vector(table.get("centre"), here), self._inertia(table.get("inertia"), name)

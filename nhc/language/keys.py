@@ -57,7 +57,9 @@ SPEC_KEYS = (
     Key("T", "expression", True, "kinetic energy; that of `bodies` is added, and it may be left out beside them"),
     Key("U", "expression", False, "force function, Q_i = + dU/dq_i; not together with `V`"),
     Key("V", "expression", False, "potential energy, Q_i = - dV/dq_i; not together with `U`"),
-    Key("forces", "expressions", False, "forces on coordinates, positions and velocities; torques by angular velocities"),
+    Key(
+        "forces", "expressions", False, "forces on coordinates, positions and velocities; torques by angular velocities"
+    ),
     Key("constraints", "equations", False, "constraints linear in the velocities: a list of `text` or `name: text`"),
     Key("holonomic", "equations", False, "constraints `f(q, t) = 0`: a list of `text` or `name: text`"),
     Key(

@@ -87,7 +87,7 @@ class Ledger:
 
     def is_still(self, piece: Piece) -> bool:
         """Whether an expression is a constant."""
-        return piece.number is not None or pieces.names_of(piece) <= self.constant
+        return piece.number is not None or pieces.names_in_text(piece.text) <= self.constant
 
     def rate(self, position: Piece, place: int) -> Piece:
         """The time derivative of a position."""

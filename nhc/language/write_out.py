@@ -6,7 +6,6 @@ rest of nhc knows energies, definitions and constraints only.  Of the names that
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from nhc.diagnostics import Bag, Span, nearest, quote
@@ -15,14 +14,12 @@ from . import kinematics, pieces
 from .bodies import Body, BodyReader
 from .keys import BODILY, POINT_KEYS
 from .kinematics import AXES, Frame, Ledger
-from .names import FUNCTIONS, PI, fold
+from .names import PI, fold
 from .nodes import Items, Node, Table, Text
 from .parser import parse_expression
 from .pieces import Piece, Triple, add, each, multiply, piece_of
 from .shape import Shapes
 from .yaml_reader import is_empty
-
-_LETTERS = re.compile(r"[^\W\d]\w*")
 
 
 def write_out(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...]]:
@@ -141,6 +138,7 @@ class _Writer:
         if table is None:
             return
         self.reader.shapes.check_keys(table, POINT_KEYS, what, name.span)
+        self.reader.shapes.line(table.get("about"))
         at, on = self.reader.vector(table.get("at"), name.span.start), self.reader.name_under(table, "on")
         of = self.reader.name_under(table, "of") or on
         for body in dict.fromkeys((on, of)):
@@ -173,14 +171,14 @@ class _Writer:
 
     def _used(self, spoken: set[str]) -> list[tuple[Text, Node]]:
         """The definitions that something needs."""
-        weights = {name for piece in self.weights for name in pieces.names_of(piece)}
+        weights = {name for piece in self.weights for name in pieces.names_in_text(piece.text)}
         pending, kept = [name for name in self.ledger.made if name in spoken | weights], set[str]()
         while pending:
             name = pending.pop()
             if name in kept:
                 continue
             kept.add(name)
-            needs = pieces.names_of(self.ledger.made[name][0])
+            needs = pieces.names_in_text(self.ledger.made[name][0].text)
             pending += [other for other in needs if other in self.ledger.made]
         found: list[tuple[Text, Node]] = []
         for name, (piece, span) in self.ledger.made.items():
@@ -222,7 +220,7 @@ def _constants(root: Table) -> set[str]:
         fold(text.value): set(_words([value])) for text, value in (define.entries if isinstance(define, Table) else ())
     }
     while True:
-        more = {name for name, words in waiting.items() if words - FUNCTIONS.keys() <= found} - found
+        more = {name for name, words in waiting.items() if words <= found} - found
         if not more:
             return found
         found |= more
@@ -235,8 +233,7 @@ def _words(nodes: Sequence[Node]) -> Iterator[str]:
         node = pending.pop()
         match node:
             case Text():
-                for word in _LETTERS.findall(node.value):
-                    name = fold(word)
+                for name in pieces.names_in_text(node.value):
                     yield name
                     if name.endswith("dot"):
                         yield name[:-3]

@@ -1,0 +1,93 @@
+"""What ``bodies`` become: which names are made, to which energies they are added, and where mistakes in them are marked."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nhc.diagnostics import Source, SpecError
+from nhc.language import decode, read, unparse
+from nhc.language.spec import Spec
+from nhc.mechanics.pairs.verdict import compare_systems
+from nhc.mechanics.resolve import resolve
+
+HEAD = "nhc: 1\nsystem: s\ncoordinates: [x, z, phi]\nparameters: {m: 2, I: 0.3, a: 0.5, g: 9.81, k: 4}\n"
+ROD = "bodies: {rod: {at: [x, 0, z], turns: [y: phi], mass: m, centre: [a, 0, 0], inertia: I}}\n"
+T = "T: m/2*((x + a*cos(phi))'^2 + (z - a*sin(phi))'^2) + I/2*phi'^2\n"
+V = "m*g*(z - a*sin(phi))"
+
+
+def spec(*parts: str) -> Spec:
+    return decode(Source("s.yaml", HEAD + "".join(parts)))
+
+
+def same(first: Spec, second: Spec) -> bool:
+    made = compare_systems(resolve(first), resolve(second), (), ("A", "B"))
+    return made.agrees and made.is_sure
+
+
+@pytest.mark.parametrize(
+    ("own", "whole"),
+    [
+        ("", f"V: {V}\n"),
+        ("V: k/2*x^2\n", f"V: k/2*x^2 + {V}\n"),
+        ("V: -k*x - k*z\n", f"V: -k*x - k*z + {V}\n"),
+        ("U: -k/2*x^2\n", f"U: -k/2*x^2 - {V}\n"),
+    ],
+)
+def test_gravity_adds_to_the_potential_that_is_given(own: str, whole: str) -> None:
+    assert same(spec(ROD, "gravity: [0, 0, -g]\n", own), spec(T, whole))
+
+
+@pytest.mark.parametrize("own", ["k*x'^2", "-k*x'*z' + k*(x'^2 + z'^2)", "-(k)*x'*z' + k*(x'^2 + z'^2)"])
+def test_an_energy_of_ones_own_is_added(own: str) -> None:
+    assert same(spec(ROD, f"T: {own}\n"), spec(T.rstrip(), f" + {own}\n"))
+
+
+def test_only_what_is_used_is_made() -> None:
+    assert {d.name for d in spec(ROD).definitions} == {"rod_x1", "rod_z1", "rod_cx", "rod_cz", "rod_T"}
+    assert "rod_z" in {d.name for d in spec(ROD, "outputs: {height: rod_z}\n").definitions}
+
+
+def test_a_body_in_the_plane_is_written_as_by_hand() -> None:
+    made = {
+        d.name: unparse(d.value)
+        for d in spec("bodies: {b: {at: [x, z], turns: [z: phi], mass: m, inertia: I}}\n").definitions
+    }
+    assert made == {"b_T": "m/2*(x'^2 + z'^2) + I/2*phi'^2"}
+
+
+def test_a_round_body_is_written_without_its_spin() -> None:
+    wheel = "bodies: {f: {turns: [z: x]}, w: {on: f, turns: [y: phi], inertia: [I, k, I]}}\n"
+    made = {d.name: unparse(d.value) for d in spec(wheel, "T: z'^2/2\n").definitions}
+    assert made["w_T"] == "k/2*phi'^2 + I/2*f_w3^2"
+
+
+def test_a_body_may_have_the_name_of_its_rotation() -> None:
+    parts = "rotation: [R]\nbodies: {R: {at: [x, 0, z], rotation: R, mass: m, centre: [a, 0, 0], inertia: I}}\n"
+    by_hand = "rotation: [R]\nT: phi'^2 + m/2*((x + a*R_x1)'^2 + (a*R_y1)'^2 + (z + a*R_z1)'^2) + I/2*(R_w1^2 + R_w2^2 + R_w3^2)\n"
+    assert same(spec(parts, "T: phi'^2\n"), spec(by_hand))
+
+
+def test_a_spec_that_extends_another_changes_its_bodies(tmp_path: Path) -> None:
+    (tmp_path / "base.yaml").write_text(HEAD + ROD + "gravity: [0, 0, -g]\n")
+    (tmp_path / "other.yaml").write_text("nhc: 1\nextends: base.yaml\nsystem: other\nbodies: {rod: {mass: 3*m}}\n")
+    other = decode(read(tmp_path / "other.yaml"))
+    assert same(other, spec(T.replace("m/2", "3*m/2"), f"V: 3*{V}\n"))
+
+
+@pytest.mark.parametrize(
+    ("part", "place"),
+    [("at: [x, 0, zz]", "zz"), ("turns: [y: phi + qq]", "qq"), ("mass: m*mm", "mm"), ("centre: [a, 1/0, 0]", "0")],
+)
+def test_mistakes_are_marked_where_they_stand(part: str, place: str) -> None:
+    text = (
+        f"{HEAD}bodies:\n  rod: {{on: base, mass: m, inertia: I, {part}}}\n  base: {{at: [x, 0, z], turns: [x: phi]}}\n"
+    )
+    text = text.replace("mass: m, inertia: I, mass", "inertia: I, mass")
+    with pytest.raises(SpecError) as caught:
+        resolve(decode(Source("s.yaml", text)))
+    (found,) = caught.value.diagnostics
+    span = found.labels[0].span
+    assert text[span.start : span.end] == place
