@@ -74,6 +74,7 @@ TITLES: dict[str, str] = {
     "W0422": "no motion for the values given",
     "W0423": "negative kinetic energy",
     "E0424": "force on what has no linear velocity",
+    "W0425": "quasi-velocities that lose digits",
     "E0501": "file was edited by hand",
     "E0502": "unknown stage",
     "E0503": "no such scene",

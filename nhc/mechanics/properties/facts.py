@@ -7,26 +7,22 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from nhc.algebra.bounds.common_zero import find_common_zero
-from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.calculus import gradient, substitute
-from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
-from nhc.algebra.graph import Node
 from nhc.algebra.solving.linear import degrees
 from nhc.diagnostics import Bag, several
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.frame import coordinate_frame
+from nhc.mechanics.properties.coframe import never_vanishes, warn_of_coframe
 from nhc.mechanics.properties.conserved import Integral, find_conserved
 from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals
-from nhc.mechanics.properties.named import entry_text, named_text, zero_text
+from nhc.mechanics.properties.named import named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
-from nhc.mechanics.properties.singular import find_rank_loss, never_changes
-from nhc.mechanics.regular.regularity import choose_dependent, intervals
+from nhc.mechanics.properties.singular import find_rank_loss
+from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
-
-_ROUNDING = 1e-12
 
 
 @dataclass
@@ -62,7 +58,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     if lower:
         integrals = _constraints(system, formulation, facts, torn, bag)
         _dependent(system, formulation, facts, bag)
-    _quasi(system, formulation, bag)
+    warn_of_coframe(system, formulation, bag)
     cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
     facts.say("cyclic", cyclic, f"cyclic coordinates: {_list_marked(cyclic) or 'none'}")
     if explain:
@@ -287,7 +283,7 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
         limit = "the determinant is too large to print"
     else:
         limit = f"determinant ${named_text(system, choice.determinant)}$"
-    never = choice.regular or _cannot_vanish(system, choice.determinant)
+    never = choice.regular or never_vanishes(system, choice.determinant)
     regular = "never singular" if never else "singular where it vanishes"
     facts.say(
         "dependent",
@@ -314,34 +310,3 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
         names = [f"{system.q_names[i]}'" for i in other.dependent]
         text = f"with {_list_marked(names)} dependent, {text}"
     facts.say("chaplygin", list(found.broken), f"Čaplygin's hypotheses (I.3): {text}")
-
-
-def _cannot_vanish(system: System, node: Node | None) -> bool:
-    return node is not None and cannot_vanish_together(system.graph, [node], intervals(system))
-
-
-def _is_zero_as_given(system: System, node: Node) -> bool:
-    """Whether a node that is the same at every state vanishes for the parameters' values in the spec."""
-    try:
-        value = float(evaluate(system.graph, [node], trial_points(system)[-1])[0])
-    except (ArithmeticError, ValueError):
-        return False
-    return abs(value) < _ROUNDING
-
-
-def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
-    """A set of quasi-velocities that loses rank somewhere."""
-    if formulation.frame is None or not system.quasi:
-        return
-    for guard, _ in formulation.frame.guards:
-        if _cannot_vanish(system, guard) or (never_changes(system, guard) and not _is_zero_as_given(system, guard)):
-            continue
-        where = entry_text(system, guard) or zero_text(system, guard)
-        own = len(system.quasi) > 3 * len(system.rotations)
-        other = ", take the other `frame` of the rotation" if system.rotations else ""
-        bag.warning(
-            "W0408",
-            f"the quasi-velocities are singular where `{where} = 0`",
-            system.spec.key_span("quasi_velocities" if own else "rotation"),
-            help=(f"choose forms that stay independent there{other}, or keep away from it",),
-        )

@@ -1,0 +1,70 @@
+"""What is to be known of the quasi-velocities that a spec gives: where they are singular, and how many digits they leave."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from nhc.algebra.bounds.subdivision import cannot_vanish_together
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Node
+from nhc.diagnostics import Bag
+from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.choosing.independence import independence
+from nhc.mechanics.properties.named import entry_text, zero_text
+from nhc.mechanics.properties.singular import never_changes
+from nhc.mechanics.regular.regularity import intervals
+from nhc.mechanics.regular.trials import ordinary_points, trial_points
+from nhc.mechanics.system import Form, System
+
+_ROUNDING = 1e-12
+_CLEAR = (
+    1e-5  # of a form's length, as far as the constraints and the other forms leave it; the mass matrix has its square
+)
+
+
+def never_vanishes(system: System, node: Node | None) -> bool:
+    """Whether a determinant is not zero at any state."""
+    return node is not None and cannot_vanish_together(system.graph, [node], intervals(system))
+
+
+def _is_zero_as_given(system: System, node: Node) -> bool:
+    """Whether a node that is the same at every state vanishes for the parameters' values in the spec."""
+    try:
+        value = float(evaluate(system.graph, [node], trial_points(system)[-1])[0])
+    except (ArithmeticError, ValueError):
+        return False
+    return abs(value) < _ROUNDING
+
+
+def warn_of_coframe(system: System, formulation: Formulation, bag: Bag) -> None:
+    """Quasi-velocities that lose rank somewhere (W0408), or digits everywhere (W0425)."""
+    if formulation.frame is None or not system.quasi:
+        return
+    _warn_of_lost_digits(system, formulation.frame.forms[system.l :], bag)
+    for guard, _ in formulation.frame.guards:
+        if never_vanishes(system, guard) or (never_changes(system, guard) and not _is_zero_as_given(system, guard)):
+            continue
+        where = entry_text(system, guard) or zero_text(system, guard)
+        own = len(system.quasi) > 3 * len(system.rotations)
+        other = ", take the other `frame` of the rotation" if system.rotations else ""
+        bag.warning(
+            "W0408",
+            f"the quasi-velocities are singular where `{where} = 0`",
+            system.spec.key_span("quasi_velocities" if own else "rotation"),
+            help=(f"choose forms that stay independent there{other}, or keep away from it",),
+        )
+
+
+def _warn_of_lost_digits(system: System, forms: Sequence[Form], bag: Bag) -> None:
+    """Forms that are hardly independent of each other on what the constraints allow, at ordinary states."""
+    least = independence(system, forms, ordinary_points(system))
+    if least >= _CLEAR or least == 0.0:  # what is 0 is singular, which is said otherwise
+        return
+    lost = min(16, math.ceil(-2 * math.log10(least)))
+    bag.warning(
+        "W0425",
+        f"the quasi-velocities are hardly independent on what the constraints allow: about {lost} of 16 digits are lost",
+        system.spec.key_span("quasi_velocities" if len(system.quasi) > 3 * len(system.rotations) else "rotation"),
+        help=("leave `quasi_velocities` out, and nhc chooses; or take velocities of other bodies of the chain",),
+    )
