@@ -19,6 +19,7 @@ from .nodes import Text
 from .pieces import Piece, Triple, add, each, multiply, write
 
 AXES = "xyz"
+Axes = tuple[Triple, Triple, Triple]
 
 
 @record
@@ -33,17 +34,31 @@ class Turn:
 class Turning:
     """What a rotation brings: its matrix row by row, and its angular velocity ``on_body`` or in space."""
 
-    matrix: tuple[Triple, Triple, Triple]
+    matrix: Axes
     omega: Triple
     on_body: bool
+
+
+@record
+class Spin:
+    """The last turn, by ``angle`` about an axis of ``axes``; what turns about one axis in a row, on any bodies, is one turn.
+
+    So angles add up along a chain in the plane.  Turns by constants stay by themselves: the axes before them are where the body
+    before has its own mass.  ``omega`` is the angular velocity on ``axes`` without this turn.
+    """
+
+    axis: int
+    angle: Piece
+    axes: Axes
+    omega: Triple
 
 
 @record
 class Frame:
     """``axes[k]`` are the components in space of the axis k, ``omega`` the angular velocity on the axes, ``origin`` in space.
 
-    ``at`` is the origin on the axes of ``on``, and ``relative`` the angular velocity against them, on them.  ``before`` is
-    the angular velocity on the axes before the last turn, the turn itself included.
+    ``at`` is the origin on the axes of ``on``, and ``relative`` the angular velocity against them, on them.  ``before`` is the
+    angular velocity on the axes before the body's own last turn, that turn included, and ``last`` its axis.
     """
 
     name: str
@@ -51,9 +66,10 @@ class Frame:
     on: str
     at: Triple
     origin: Triple
-    axes: tuple[Triple, Triple, Triple]
+    axes: Axes
     omega: Triple
     relative: Triple
+    spin: Spin | None
     before: Triple
     last: int | None
 
@@ -101,7 +117,7 @@ def space(place: int = 0) -> Frame:
     zero, one = write("0", place), write("1", place)
     still = zero, zero, zero
     axes = (one, zero, zero), (zero, one, zero), (zero, zero, one)
-    return Frame("", place, "", still, still, axes, still, still, still, None)
+    return Frame("", place, "", still, still, axes, still, still, None, still, None)
 
 
 def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turning, ledger: Ledger) -> Frame:
@@ -109,27 +125,58 @@ def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turni
     here, span = name.span.start, name.span
     offset = each(lambda k: pieces.dot(at, _row(on.axes, k), here))
     origin = ledger.names(f"{name.value}_", AXES, pieces.plus(on.origin, offset, here), span)
-    unit = space(here).axes
-    before, last = on.omega, None
+    spin, before, last = None, on.before, on.last
     if isinstance(turns, Turning):
-        columns = _columns(turns.matrix)
-        axes = _compose(on.axes, columns, here)
-        carried = each(lambda k: pieces.dot(columns[k], on.omega, here))
-        own = turns.omega if turns.on_body else each(lambda k: pieces.dot(columns[k], turns.omega, here))
-        relative = each(lambda k: pieces.dot(turns.matrix[k], own, here)) if turns.on_body else turns.omega
-        omega = pieces.plus(carried, own, here)
+        axes, omega, relative = _rotated(on, turns, here)
+    elif not turns:
+        axes, omega, relative, spin = on.axes, on.omega, space(here).omega, on.spin
     else:
-        axes, omega, relative, columns = on.axes, on.omega, space(here).omega, unit
-        for step in turns:
-            rate = ledger.rate(step.angle, here)
-            spin = along(unit[step.axis], rate, here)
-            before, last = pieces.plus(omega, spin, here), step.axis
-            relative = pieces.plus(relative, along(columns[step.axis], rate, here), here)
-            omega = pieces.turn(before, step.axis, step.angle, here)
-            axes, columns = _turned(axes, step, here), _turned(columns, step, here)
+        spin, before, relative = _spin(on, turns, ledger, here)
+        angle = ledger.name(f"{name.value}_angle", spin.angle, span)
+        spin, last = Spin(spin.axis, angle, spin.axes, spin.omega), spin.axis
+        axes, omega = _after(spin, ledger, here)
     named = tuple(ledger.names(f"{name.value}_", [f"{x}{k + 1}" for x in AXES], axes[k], span) for k in range(3))
     spoken = ledger.names(f"{name.value}_w", "123", omega, span)
-    return Frame(name.value, here, on.name, at, origin, (named[0], named[1], named[2]), spoken, relative, before, last)
+    return Frame(
+        name.value, here, on.name, at, origin, (named[0], named[1], named[2]), spoken, relative, spin, before, last
+    )
+
+
+def _rotated(on: Frame, turns: Turning, place: int) -> tuple[Axes, Triple, Triple]:
+    """Axes, angular velocity and that against ``on`` of what a rotation carries."""
+    columns = _columns(turns.matrix)
+    axes = _compose(on.axes, columns, place)
+    carried = each(lambda k: pieces.dot(columns[k], on.omega, place))
+    own = turns.omega if turns.on_body else each(lambda k: pieces.dot(columns[k], turns.omega, place))
+    relative = each(lambda k: pieces.dot(turns.matrix[k], own, place)) if turns.on_body else turns.omega
+    return axes, pieces.plus(carried, own, place), relative
+
+
+def _spin(on: Frame, turns: Sequence[Turn], ledger: Ledger, place: int) -> tuple[Spin, Triple, Triple]:
+    """The last turn with those about the same axis right before it; the angular velocity before it; all turns against ``on``."""
+    unit = space(place).axes
+    spin, omega, before, relative, columns = on.spin, on.omega, on.omega, space(place).omega, unit
+    for step in turns:
+        rate, moves = ledger.rate(step.angle, place), not ledger.is_still(step.angle)
+        relative = pieces.plus(relative, along(columns[step.axis], rate, place), place)
+        columns = _turned(columns, step.axis, step.angle, place)
+        before = pieces.plus(omega, along(unit[step.axis], rate, place), place)
+        omega = pieces.turn(before, step.axis, step.angle, place)
+        if spin is not None and spin.axis == step.axis and moves and not ledger.is_still(spin.angle):
+            spin = Spin(spin.axis, add([spin.angle, step.angle], place), spin.axes, spin.omega)
+        elif spin is None or spin is on.spin:
+            spin = Spin(step.axis, step.angle, on.axes, on.omega)
+        else:
+            spin = Spin(step.axis, step.angle, *_after(spin, ledger, place))
+    assert spin is not None
+    return spin, before, relative
+
+
+def _after(spin: Spin, ledger: Ledger, place: int) -> tuple[Axes, Triple]:
+    """Axes and angular velocity after a turn."""
+    turning = along(space(place).axes[spin.axis], ledger.rate(spin.angle, place), place)
+    omega = pieces.turn(pieces.plus(spin.omega, turning, place), spin.axis, spin.angle, place)
+    return _turned(spin.axes, spin.axis, spin.angle, place), omega
 
 
 def along(axis: Triple, length: Piece, place: int) -> Triple:
@@ -141,11 +188,11 @@ def _row(columns: Sequence[Triple], k: int) -> Triple:
     return columns[0][k], columns[1][k], columns[2][k]
 
 
-def _columns(rows: Sequence[Triple]) -> tuple[Triple, Triple, Triple]:
+def _columns(rows: Sequence[Triple]) -> Axes:
     return _row(rows, 0), _row(rows, 1), _row(rows, 2)
 
 
-def _compose(axes: Sequence[Triple], columns: Sequence[Triple], place: int) -> tuple[Triple, Triple, Triple]:
+def _compose(axes: Sequence[Triple], columns: Sequence[Triple], place: int) -> Axes:
     """Axes given by their components on other axes."""
 
     def axis(k: int) -> Triple:
@@ -154,10 +201,9 @@ def _compose(axes: Sequence[Triple], columns: Sequence[Triple], place: int) -> t
     return axis(0), axis(1), axis(2)
 
 
-def _turned(axes: Sequence[Triple], step: Turn, place: int) -> tuple[Triple, Triple, Triple]:
+def _turned(axes: Sequence[Triple], axis: int, angle: Piece, place: int) -> Axes:
     """Axes after one more turn about one of them."""
-    rows = [pieces.turn(_row(axes, x), step.axis, step.angle, place) for x in range(3)]
-    return _columns(rows)
+    return _columns([pieces.turn(_row(axes, x), axis, angle, place) for x in range(3)])
 
 
 # --- velocities of points -------------------------------------------------------------------------------------
