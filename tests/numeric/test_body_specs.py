@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+import re
 from pathlib import Path
 from types import ModuleType
 
@@ -110,3 +111,26 @@ def test_a_segway_that_runs_straight_is_a_pendulum_on_a_cart(formulation: str, s
     turned = (along * second - across * first) / det
     expected = [x * math.cos(0.5), x * math.sin(0.5), 0.0, turned, x / r - turned, x / r - turned]
     assert error(found, expected) < 1e-12
+
+
+def chain(count: int, axis: str) -> str:
+    """Rods that hang on one another by hinges, on a cart in the plane, or on a post that turns."""
+    lines = ["nhc: 1", "system: chain", f"coordinates: [x, {', '.join(f'q{k}' for k in range(count))}]"]
+    lines += ["parameters: {m: 1, M: 2, l: 1, A: 0.1, B: 0.2, C: 0.3, g: 9.81}", "bodies:"]
+    first = "at: [x, 0], mass: M" if axis == "z" else "turns: [z: x], inertia: M"
+    lines.append(f"  base: {{{first}}}")
+    for k in range(count):
+        place = "on: base" if k == 0 else f"on: b{k - 1}, at: [l, 0, 0]"
+        lines.append(f"  b{k}: {{{place}, turns: [{axis}: q{k}], mass: m, centre: [l/2, 0, 0], inertia: [A, B, C]}}")
+    return "\n".join([*lines, "gravity: [g, 0, -g]"]) + "\n"
+
+
+@pytest.mark.parametrize("axis", ["z", "y"])
+def test_a_chain_by_bodies_takes_operations_linear_in_its_length(axis: str) -> None:
+    def operations(count: int) -> int:
+        files = emit(Source("chain.yaml", chain(count, axis)), "c", Options(only=("rhs",)))
+        (found,) = re.findall(r"^ \* rhs: (\d+) \+-, (\d+) \*", files["chain.h"], re.MULTILINE)
+        return int(found[0]) + int(found[1])
+
+    four, eight, sixteen = map(operations, (4, 8, 16))
+    assert sixteen - eight < 2.2 * (eight - four)

@@ -58,6 +58,22 @@ def test_a_body_in_the_plane_is_written_as_by_hand() -> None:
     assert made == {"b_T": "m/2*(x'^2 + z'^2) + I/2*phi'^2"}
 
 
+def test_turns_about_one_axis_add_up_from_body_to_body() -> None:
+    """What does not move stays apart: the axes before it are where the body before has its mass."""
+    chain = (
+        "bodies: {a: {turns: [x: k, y: x], mass: m}, b: {on: a, at: [1, 0, 0], turns: [y: z, y: phi], mass: m}, "
+        "c: {on: b, turns: [y: k], mass: m, centre: [1, 0, 0]}, d: {on: c, at: [1, 0, 0], turns: [y: x]}}\n"
+    )
+    shown = "outputs: {o1: a_angle, o2: b_angle, o3: c_angle, o4: d_angle, o5: b_x1, o6: d_w2}\n"
+    made = {d.name: unparse(d.value) for d in spec(chain, shown, "T: x'^2 + z'^2 + phi'^2\n").definitions}
+    assert made["a_angle"] == "x"
+    assert made["b_angle"] == "x + z + phi"
+    assert made["c_angle"] == "k"
+    assert made["d_angle"] == "x"
+    assert made["b_x1"] == "cos(b_angle)"
+    assert made["d_w2"] == "b_w2 + x'"
+
+
 def test_a_round_body_is_written_without_its_spin() -> None:
     wheel = "bodies: {f: {turns: [z: x]}, w: {on: f, turns: [y: phi], inertia: [I, k, I]}}\n"
     made = {d.name: unparse(d.value) for d in spec(wheel, "T: z'^2/2\n").definitions}
