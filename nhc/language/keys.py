@@ -165,6 +165,7 @@ DRAW_KEYS = (
     ),
     Key("circle", "circle", False, "a circle: `{centre: [X, Y], radius: R}`"),
     Key("body", "body", False, "a polygon that moves in the plane: `{at: [X, Y], angle: A, shape: [[x, y], ...]}`"),
+    Key("on", "name", False, "the body on whose axes all of it is given; a `body` then takes `shape` alone"),
     Key("trace", "flag", False, "`true`: the point leaves its path behind"),
     Key("name", "text", False, "a label beside it"),
 )
@@ -176,7 +177,12 @@ CIRCLE_KEYS = (
 )
 
 DRAWN_BODY_KEYS = (
-    Key("at", "spot", True, "`[X, Y]`, where the origin of the body's axes is"),
-    Key("angle", "expression", True, "from the x axis to the body's first axis, counterclockwise, in radians"),
+    Key("at", "spot", True, "`[X, Y]`, where the origin of the body's axes is; not beside `on`"),
+    Key(
+        "angle",
+        "expression",
+        True,
+        "not beside `on`; from the x axis to the body's first axis, counterclockwise, in radians",
+    ),
     Key("shape", "polygon", True, "three corners or more on the body's axes"),
 )

@@ -58,7 +58,8 @@ class Frame:
     """``axes[k]`` are the components in space of the axis k, ``omega`` the angular velocity on the axes, ``origin`` in space.
 
     ``at`` is the origin on the axes of ``on``, and ``relative`` the angular velocity against them, on them.  ``before`` is the
-    angular velocity on the axes before the body's own last turn, that turn included, and ``last`` its axis.
+    angular velocity on the axes before the body's own last turn, that turn included, and ``last`` its axis.  ``heading`` is
+    the whole angle about the z axis of space where there are no other turns.
     """
 
     name: str
@@ -72,6 +73,7 @@ class Frame:
     spin: Spin | None
     before: Triple
     last: int | None
+    heading: Piece | None
 
 
 @dataclass
@@ -117,7 +119,7 @@ def space(place: int = 0) -> Frame:
     zero, one = write("0", place), write("1", place)
     still = zero, zero, zero
     axes = (one, zero, zero), (zero, one, zero), (zero, zero, one)
-    return Frame("", place, "", still, still, axes, still, still, None, still, None)
+    return Frame("", place, "", still, still, axes, still, still, None, still, None, zero)
 
 
 def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turning, ledger: Ledger) -> Frame:
@@ -125,20 +127,33 @@ def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turni
     here, span = name.span.start, name.span
     offset = each(lambda k: pieces.dot(at, _row(on.axes, k), here))
     origin = ledger.names(f"{name.value}_", AXES, pieces.plus(on.origin, offset, here), span)
-    spin, before, last = None, on.before, on.last
+    spin, before, last, heading = None, on.before, on.last, None
     if isinstance(turns, Turning):
         axes, omega, relative = _rotated(on, turns, here)
     elif not turns:
-        axes, omega, relative, spin = on.axes, on.omega, space(here).omega, on.spin
+        axes, omega, relative, spin, heading = on.axes, on.omega, space(here).omega, on.spin, on.heading
     else:
         spin, before, relative = _spin(on, turns, ledger, here)
         angle = ledger.name(f"{name.value}_angle", spin.angle, span)
         spin, last = Spin(spin.axis, angle, spin.axes, spin.omega), spin.axis
         axes, omega = _after(spin, ledger, here)
+        if on.heading is not None and all(step.axis == 2 for step in turns):
+            heading = add([on.heading, *(step.angle for step in turns)], here)
     named = tuple(ledger.names(f"{name.value}_", [f"{x}{k + 1}" for x in AXES], axes[k], span) for k in range(3))
     spoken = ledger.names(f"{name.value}_w", "123", omega, span)
     return Frame(
-        name.value, here, on.name, at, origin, (named[0], named[1], named[2]), spoken, relative, spin, before, last
+        name.value,
+        here,
+        on.name,
+        at,
+        origin,
+        (named[0], named[1], named[2]),
+        spoken,
+        relative,
+        spin,
+        before,
+        last,
+        heading,
     )
 
 

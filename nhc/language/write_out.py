@@ -12,6 +12,7 @@ from nhc.diagnostics import Bag, Span, nearest, quote
 
 from . import kinematics, pieces
 from .bodies import Body, BodyReader
+from .draw_on import put_into_space
 from .keys import BODILY, POINT_KEYS
 from .kinematics import AXES, Frame, Ledger
 from .names import PI, fold
@@ -36,6 +37,7 @@ class _Writer:
         self.root, self.bag = root, bag
         self.reader = BodyReader(root, Shapes(bag))
         self.ledger = Ledger(_constants(root))
+        self.declared: frozenset[str] = frozenset()
         self.frames: dict[str, Frame] = {"": kinematics.space()}
         self.energies: list[Piece] = []
         self.weights: list[Piece] = []
@@ -48,14 +50,15 @@ class _Writer:
             if name in read:
                 self.bag.error("E0305", f"two bodies are named `{name}`", text.span, help=("rename one of them",))
             read[name] = self.reader.body(text, node)
+        self.declared = frozenset(read)
         known = {name: body for name, body in read.items() if body is not None}
         gravity = self._gravity()
-        for body in self._in_order(known, frozenset(read)):
+        for body in self._in_order(known):
             self._place(body, gravity)
         for text, node in self.reader.entries(
             "points", "a mapping of points by name", "write `name: {on: body, at: [a, 0]}`"
         ):
-            self._point(text, node, frozenset(read))
+            self._point(text, node)
         if bodies and not self.energies and self.root.get("T") is None and not self.bag.has_errors:
             place = next(text.span for text, _ in self.root.entries if text.value == "bodies")
             help = "give bodies `mass` or `inertia`, or write `T: ...`"
@@ -77,7 +80,7 @@ class _Writer:
 
     # --- placing ---
 
-    def _in_order(self, known: dict[str, Body], declared: frozenset[str]) -> Iterator[Body]:
+    def _in_order(self, known: dict[str, Body]) -> Iterator[Body]:
         """Each body after the one that it stands on; what stands on itself is reported and left out."""
         done: set[str] = set()
         for start in known:
@@ -92,18 +95,19 @@ class _Writer:
                 self.bag.error("E0318", f"bodies stand on one another: {cycle}", known[name].name.span, help=(help,))
                 done.update(path)
                 continue
-            if name and name not in declared and name not in done:
-                self._unknown_body(name, known[path[-1]].name.span, declared)
+            if name and name not in self.declared and name not in done:
+                self._unknown_body(name, known[path[-1]].name.span)
             for name in reversed(path):
                 done.add(name)
                 if known[name].on in self.frames:
                     yield known[name]
 
-    def _unknown_body(self, name: str, span: Span, declared: frozenset[str]) -> None:
-        near = nearest(name, declared)
-        help = f"did you mean `{near}`?" if near else f"the bodies are {quote(sorted(declared))}" if declared else ""
+    def _unknown_body(self, name: str, span: Span) -> None:
+        near, names = nearest(name, sorted(self.declared)), quote(sorted(self.declared))
+        help = f"the bodies are {names}" if self.declared else "declare it under `bodies`"
+        help = f"did you mean `{near}`?" if near else help
         place = self._place_of(name, span)
-        self.bag.error("E0302", f"unknown body `{name}`", place, help=(help or "declare it under `bodies`",))
+        self.bag.error("E0302", f"unknown body `{name}`", place, help=(help,))
 
     def _place_of(self, name: str, span: Span) -> Span:
         """Where a name stands as the value of `on` or `of`."""
@@ -130,7 +134,7 @@ class _Writer:
         if gravity is not None and body.mass is not None:
             self.weights.append(multiply(body.mass, pieces.dot(gravity, centre, here), here))
 
-    def _point(self, name: Text, node: Node, declared: frozenset[str]) -> None:
+    def _point(self, name: Text, node: Node) -> None:
         what = f"point `{name.value}`"
         table = self.reader.shapes.table(
             node, f"a mapping for {what}", f"write `{name.value}: {{on: body, at: [a, 0]}}`"
@@ -142,8 +146,8 @@ class _Writer:
         at, on = self.reader.vector(table.get("at"), name.span.start), self.reader.name_under(table, "on")
         of = self.reader.name_under(table, "of") or on
         for body in dict.fromkeys((on, of)):
-            if body and body not in declared:
-                self._unknown_body(body, name.span, declared)
+            if body and body not in self.declared:
+                self._unknown_body(body, name.span)
         if at is not None and on in self.frames and of in self.frames:
             folded = Text(fold(name.value), name.span, True)
             kinematics.place_point(folded, self.frames[on], self.frames[of] if of else None, at, self.ledger)
@@ -152,8 +156,14 @@ class _Writer:
 
     def _merged(self) -> Table:
         """The entries of the spec without the keys that are written out, with what stands for them."""
-        entries = [(text, node) for text, node in self.root.entries if text.value not in BODILY]
-        spoken = set(_words([node for key, node in self.root.entries if key.value not in ("about", "source")]))
+        entries = [
+            (text, self._drawn(node) if text.value == "draw" else node)
+            for text, node in self.root.entries
+            if text.value not in BODILY
+        ]
+        spoken = set(
+            _words([node for key, node in (*self.root.entries, *entries) if key.value not in ("about", "source")])
+        )
         made = self._used(spoken | {piece.text for piece in self.energies})
         entries = self._with_energy(entries, "T", self.energies)
         potential = "U" if self.root.get("U") is not None else "V"
@@ -168,6 +178,20 @@ class _Writer:
         if isinstance(define, Table):
             define = Table((*define.entries, *made), define.span)
         return Table(tuple((k, define if k.value == "define" else v) for k, v in entries), self.root.span)
+
+    def _drawn(self, node: Node) -> Node:
+        """The shapes, those on bodies' axes put into space."""
+        if not isinstance(node, Items):
+            return node
+        items: list[Node] = []
+        for item in node.items:
+            on = self.reader.name_under(item, "on") if isinstance(item, Table) else ""
+            if isinstance(item, Table) and on and on in self.frames:
+                made = put_into_space(item, self.frames[on], self.reader)
+                items += [made] if not self.bag.has_errors else []  # what is wrong is said once
+            elif not on or on not in self.declared:  # what is wrong with a declared one has been said
+                items.append(item)
+        return Items(tuple(items), node.span)
 
     def _used(self, spoken: set[str]) -> list[tuple[Text, Node]]:
         """The definitions that something needs."""

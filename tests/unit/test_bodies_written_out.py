@@ -74,6 +74,33 @@ def test_turns_about_one_axis_add_up_from_body_to_body() -> None:
     assert made["d_w2"] == "b_w2 + x'"
 
 
+DRAWN = """draw:
+  - {on: rod, point: [a, 0], name: tip}
+  - {on: rod, line: [[0, 0], [a, 1]]}
+  - {on: rod, circle: {centre: [a, 0], radius: 1}}
+  - {on: rod, body: {shape: [[0, 0], [1, 0], [0, 1]]}}
+"""
+
+
+def test_shapes_on_a_body_in_the_plane_stay_in_it() -> None:
+    made = spec("bodies: {rod: {at: [x, z], turns: [z: phi, z: x], mass: m, inertia: I}}\n", DRAWN).draw
+    assert [figure.kind for figure in made] == ["point", "line", "circle", "body"]
+    assert not any(figure.spatial for figure in made)
+    assert [unparse(tree) for tree in made[0].points[0]] == ["x + a*rod_x1", "z + a*rod_y1"]
+    assert [unparse(tree) for tree in made[1].points[1]] == ["x + a*rod_x1 + rod_x2", "z + a*rod_y1 + rod_y2"]
+    assert unparse(made[3].angle or made[3].at[0]) == "phi + x"
+    assert made[0].name == "tip"
+
+
+def test_shapes_on_a_body_in_space_move_with_all_of_its_axes() -> None:
+    made = spec("bodies: {rod: {at: [x, 0, z], turns: [y: phi], mass: m, inertia: I}}\n", DRAWN).draw
+    assert [figure.kind for figure in made] == ["point", "line", "circle", "line"]
+    assert all(figure.spatial for figure in made)
+    assert [unparse(tree) for tree in made[2].normal] == ["rod_x3", "0", "rod_z3"]
+    assert len(made[3].points) == 4
+    assert [unparse(tree) for tree in made[3].points[3]] == [unparse(tree) for tree in made[3].points[0]]
+
+
 def test_a_round_body_is_written_without_its_spin() -> None:
     wheel = "bodies: {f: {turns: [z: x]}, w: {on: f, turns: [y: phi], inertia: [I, k, I]}}\n"
     made = {d.name: unparse(d.value) for d in spec(wheel, "T: z'^2/2\n").definitions}
