@@ -13,7 +13,7 @@ from types import FunctionType
 from typing import Any, TypeVar, dataclass_transform
 
 T = TypeVar("T")
-WIDEST = 24  # fields of a record
+WIDEST = 25  # fields of a record
 _NOTHING: Any = object()
 
 
@@ -136,6 +136,7 @@ _20: Any = None
 _21: Any = None
 _22: Any = None
 _23: Any = None
+_24: Any = None
 
 
 def _none(self: Any) -> None:
@@ -187,6 +188,7 @@ def _wide(
     a6: Any, a7: Any, a8: Any, a9: Any, a10: Any, a11: Any,
     a12: Any, a13: Any, a14: Any, a15: Any, a16: Any, a17: Any,
     a18: Any, a19: Any, a20: Any, a21: Any, a22: Any, a23: Any,
+    a24: Any,
 ) -> None:
     _0(self, a0)
     _1(self, a1)
@@ -212,6 +214,7 @@ def _wide(
     _21(self, a21)
     _22(self, a22)
     _23(self, a23)
+    _24(self, a24)
 # fmt: on
 
 

@@ -12,6 +12,7 @@ from .nodes import Items, Node, Table, Text
 from .parser import parse_expression
 from .pieces import Piece, Triple, each, piece_of, write
 from .shape import Shapes
+from .spec import Body as Told
 from .syntax import Prime, walk
 from .yaml_reader import is_empty
 
@@ -31,6 +32,34 @@ class Body:
     mass: Piece | None
     centre: Triple
     inertia: Inertia | None
+    about: str
+
+    @property
+    def told(self) -> Told:
+        """What a person is told of it."""
+        turning, inertia = self.turns, self.inertia
+        turns = () if isinstance(turning, Turning) else tuple((AXES[s.axis], _shown(s.angle)) for s in turning)
+        entries: tuple[tuple[str, str], ...] = ()
+        if inertia is not None:
+            shown = [_shown(piece) for piece in (*inertia.diagonal, *inertia.products)]
+            same = len(set(shown[:3])) == 1
+            kept = [(key, text) for key, text in zip(_ENTRIES, shown, strict=True) if text != "0"]
+            entries = (("", shown[0]), *kept[3:]) if same else tuple(kept)
+        return Told(
+            name=self.name.value,
+            on=self.on,
+            at=tuple(map(_shown, self.at)) if any(not x.is_zero for x in self.at) else (),
+            turns=turns,
+            rotation=turning.name if isinstance(turning, Turning) else "",
+            mass=_shown(self.mass) if self.mass is not None else "",
+            centre=tuple(map(_shown, self.centre)) if any(not x.is_zero for x in self.centre) else (),
+            inertia=entries,
+            about=self.about,
+        )
+
+
+def _shown(piece: Piece) -> str:
+    return piece.shown.text
 
 
 class BodyReader:
@@ -58,7 +87,7 @@ class BodyReader:
         if table is None:
             return None
         self.shapes.check_keys(table, BODY_KEYS, what, name.span)
-        self.shapes.line(table.get("about"))
+        about = self.shapes.line(table.get("about"))
         here = name.span.start
         at, turns = self.vector(table.get("at"), here), self._turns(table, name)
         centre, inertia = self.vector(table.get("centre"), here), self._inertia(table.get("inertia"), name)
@@ -66,7 +95,14 @@ class BodyReader:
         if at is None or turns is None or centre is None:
             return None
         return Body(
-            Text(fold(name.value), name.span, True), self.name_under(table, "on"), at, turns, mass, centre, inertia
+            Text(fold(name.value), name.span, True),
+            self.name_under(table, "on"),
+            at,
+            turns,
+            mass,
+            centre,
+            inertia,
+            about,
         )
 
     def name_under(self, table: Table, key: str) -> str:
@@ -166,7 +202,7 @@ class BodyReader:
         def row(x: str) -> Triple:
             return each(lambda k: write(f"{name}_{x}{k + 1}", here))
 
-        return Turning((row("x"), row("y"), row("z")), each(lambda k: write(spoken[k], here)), on_body)
+        return Turning(name, (row("x"), row("y"), row("z")), each(lambda k: write(spoken[k], here)), on_body)
 
     def _inertia(self, node: Node | None, name: Text) -> Inertia | None:
         here = name.span.start

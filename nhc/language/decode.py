@@ -53,10 +53,11 @@ class _Decoder:
     def __init__(self, source: Source, written: Table, bag: Bag) -> None:
         self.source = source
         self.written = written
-        self.root, offered = plain(written, bag)
+        self.plain = plain(written, bag)
+        self.root = self.plain.root
         self.bag = bag
         self.shapes = Shapes(bag)
-        self.scope = Scope(bag, offered)
+        self.scope = Scope(bag, self.plain.offered)
         self.scope.open = bag.has_errors
         self.draft = _Draft()
         self.uncounted = False  # constraints may stand under a key that is misspelled
@@ -111,6 +112,7 @@ class _Decoder:
             scenes=scenes,
             key_spans=tuple((text.value, text.span) for text, _ in self.root.entries),
             rotations=tuple(rotations),
+            bodies=self.plain.bodies,
         )
         if not self.bag.has_errors:
             check_units(spec, self.bag)

@@ -10,10 +10,12 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from nhc.diagnostics import Bag, Source, Span, SpecError
+from nhc.records import record
 
 from .keys import BODILY
 from .names import fold
 from .nodes import Items, Node, Table, Text
+from .spec import Body
 from .yaml_reader import read_nodes
 
 KEY = "extends"
@@ -88,10 +90,19 @@ def _merge_roots(base: Table, own: Table) -> Table:
     return _merge(base, own, _coordinates(base, own))
 
 
-def plain(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...]]:
-    """The spec with its ``bodies`` written out, and the names that they bring."""
+@record
+class Plain:
+    """A spec without bodies: ``offered`` are all names that they bring, used or not, ``bodies`` what is told of them."""
+
+    root: Table
+    offered: tuple[str, ...] = ()
+    bodies: tuple[Body, ...] = ()
+
+
+def plain(root: Table, bag: Bag) -> Plain:
+    """The spec with its ``bodies`` written out."""
     if not any(text.value in BODILY for text, _ in root.entries):
-        return root, ()
+        return Plain(root)
     from .write_out import write_out  # few specs need it
 
     return write_out(root, bag)

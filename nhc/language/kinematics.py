@@ -34,6 +34,7 @@ class Turn:
 class Turning:
     """What a rotation brings: its matrix row by row, and its angular velocity ``on_body`` or in space."""
 
+    name: str
     matrix: Axes
     omega: Triple
     on_body: bool

@@ -46,6 +46,26 @@ class Rotation:
 
 
 @record
+class Body:
+    """A body as the spec says it, for people: its mechanics stand among definitions and energies.
+
+    Expressions are texts of the language; ``on`` is empty in space, ``at`` and ``centre`` where they are the origin, ``turns``
+    are pairs of an axis and an angle, ``rotation`` names what turns it in their place; ``inertia`` are pairs of an entry
+    ("xx", or "" for what counts about every axis) and its text.
+    """
+
+    name: str
+    on: str
+    at: tuple[str, ...]
+    turns: tuple[tuple[str, str], ...]
+    rotation: str
+    mass: str
+    centre: tuple[str, ...]
+    inertia: tuple[tuple[str, str], ...]
+    about: str
+
+
+@record
 class Parameter:
     """A constant of the system: a number, a constant expression (``pi/10``), or None where each scene gives it."""
 
@@ -200,6 +220,7 @@ class Spec:
     scenes: tuple[Scene, ...]
     key_spans: tuple[tuple[str, Span], ...]
     rotations: tuple[Rotation, ...] = ()
+    bodies: tuple[Body, ...] = ()
 
     def key_span(self, key: str) -> Span:
         """Return the place of a top-level key (``constraints``); the spec's start where it is not written."""

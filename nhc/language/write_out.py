@@ -13,6 +13,7 @@ from nhc.diagnostics import Bag, Span, nearest, quote
 from . import kinematics, pieces
 from .bodies import Body, BodyReader
 from .draw_on import put_into_space
+from .extend import Plain
 from .keys import BODILY, POINT_KEYS
 from .kinematics import AXES, Frame, Ledger
 from .names import PI, fold
@@ -23,13 +24,10 @@ from .shape import Shapes
 from .yaml_reader import is_empty
 
 
-def write_out(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...]]:
-    """The spec without ``bodies``, ``points`` and ``gravity``: with the definitions and energies that they stand for.
-
-    The second are all names that they bring, used or not.
-    """
+def write_out(root: Table, bag: Bag) -> Plain:
+    """The spec without ``bodies``, ``points`` and ``gravity``: with the definitions and energies that they stand for."""
     writer = _Writer(root, bag)
-    return writer.run(), tuple(writer.ledger.made)
+    return Plain(writer.run(), tuple(writer.ledger.made), tuple(body.told for body in writer.bodies))
 
 
 class _Writer:
@@ -39,6 +37,7 @@ class _Writer:
         self.ledger = Ledger(_constants(root))
         self.declared: frozenset[str] = frozenset()
         self.frames: dict[str, Frame] = {"": kinematics.space()}
+        self.bodies: list[Body] = []
         self.energies: list[Piece] = []
         self.weights: list[Piece] = []
 
@@ -53,7 +52,8 @@ class _Writer:
         self.declared = frozenset(read)
         known = {name: body for name, body in read.items() if body is not None}
         gravity = self._gravity()
-        for body in self._in_order(known):
+        self.bodies += self._in_order(known)
+        for body in self.bodies:
             self._place(body, gravity)
         for text, node in self.reader.entries(
             "points", "a mapping of points by name", "write `name: {on: body, at: [a, 0]}`"
@@ -82,7 +82,7 @@ class _Writer:
 
     def _in_order(self, known: dict[str, Body]) -> Iterator[Body]:
         """Each body after the one that it stands on; what stands on itself is reported and left out."""
-        done: set[str] = set()
+        done, placed = set[str](), set[str]()
         for start in known:
             path: list[str] = []
             name = start
@@ -99,7 +99,8 @@ class _Writer:
                 self._unknown_body(name, known[path[-1]].name.span)
             for name in reversed(path):
                 done.add(name)
-                if known[name].on in self.frames:
+                if known[name].on in ("", *placed):
+                    placed.add(name)
                     yield known[name]
 
     def _unknown_body(self, name: str, span: Span) -> None:

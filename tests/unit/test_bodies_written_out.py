@@ -11,6 +11,7 @@ from nhc.language import decode, read, unparse
 from nhc.language.spec import Spec
 from nhc.mechanics.pairs.verdict import compare_systems
 from nhc.mechanics.resolve import resolve
+from nhc.pipeline import derive
 
 HEAD = "nhc: 1\nsystem: s\ncoordinates: [x, z, phi]\nparameters: {m: 2, I: 0.3, a: 0.5, g: 9.81, k: 4}\n"
 ROD = "bodies: {rod: {at: [x, 0, z], turns: [y: phi], mass: m, centre: [a, 0, 0], inertia: I}}\n"
@@ -134,3 +135,21 @@ def test_mistakes_are_marked_where_they_stand(part: str, place: str) -> None:
     (found,) = caught.value.diagnostics
     span = found.labels[0].span
     assert text[span.start : span.end] == place
+
+
+def test_a_derivation_tells_of_the_bodies() -> None:
+    text = (
+        "nhc: 1\nsystem: s\ncoordinates: [x, phi]\nrotation: [R]\nparameters: {m: 2, I: 0.3, a: 0.5}\n"
+        "bodies: {cart: {at: [x, 0], mass: m, about: It runs on rails.}, rod: {on: cart, at: [0, a, -a], turns: [y: phi, x: a], "
+        "mass: m, centre: [a, 0], inertia: I}, top: {on: rod, rotation: R, inertia: [I, 2*I, a]}, "
+        "skew: {turns: [z: phi], inertia: {xx: I, zz: I, xz: -a}}}\n"
+    )
+    shown = " ".join(derive(Source("s.yaml", text)).split())
+    for said in (
+        "- `cart` in space, its origin at (x, 0); mass m. It runs on rails.",
+        "- `rod` on `cart`, its origin at (0, a, -a), turned by phi about y, by a about x; mass m with its centre at (a, 0); "
+        "moment of inertia I.",
+        "- `top` on `rod`, turned by `R`; moments of inertia (I, 2*I, a).",
+        "- `skew` in space, turned by phi about z; inertia matrix I at xx, I at zz, -a at xz.",
+    ):
+        assert said in shown

@@ -21,6 +21,7 @@ def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
     sheet.add(_table(("coordinate", "meaning", "unit"), rows))
     _parameters(desk, sheet, scene)
     _rotations(desk, sheet)
+    _bodies(desk, sheet)
     sheet.say("The kinetic energy is")
     sheet.add(Draft(desk.name(desk.own("T")), desk.plain(desk.by_entries(system.T)), place=system.places["T"]))
     if desk.graph.zero != system.U:
@@ -74,6 +75,40 @@ def _rotations(desk: Desk, sheet: DraftSheet) -> None:
         nodes = [entry for row in rotation.matrix for entry in row] + list(rotation.omega)
         for name, node in zip((*declared.entries, *declared.velocities), nodes, strict=True):
             sheet.add(Draft(desk.name(Mark(name)), desk.plain(node)))
+
+
+def _bodies(desk: Desk, sheet: DraftSheet) -> None:
+    """Where bodies stand, how they turn, what they weigh; the letters of T and of the constraints follow from that."""
+    bodies = desk.system.spec.bodies
+    if bodies:
+        sheet.say(
+            "The bodies, each with what it stands on, its turns from there one after another, and its mass on its own axes:"
+        )
+    for body in bodies:
+        place = f", its origin at {_vector(body.at)}" if body.at else ""
+        turns = [f"by ${angle}$ about {axis}" for axis, angle in body.turns]
+        turned = f", turned {', '.join(turns)}" if turns else f", turned by `{body.rotation}`" if body.rotation else ""
+        parts = [f"`{body.name}` on `{body.on}`" if body.on else f"`{body.name}` in space", place, turned]
+        if body.mass:
+            centre = f" with its centre at {_vector(body.centre)}" if body.centre else ""
+            parts.append(f"; mass ${body.mass}${centre}")
+        if body.inertia:
+            parts.append(f"; {_moments(body.inertia)}")
+        sheet.say(f"- {''.join(parts)}." + (f" {body.about}" if body.about else ""))
+
+
+def _moments(entries: tuple[tuple[str, str], ...]) -> str:
+    keys = [key for key, _ in entries]
+    if keys == [""]:
+        return f"moment of inertia ${entries[0][1]}$"
+    if keys == ["xx", "yy", "zz"]:
+        return f"moments of inertia {_vector(tuple(text for _, text in entries))}"
+    return "inertia matrix " + ", ".join(f"${text}$ at {key}" for key, text in entries)
+
+
+def _vector(parts: tuple[str, ...]) -> str:
+    shown = parts[:2] if parts[2] == "0" else parts
+    return f"({', '.join(f'${part}$' for part in shown)})"
 
 
 def _table(

@@ -211,7 +211,7 @@ def draft_of(source: Source, scene: Scene) -> Draft:
     trees.update((("outputs", d.name), d.value) for d in spec.outputs)
     shown = {name for figure in spec.draw for tree in figure.expressions for name in names_in(tree)}
     shown |= {name for entry in scene.initial for name in names_in(entry.value)}
-    return Draft(spec, scene, plain(merge_bases(source, read), bag)[0], trees, frozenset(shown))
+    return Draft(spec, scene, plain(merge_bases(source, read), bag).root, trees, frozenset(shown))
 
 
 def _other_side(side: str) -> str:
