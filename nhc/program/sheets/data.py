@@ -100,9 +100,10 @@ def _bodies(desk: Desk, sheet: DraftSheet) -> None:
 
 
 NAMES_OF_BODIES = (
-    "At the name of a body the index x, y or z means its origin in space, cx, cy or cz its centre of mass, x1 to z3 the components of its"
-    " axes, w1, w2 or w3 its angular velocity on these, angle its last turn, T its kinetic energy; at that of a point x, y or z means"
-    " its place in space, vx, vy or vz the velocity of the matter there, v1, v2 or v3 the same on the axes on which it is placed."
+    "At the name of a body the index x, y or z means its origin in space, cx, cy or cz its centre of mass, x1 to z3 the"
+    " components of its axes, w1, w2 or w3 its angular velocity on these, angle its last turn, T its kinetic energy; at that"
+    " of a point x, y or z means its place in space, vx, vy or vz the velocity of the matter there, v1, v2 or v3 the same on"
+    " the axes on which it is placed."
 )
 
 
