@@ -18,7 +18,8 @@ Section = tuple[str, list[str] | str]
 
 
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
-    """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>`` or ``atoms<N>``.
+    """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``
+    or ``ball_arm<N>``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -244,6 +245,44 @@ def _atoms(count: int, expanded: bool) -> str:
     )
 
 
+def _ball_arm(count: int, _: bool) -> str:
+    """A ball that rolls, and on it an arm of universal joints, each by two angles from the body before."""
+    entries = [[f"R_{a}{j}" for j in (1, 2, 3)] for a in "xyz"]
+    spin, foot, define = ["p", "q", "r"], ["x", "y", "0"], []
+    kinetic = ["M/2*(x'^2 + y'^2) + K/2*(p^2 + q^2 + r^2)"]
+    for k in range(1, count + 1):
+        define += [f"o{k}{a}: {at} + l*{row[2]}" for a, at, row in zip("xyz", foot, entries, strict=True)]
+        foot = [f"o{k}{a}" for a in "xyz"]
+        for axis, angle in enumerate((f"a{k}", f"b{k}")):
+            i, j = (axis + 1) % 3, (axis + 2) % 3
+            old, before = [list(row) for row in entries], list(spin)
+            for a, row in zip("xyz", old, strict=True):
+                define.append(f"{angle}_{a}{i + 1}: {row[i]}*cos({angle}) + {row[j]}*sin({angle})")
+                define.append(f"{angle}_{a}{j + 1}: {row[j]}*cos({angle}) - {row[i]}*sin({angle})")
+            define.append(f"{angle}_w{i + 1}: {before[i]}*cos({angle}) + {before[j]}*sin({angle})")
+            define.append(f"{angle}_w{j + 1}: {before[j]}*cos({angle}) - {before[i]}*sin({angle})")
+            define.append(f"{angle}_w{axis + 1}: {before[axis]} + {angle}'")
+            for n, a in enumerate("xyz"):
+                entries[n][i], entries[n][j] = f"{angle}_{a}{i + 1}", f"{angle}_{a}{j + 1}"
+            spin = [f"{angle}_w{n}" for n in (1, 2, 3)]
+        define += [f"c{k}{a}: {at} + c*{row[2]}" for a, at, row in zip("xyz", foot, entries, strict=True)]
+        kinetic.append(f"m/2*(c{k}x'^2 + c{k}y'^2 + c{k}z'^2)")
+        kinetic += [f"{inertia}/2*{w}^2" for inertia, w in zip("ABC", spin, strict=True)]
+    return _assemble(
+        f"ball_arm{count}",
+        [
+            ("coordinates", "[x, y, " + ", ".join(f"a{k}, b{k}" for k in range(1, count + 1)) + "]"),
+            ("rotation", ["R: {velocities: [p, q, r]}"]),
+            ("parameters", "{g: 9.81, M: 3, K: 0.3, d: 0.5, l: 0.4, c: 0.2, m: 1, A: 0.1, B: 0.12, C: 0.02}"),
+            ("define", define),
+            ("T", " + ".join(kinetic)),
+            ("V", "m*g*(" + " + ".join(f"c{k}z" for k in range(1, count + 1)) + ")"),
+            ("constraints", ["- x' - d*(R_y1*p + R_y2*q + R_y3*r) = 0", "- y' + d*(R_x1*p + R_x2*q + R_x3*r) = 0"]),
+            _scene("p: 0.5, a1: 0.3"),
+        ],
+    )
+
+
 def _bicycle(_: int, __: bool) -> str:
     given = "quasi_velocities:\n  u_roll: roll'\n  u_steer: steer'\n  u_rear: thR'\n"
     text = (ROOT / "specs" / "bicycle.yaml").read_text(encoding="utf-8")
@@ -257,5 +296,6 @@ _FAMILIES = {
     "snake": _snake,
     "pendulum": _pendulum,
     "atoms": _atoms,
+    "ball_arm": _ball_arm,
     "bicycle": _bicycle,
 }

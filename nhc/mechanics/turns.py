@@ -78,6 +78,11 @@ def add_vectors(graph: Graph, x: Vector, y: Vector) -> Vector:
     return graph.add(x[0], y[0]), graph.add(x[1], y[1]), graph.add(x[2], y[2])
 
 
+def scale_vector(graph: Graph, factor: Node, x: Vector) -> Vector:
+    """factor x."""
+    return graph.mul(factor, x[0]), graph.mul(factor, x[1]), graph.mul(factor, x[2])
+
+
 def climb(graph: Graph, start: Vector, at: Path, path: Path, parts: Iterable[tuple[Path, Vector]]) -> Vector:
     """A vector on the axes of ``at`` and parts on axes of their own, added up on the axes of ``path``.
 

@@ -80,8 +80,7 @@ def _along(
 def _other_tree(equations: Equations) -> Elimination | None:
     """A tree that was not surely worth it, or under constraints that leave many rates: it is held against the dense way."""
     size, motion = len(equations.motion.w), equations.motion
-    held = equations.system.l > len(equations.system.rotations)
-    if size < 2 or (size <= FEW and motion.velocities != motion.w) or (held and equations.system.rotations):
+    if size < 2 or (size <= FEW and motion.velocities != motion.w):
         return None
     kinetic = whole_kinetic(equations.system)
     return tree_of(equations.system, motion, kinetic) if kinetic is not None else None

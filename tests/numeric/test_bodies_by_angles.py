@@ -104,7 +104,7 @@ class Joints:
 def made(text: str) -> tuple[Model, Elimination, int]:
     """The model, the elimination along the bodies, and how many forms of T are components of angular velocities."""
     found = model(Source("tree.yaml", text))
-    spatial = read_bodies(found.system)
+    spatial = read_bodies(found.system, found.equations.motion)
     assert spatial is not None
     chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)
     assert chain is not None
@@ -158,7 +158,7 @@ V: m*g*(z1 + Z) + s^2
 def test_vectors_that_only_look_like_turned_ones_are_not_taken_for_such(far: str) -> None:
     """A length that changes, a sum of two turned vectors with one factor, T written in squares of the rates."""
     found = model(Source("arms.yaml", SINGLE.replace("FAR", far)))
-    g, spatial = found.system.graph, read_bodies(found.system)
+    g, spatial = found.system.graph, read_bodies(found.system, found.equations.motion)
     if spatial is None:
         return
     chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)

@@ -8,34 +8,30 @@ left out, B'' has omega x (omega x d) added, omega' gets omega_before x n a', an
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from nhc.algebra.calculus import gradient, list_terms, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.field import Unlucky
-from nhc.algebra.graph import ADD, NEG, Graph, Node
-from nhc.algebra.monomials import split_parameters
-from nhc.algebra.solving.linear import linear_form
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.signatures import Signatures
 from nhc.mechanics.system import System
-from nhc.mechanics.trees.frames import ROOT, ZERO, Frame, Frames
+from nhc.mechanics.trees.frames import ZERO, Frame, Frames
+from nhc.mechanics.trees.points import Components, Point, Points, Unread
+from nhc.mechanics.trees.rates import Rates
 from nhc.mechanics.trees.recursion import Recursion, Terms
-from nhc.mechanics.trees.triples import list_triples, place_of
-from nhc.mechanics.turns import Vector, add_vectors, cross
+from nhc.mechanics.trees.triples import list_squares, place_of
+from nhc.mechanics.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.whole_forms import whole_kinetic
 
 _FEW = 3  # coordinates of what moves in another way than by turning
 
 
-@dataclass
-class Point:
-    """``base`` + the vectors d on their axes + what moves in other ways."""
-
-    base: Point | None
-    arms: list[tuple[Frame, Vector]]
-    loose: Vector
-    variables: tuple[int, int, int] | None = None
+Variables = tuple[int, int, int]
+_STILL = -1
 
 
 @dataclass
@@ -51,147 +47,71 @@ class Spatial:
     known: set[int] = field(default_factory=set)
 
 
-class _Unread(Exception):
-    """A vector that is no sum of vectors fixed on axes."""
-
-
-def read_bodies(system: System) -> Spatial | None:
-    """The recursion of T's forms over the velocities q'; None where T has no points in space that turn, or others than these."""
-    kinetic = whole_kinetic(system, system.graph.rate_of) if not system.rotations else None
-    if kinetic is None:
+def read_bodies(system: System, motion: Motion) -> Spatial | None:
+    """The recursion of T's forms along a motion; None where T has no points in space that turn, or others than these."""
+    kinetic = whole_kinetic(system, system.graph.rate_of)
+    squares = list_squares(system, kinetic) if kinetic is not None else []
+    if kinetic is None or not any(len(group) > 1 for group in squares):
         return None
-    triples = list_triples(system, kinetic)
-    if not triples:
-        return None
-    g = system.graph
-    found = [place_of(g, kinetic.atoms[k]) for triple in triples for k in triple]
-    places = [place for place, _ in found]
-    signs = {k: sign for k, (_, sign) in zip((k for triple in triples for k in triple), found, strict=True)}
+    g, rates = system.graph, Rates(system, motion)
+    places = {k: place_of(g, kinetic.atoms[k]) for group in squares for k in group}
+    own = [*kinetic.atoms, *(place for place, _ in places.values())]
     try:
-        reader = _Reader(system, kinetic, Signatures(g, [*kinetic.atoms, *places]), places)
-        points = [reader.point((a, b, c)) for a, b, c in zip(places[::3], places[1::3], places[2::3], strict=True)]
-        if not reader.turned:
+        marks = Signatures(g, [*own, *rates.unbound.values()])
+        marks.bind(rates.unbound)
+        named = rates.named(own)
+        if named is None:
             return None
-        return reader.write(triples, points, signs)
-    except (_Unread, Unlucky):
+        atoms, where = named[: len(kinetic.atoms)], dict(zip(places, named[len(kinetic.atoms) :], strict=True))
+        frames = Frames(rates, marks)
+        points = Points(frames, g.mask(system.p), where).read(squares)
+        if not any(point.turns for _, point in points):
+            return None
+        signs = {k: sign for k, (_, sign) in places.items()}
+        made = _Writer(rates, kinetic, atoms, marks, frames).write(points, signs)
+        # each on a rotation of its own, in space: T's forms are over the kept velocities as they are written
+        return None if system.rotations and not made.known else made
+    except (Unread, Unlucky, NotLinear):
         return None
 
 
-class _Reader:
-    def __init__(self, system: System, kinetic: Kinetic, marks: Signatures, places: Sequence[Node]) -> None:
-        self.system, self.kinetic, self.marks = system, kinetic, marks
-        self.graph: Graph = system.graph
-        self.frames = Frames(system, marks)
-        self.turned = False
-        self._mask = self.graph.mask(system.p)
-        self._moving = self.graph.mask((*system.q, system.t))
-        self._points: dict[Vector, Point] = {}
-        self._uses: dict[Node, int] = {}
-        seen, stack = set[Node](), list(places)
-        while stack:
-            node = stack.pop()
-            if node in seen or self.graph.op[node] not in (ADD, NEG):
-                continue
-            seen.add(node)
-            for child in self.graph.kids[node]:
-                self._uses[child] = self._uses.get(child, 0) + (self.graph.op[node] == ADD)
-                stack.append(child)
+def _frames_of(points: Iterable[Point]) -> set[int]:
+    """The axes on which the points' vectors are fixed, with those on which these turn."""
+    found, over = set[int](), list(points)
+    while over:
+        point = over.pop()
+        over += [point.base] if point.base is not None else []
+        for frame, _ in point.arms:
+            top: Frame | None = frame
+            while top is not None and id(top) not in found:
+                found.add(id(top))
+                top = top.parent
+    return found
 
-    # --- positions ------------------------------------------------------------------------------------------
 
-    def point(self, place: Vector) -> Point:
-        """A position as the next one that others share, and the rest."""
-        stack = [place]
-        while stack:
-            own = stack[-1]
-            x, y, z = (self._shared(node) for node in own)
-            standing = any((x, y, z)) and all(b != node for b, node in zip((x, y, z), own, strict=True))
-            if standing and (x, y, z) not in self._points:
-                stack.append((x, y, z))
-                continue
-            held = {x, y, z} if standing else set()
-            rows = [[term for term in list_terms(self.graph, node, held) if term not in held] for node in own]
-            self._points[own] = self._split(self._points[x, y, z] if standing else None, rows)
-            stack.pop()
-        return self._points[place]
+class _Writer:
+    """T's forms over the symbols of ``rates``."""
 
-    def _shared(self, place: Node) -> Node:
-        """The largest sum within a sum that has a name or is used elsewhere, else such a term; zero where there is none."""
-        g, sums, terms, stack = self.graph, list[Node](), list[Node](), [(place, False)]
-        while stack:
-            node, negative = stack.pop()
-            if g.op[node] == NEG:
-                stack.append((g.a[node], not negative))
-                continue
-            signed = g.neg(node) if negative else node
-            named, often = node in g.labels or g.neg(node) in g.labels, self._uses.get(node, 0) > 1
-            if g.op[node] != ADD:
-                if named and often:
-                    terms.append(signed)
-            elif signed != place and (named or often):
-                sums.append(signed)
-            else:
-                stack += [(child, negative) for child in g.kids[node]]
-        return max(sums or terms, key=lambda own: g.a[own] if g.op[own] == NEG else own, default=g.zero)
-
-    def _split(self, base: Point | None, rows: Sequence[Sequence[Node]]) -> Point:
-        """By the parameters in front of the terms, then by the axes."""
-        g = self.graph
-        groups: dict[Node, list[list[Node]]] = {}
-        for axis, row in enumerate(rows):
-            for term in row:
-                monomial, rest = split_parameters(g, term, self._mask)
-                groups.setdefault(monomial.node(g), [[], [], []])[axis].append(rest)
-        arms: dict[int, list[tuple[Frame, Vector, Node]]] = {}
-        loose = ZERO
-        for factor, (x, y, z) in groups.items():
-            own = g.sum(x), g.sum(y), g.sum(z)
-            frame = self.frames.of(own)
-            if frame is None:
-                loose = add_vectors(g, loose, self._times(factor, own))
-            elif frame is not ROOT:
-                own = self.frames.as_known(own)
-                deepest = self._home(arms, frame, own)
-                arms.setdefault(id(deepest), []).append((deepest, own, factor))
-        self._check(loose)
-        self.turned = self.turned or bool(arms)
-        made = []
-        for parts in arms.values():
-            total = ZERO
-            for _, own, factor in parts:
-                total = add_vectors(g, total, self._times(factor, own))
-            made.append((max((p[0] for p in parts), key=lambda f: f.depth), total))
-        return Point(base, made, loose)
-
-    def _home(self, arms: dict[int, list[tuple[Frame, Vector, Node]]], frame: Frame, own: Vector) -> Frame:
-        """The axes of an arm that is there already, where both are fixed on one of the two; else the vector's own."""
-        for key, parts in list(arms.items()):
-            common = self.frames.common([(frame, own), *((f, v) for f, v, _ in parts)])
-            if common is not None:
-                arms[id(common)] = arms.pop(key)
-                return common
-        return frame
-
-    def _times(self, factor: Node, vector: Vector) -> Vector:
-        g = self.graph
-        return g.mul(factor, vector[0]), g.mul(factor, vector[1]), g.mul(factor, vector[2])
-
-    def _check(self, loose: Vector) -> None:
-        g = self.graph
-        if sum(any(g.depends(x, g.deps[q]) for x in loose) for q in self.system.q) > _FEW:
-            raise _Unread
+    def __init__(
+        self, rates: Rates, kinetic: Kinetic, atoms: Sequence[Node], marks: Signatures, frames: Frames
+    ) -> None:
+        self.rates, self.system, self.kinetic, self.atoms, self.marks = rates, rates.system, kinetic, atoms, marks
+        self.graph: Graph = rates.graph
+        self.frames = frames
+        self._mask = self.graph.mask(self.system.p)
 
     # --- the recursion --------------------------------------------------------------------------------------
 
-    def write(self, triples: Sequence[Sequence[int]], points: Sequence[Point], signs: dict[int, int]) -> Spatial:
+    def write(self, points: Sequence[tuple[Components, Point]], signs: dict[int, int]) -> Spatial:
         """Points from the root on, each frame when it is first needed; then T's other forms."""
-        system, atoms = self.system, self.kinetic.atoms
-        self.made = Spatial(self.kinetic, Recursion(system.n))
-        self._variables: dict[int, tuple[int, int, int]] = {}
-        self._momenta: dict[tuple[int, int, int], tuple[Frame, Vector]] = {}
+        atoms = self.atoms
+        self.made = Spatial(self.kinetic, Recursion(len(self.rates.motion.w)))
+        self._velocities: dict[Node, Terms] = {}
+        self._variables: dict[int, Variables] = {}
+        self._momenta: dict[Variables, tuple[Frame, Vector]] = {}
         of: dict[int, tuple[Frame, Vector, int]] = {}
-        inside = {k for triple in triples for k in triple}
-        names = self._angular()
+        inside = {k for components, _ in points for k in components}
+        names = self._angular(_frames_of(point for _, point in points))
         for k, atom in enumerate(atoms):
             if k not in inside:
                 found = names.get(self.marks.of(atom))
@@ -199,9 +119,10 @@ class _Reader:
                     of[k] = found
         forms: list[Terms] = [{} for _ in atoms]
         waiting = dict(of)
-        for triple, point in zip(triples, points, strict=True):
-            for k, variable in zip(triple, self._place(point), strict=True):
-                forms[k] = {variable: self.graph.number(signs[k])}
+        for components, point in points:
+            for component, variable in zip(components, self._place(point), strict=True):
+                if component is not None and variable != _STILL:
+                    forms[component] = {variable: self.graph.number(signs[component])}
             near = {id(frame) for frame, _ in point.arms}
             for k in [k for k, (frame, _, _) in waiting.items() if id(frame) in near]:
                 forms[k] = self._component(k, *waiting.pop(k))
@@ -211,16 +132,41 @@ class _Reader:
             elif k not in inside and k not in of:
                 forms[k] = self._plain(atom)
         for variables, (frame, momentum) in self._momenta.items():
-            self.made.torques += zip(variables, cross(self.graph, momentum, frame.omega), strict=True)
-        self.made.recursion.forms = forms
+            torque = self.rates.on_motion(cross(self.graph, momentum, frame.omega))
+            self.made.torques += [pair for pair in zip(variables, torque, strict=True) if pair[0] != _STILL]
+        self.made.recursion.forms = [self._on_motion(terms) for terms in forms]
         return self.made
 
-    def _define(self, terms: Terms, constant: Node, turn: Node) -> int:
-        g = self.graph
-        self.made.turns.append(turn)
-        return self.made.recursion.define({c: a for c, a in terms.items() if a != g.zero}, constant)
+    def _on_motion(self, terms: Terms) -> Terms:
+        return dict(zip(terms, self.rates.on_motion(list(terms.values())), strict=True))
 
-    def _place(self, point: Point) -> tuple[int, int, int]:
+    def _define(self, terms: Terms, constant: Node, turn: Node) -> int:
+        """A variable; what is zero for all motions is told by :data:`_STILL`."""
+        constant, turn = self.rates.on_motion([constant, turn])
+        terms = {c: a for c, a in self._on_motion(terms).items() if a and c != _STILL}
+        if not terms and not constant and not turn:
+            return _STILL
+        self.made.turns.append(turn)
+        return self.made.recursion.define(terms, constant)
+
+    def _velocity(self, symbol: Node) -> Terms:
+        """A velocity as a kept one, or as a variable of its own."""
+        if symbol not in self._velocities:
+            g = self.graph
+            terms, constant, turn = self.rates.form(symbol)
+            plain = constant == g.zero and not any(g.deps[a] & ~self._mask for a in terms.values())
+            if not plain or len(terms) > 1:
+                number = self._define(terms, constant, turn)
+                terms = {number: g.one} if number != _STILL else {}
+            self._velocities[symbol] = terms
+        return self._velocities[symbol]
+
+    def _add_velocity(self, row: Terms, symbol: Node, coefficient: Node) -> None:
+        g = self.graph
+        for c, a in self._velocity(symbol).items() if coefficient != g.zero else ():
+            row[c] = g.add(row.get(c, g.zero), g.mul(coefficient, a))
+
+    def _place(self, point: Point) -> Variables:
         """The variables of a point's velocity, after those of the points below it."""
         below: list[Point] = []
         over: Point | None = point
@@ -232,7 +178,7 @@ class _Reader:
         assert point.variables is not None
         return point.variables
 
-    def _hang(self, point: Point, below: tuple[int, int, int] | None) -> tuple[int, int, int]:
+    def _hang(self, point: Point, below: Variables | None) -> Variables:
         g, system = self.graph, self.system
         rows: list[Terms] = [{} if below is None else {below[axis]: g.one} for axis in range(3)]
         constants, turns = list(ZERO), list(ZERO)
@@ -247,46 +193,48 @@ class _Reader:
             if node == g.zero:
                 continue
             *slopes, constants[axis] = gradient(g, node, (*system.q, system.t))
-            rows[axis].update((i, a) for i, a in enumerate(slopes) if a != g.zero)
+            for v, a in zip(system.v, slopes, strict=True):
+                self._add_velocity(rows[axis], v, a)
             rate = g.add(g.dot(slopes, system.v), constants[axis])
-            seeds = {**dict(zip(system.q, system.v, strict=True)), system.t: g.one}
-            turns[axis] = g.add(turns[axis], tangent(g, [rate], seeds)[0])
-        a, b, c = (self._define(row, k, turn) for row, k, turn in zip(rows, constants, turns, strict=True))
-        return a, b, c
+            turns[axis] = g.add(turns[axis], tangent(g, [rate], self.rates.seeds)[0])
+        return self._define_three(rows, constants, turns)
 
-    def _spin(self, frame: Frame) -> tuple[int, int, int]:
+    def _spin(self, frame: Frame) -> Variables:
         """The variables of a frame's angular velocity: on the last frame before it that has some."""
         if id(frame) in self._variables:
             return self._variables[id(frame)]
-        g, system = self.graph, self.system
+        g = self.graph
         rows: list[Terms] = [{}, {}, {}]
         constants, turns = list(ZERO), list(ZERO)
-        seeds = {**dict(zip(system.q, system.v, strict=True)), system.t: g.one}
         top: Frame | None = frame
         while top is not None and top.parent is not None and id(top) not in self._variables:
-            rate = g.add(g.sum([g.mul(a, system.v[i]) for i, a in top.rates]), top.own)
-            tilt = self._times(rate, cross(g, top.parent.omega, top.axis))
-            growth = tangent(g, [rate], seeds)[0]
-            for axis in range(3):
-                for i, a in top.rates:
-                    rows[axis][i] = g.add(rows[axis].get(i, g.zero), g.mul(top.axis[axis], a))
-                constants[axis] = g.add(constants[axis], g.mul(top.axis[axis], top.own))
-                turns[axis] = g.add(g.add(turns[axis], tilt[axis]), g.mul(top.axis[axis], growth))
+            for spin in top.spins:
+                rate = g.add(g.sum([g.mul(a, v) for v, a in spin.rates]), spin.own)
+                tilt = scale_vector(g, rate, cross(g, top.parent.omega, spin.axis))
+                growth = tangent(g, [rate], self.rates.seeds)[0]
+                for axis in range(3):
+                    for v, a in spin.rates:
+                        self._add_velocity(rows[axis], v, g.mul(spin.axis[axis], a))
+                    constants[axis] = g.add(constants[axis], g.mul(spin.axis[axis], spin.own))
+                    turns[axis] = g.add(g.add(turns[axis], tilt[axis]), g.mul(spin.axis[axis], growth))
             top = top.parent
         if top is not None and id(top) in self._variables:
             for row, variable in zip(rows, self._variables[id(top)], strict=True):
                 row[variable] = g.one
+        self._variables[id(frame)] = self._define_three(rows, constants, turns)
+        return self._variables[id(frame)]
+
+    def _define_three(self, rows: Sequence[Terms], constants: Sequence[Node], turns: Sequence[Node]) -> Variables:
         a, b, c = (self._define(row, k, turn) for row, k, turn in zip(rows, constants, turns, strict=True))
-        self._variables[id(frame)] = a, b, c
         return a, b, c
 
     # --- T's other forms ------------------------------------------------------------------------------------
 
-    def _angular(self) -> dict[tuple[int, ...], tuple[Frame, Vector, int]]:
+    def _angular(self, used: set[int]) -> dict[tuple[int, ...], tuple[Frame, Vector, int]]:
         """Signatures of the components of angular velocities along vectors that are fixed on the axes, with their signs."""
         g = self.graph
         found: dict[tuple[int, ...], tuple[Frame, Vector, int]] = {}
-        for frame, vector in self.frames.fixed():
+        for frame, vector in sorted(self.frames.fixed(), key=lambda pair: id(pair[0]) not in used):
             mark = self.marks.of(g.dot(vector, frame.omega))
             found.setdefault(mark, (frame, vector, 1))
             found.setdefault(self.marks.negative(mark), (frame, vector, -1))
@@ -296,23 +244,27 @@ class _Reader:
         """u . omega as a definition, with what it gives to omega: -omega x u times its momentum."""
         g = self.graph
         variables = self._spin(frame)
-        x, y, z = variables
-        number = self._define({x: vector[0], y: vector[1], z: vector[2]}, g.zero, g.zero)
         self.made.known.add(k)
         slope = g.mul(g.number(sign), self.kinetic.slope[k])
         total = self._momenta.get(variables, (frame, ZERO))[1]
-        self._momenta[variables] = frame, add_vectors(g, total, self._times(slope, vector))
-        return {number: g.number(sign)}
+        self._momenta[variables] = frame, add_vectors(g, total, scale_vector(g, slope, vector))
+        terms = {c: a for c, a in zip(variables, vector, strict=True) if c != _STILL and a != g.zero}
+        if any(g.value(a) is None for a in terms.values()):
+            terms = {self._define(terms, g.zero, g.zero): g.one}
+        return {c: g.mul(g.number(sign), a) for c, a in terms.items()}
 
     def _plain(self, atom: Node) -> Terms:
         """Other forms, of few rates."""
-        g, system = self.graph, self.system
-        coefficients, constant = linear_form(g, atom, system.v)
-        terms = {i: a for i, a in enumerate(coefficients) if a != g.zero}
-        if len(terms) > _FEW:
-            raise _Unread
-        if len(terms) == 1 and constant == g.zero and not any(g.deps[a] & ~self._mask for a in terms.values()):
+        g, symbols = self.graph, self.rates.symbols
+        coefficients, constant = linear_form(g, atom, symbols)
+        found = [(v, a) for v, a in zip(symbols, coefficients, strict=True) if a != g.zero]
+        if len(found) > _FEW:
+            raise Unread
+        terms: Terms = {}
+        for v, a in found:
+            self._add_velocity(terms, v, a)
+        if len(found) == 1 and constant == g.zero and not any(g.deps[a] & ~self._mask for a in terms.values()):
             return terms
-        seeds = {**dict(zip(system.q, system.v, strict=True)), system.t: g.one}
-        (turn,) = tangent(g, [atom], seeds)
-        return {self._define(terms, constant, turn): g.one}
+        (turn,) = tangent(g, [atom], self.rates.seeds)
+        number = self._define(terms, constant, turn)
+        return {number: g.one} if number != _STILL else {}

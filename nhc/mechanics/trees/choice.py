@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import count, reachable
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import SYM, Graph, Node
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
@@ -22,12 +24,16 @@ ANGLE = 30
 FEW = 3
 """Rates up to which both ways are written out and compared."""
 _BOTH = 12
-"""Rates up to which two recursions are both solved; beyond, the one that starts from less is."""
+"""Rates up to which two recursions are both solved; beyond, one is that starts from less."""
 _SHORT = 30
-"""Operations for each rate from which the elimination starts, up to which no other recursion is looked for."""
+"""Operations for each rate from which an elimination starts, and those it comes to, up to which no other is looked for."""
+_MANIFOLD = 2
+"""How many times as much one recursion may start from as the other to be solved."""
 _ENTRY, _CARRIED = 8, 4
 """Operations for an entry of the mass matrix with its share of the forces, and for a rate in a form that holds it by another,
 beside those of the coefficients and of the forces on the rates, which both ways have."""
+
+_ROUNDING = 1e-9  # of the diagonal, below which an entry of the mass matrix is none
 
 
 def work(graph: Graph, nodes: Sequence[Node]) -> int:
@@ -45,19 +51,26 @@ def tree_of(system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[N
     Bodies that turn in space by angles have two: of T's forms as they are written, and of the bodies.
     """
     written = find_chain(system, motion, kinetic)
-    bodies = _chain_of_bodies(system, motion, written)
-    if bodies is not None and written is not None and system.n > _BOTH:
-        return _eliminate(min(written, bodies, key=_setting), beside)
+    small = written is not None and _setting(written) <= _SHORT * len(motion.w)
+    tree = _eliminate(written, beside) if small else None
+    if tree is not None and (len(motion.w) > _BOTH or _is_short(tree)):
+        return tree
+    bodies = _chain_of_bodies(system, motion)
+    if bodies is None or small or written is None:
+        return _shorter(tree or _eliminate(written, beside), _eliminate(bodies, beside))
+    if len(motion.w) > _BOTH or _MANIFOLD * _setting(bodies) < _setting(written):
+        least, other = sorted((bodies, written), key=_setting)
+        return _eliminate(least, beside) or _eliminate(other, beside)
     return _shorter(_eliminate(written, beside), _eliminate(bodies, beside))
 
 
-def _chain_of_bodies(system: System, motion: Motion, written: Chain | None) -> Chain | None:
-    """The recursion of bodies in space; None where there is none, or the one of T's forms starts from little."""
-    if motion.velocities != system.v or motion.w != system.v:
-        return None
-    if written is not None and _setting(written) <= _SHORT * system.n:
-        return None
-    spatial = read_bodies(system)
+def _is_short(tree: Elimination) -> bool:
+    return count(tree.graph, tree.rates) <= _SHORT * len(tree.rates)
+
+
+def _chain_of_bodies(system: System, motion: Motion) -> Chain | None:
+    """The recursion of bodies in space; None where there is none."""
+    spatial = read_bodies(system, motion)
     return find_chain(system, motion, spatial.kinetic, spatial) if spatial is not None else None
 
 
@@ -92,7 +105,9 @@ def worthwhile_tree(system: System, motion: Motion, kinetic: Kinetic) -> Elimina
     tree = _eliminate(written, ())
     if tree is None or not _is_worthwhile(tree, motion):
         return None  # both ways are compared when the other one is written out
-    return _shorter(tree, _eliminate(_chain_of_bodies(system, motion, written), ()))
+    if written is not None and _setting(written) <= _SHORT * system.n and _is_short(tree):
+        return tree
+    return _shorter(tree, _eliminate(_chain_of_bodies(system, motion), ()))
 
 
 def _is_worthwhile(tree: Elimination, motion: Motion) -> bool:
@@ -100,7 +115,10 @@ def _is_worthwhile(tree: Elimination, motion: Motion) -> bool:
 
 
 def dense_cost(chain: Chain) -> int:
-    """Operations of mass matrix, right side and L D L^T, by the pattern of which rates move the same forms."""
+    """Operations of mass matrix, right side and L D L^T, by which entries of the matrix are not zero, and which move.
+
+    What consists of parameters alone costs nothing: it is computed before.
+    """
     g, rates = chain.graph, chain.rates
     total = work(g, [*(a for terms in chain.definitions for a in terms.values()), *chain.force])
     reach = [1 << i for i in range(rates)]
@@ -111,19 +129,95 @@ def dense_cost(chain: Chain) -> int:
             if c >= rates and g.value(a) is None:
                 total += _CARRIED * reach[c].bit_count()
         reach.append(mask)
-    rows = [1 << i for i in range(rates)]
-    for a, b in chain.weights:
-        for i in range(rates):
-            if reach[a] >> i & 1:
-                rows[i] |= reach[b]
-            if reach[b] >> i & 1:
-                rows[i] |= reach[a]
-    total += _ENTRY * sum((rows[k] >> k).bit_count() for k in range(rates))
+    rows, moved = _pattern(chain, reach)
+    total += _ENTRY * sum((moved[k] >> k).bit_count() for k in range(rates))
     for k in range(rates):
-        below = rows[k] >> (k + 1)
-        width = below.bit_count()
-        total += 1 + 5 * width + width * (width + 1)
-        for i in range(k + 1, rates):
-            if rows[k] >> i & 1:
-                rows[i] |= below << (k + 1)
+        total += _take_out(rows, moved, k)
+    return total
+
+
+def _pattern(chain: Chain, reach: Sequence[int]) -> tuple[list[int], list[int]]:
+    """By rows of the mass matrix, as bits: the entries that are not zero, and those that the state moves.
+
+    By numbers at two states: a wheel's inertia is the same however it has turned, which the rates that each form is made of (in
+    ``reach``) do not tell.
+    """
+    size = range(chain.rates)
+    states = _masses(chain) if chain.rates <= _BOTH else None
+    if states is None:
+        made = [1 << i for i in size]
+        for a, b in chain.weights:
+            for i in size:
+                made[i] |= (reach[b] if reach[a] >> i & 1 else 0) | (reach[a] if reach[b] >> i & 1 else 0)
+        return made, list(made)
+    one, other = states
+    scale = [max(abs(one[k, k]), abs(other[k, k])) if (k, k) in one else 0.0 for k in size]
+    rows, moved = [1 << i for i in size], [0] * chain.rates
+    for (i, j), value in one.items():
+        small = _ROUNDING * (scale[i] * scale[j]) ** 0.5
+        if max(abs(value), abs(other[i, j])) > small:
+            rows[i] |= 1 << j
+            rows[j] |= 1 << i
+        if abs(value - other[i, j]) > small:
+            moved[i] |= 1 << j
+            moved[j] |= 1 << i
+    return rows, moved
+
+
+def _masses(chain: Chain) -> tuple[dict[tuple[int, int], float], dict[tuple[int, int], float]] | None:
+    """Entries (i, j), i <= j, of the mass matrix at two states, for the same parameters; None where it has no value there."""
+    g = chain.graph
+    nodes = [*chain.weights.values(), *(a for terms in chain.definitions for a in terms.values())]
+    order = reachable(g, nodes)
+    fixed, draw = random.Random("parameters"), random.Random("states")
+    symbols = sorted(node for node in order if g.op[node] == SYM)
+    found = []
+    values = {symbol: fixed.uniform(0.3, 1.3) for symbol in symbols}
+    for _ in range(2):
+        values.update((symbol, draw.uniform(0.3, 1.3)) for symbol in symbols if _moves(chain, symbol))
+        try:
+            found.append(_mass_of(chain, [float(x) for x in evaluate(g, nodes, values, order=order)]))
+        except (ArithmeticError, ValueError, TypeError):
+            return None
+    return found[0], found[1]
+
+
+def _mass_of(chain: Chain, numbers: Sequence[float]) -> dict[tuple[int, int], float]:
+    """From the values of the weights and of the forms' coefficients, in their order."""
+    flat = iter(numbers)
+    weights = {key: next(flat) for key in chain.weights}
+    forms: list[dict[int, float]] = [{i: 1.0} for i in range(chain.rates)]
+    for terms in chain.definitions:
+        made: dict[int, float] = {}
+        for c in terms:
+            a = next(flat)
+            for i, b in forms[c].items():
+                made[i] = made.get(i, 0.0) + a * b
+        forms.append(made)
+    mass: dict[tuple[int, int], float] = {}
+    for (a, b), weight in weights.items():
+        first, second = list(forms[a].items()), list(forms[b].items())
+        for place, (i, x) in enumerate(first):
+            own = weight * x
+            for j, y in second[place:] if a == b else second:
+                key = (i, j) if i <= j else (j, i)
+                mass[key] = mass.get(key, 0.0) + own * y
+    return mass
+
+
+def _moves(chain: Chain, node: Node) -> bool:
+    return bool(chain.graph.deps[node] & ~chain.parameters)
+
+
+def _take_out(rows: list[int], moved: list[int], k: int) -> int:
+    """Operations of one step of L D L^T on the entries that move; the patterns get what arises."""
+    below = rows[k] >> (k + 1)
+    width = below.bit_count()
+    total = 1 + 5 * width if moved[k] >> k else 4 * width
+    for i in range(k + 1, len(rows)):
+        if rows[k] >> i & 1:
+            rows[i] |= below << (k + 1)
+            spread = rows[k] if moved[k] >> k & 1 or moved[k] >> i & 1 else moved[k]
+            moved[i] |= spread >> (k + 1) << (k + 1)
+            total += 2 * (spread >> i).bit_count()
     return total

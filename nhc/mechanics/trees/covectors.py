@@ -56,9 +56,9 @@ class Sweeps:
         self.turning = [r.turning(g, [velocities[k] for k in r.places])[1:] for r in system.rotations]
         entries = [[f"{r.name}_entry{k}" for k in range(9)] for r in system.rotations]
         omega = [[f"{r.name}_turn{k}" for k in range(3)] for r in system.rotations]
-        self._words: dict[Node, Node] = {}
+        self.words: dict[Node, Node] = {}
         for r, own, turn in zip(system.rotations, entries, omega, strict=True):
-            self._words.update(name_entries(g, r, own, turn))
+            self.words.update(name_entries(g, r, own, turn))
         self.entries = [[g.symbol(name, "entry") for name in names] for names in entries]
         self.omega = [[g.symbol(name, "quasi") for name in names] for names in omega]
         self._back: dict[Node, Node] = {}
@@ -77,7 +77,7 @@ class Sweeps:
 
     def named(self, nodes: Sequence[Node]) -> list[Node]:
         """The nodes over the symbols of entries and angular velocities."""
-        return substitute(self.graph, nodes, self._words, named=False) if self._words else list(nodes)
+        return substitute(self.graph, nodes, self.words, named=False) if self.words else list(nodes)
 
     def _unnamed(self, nodes: Sequence[Node]) -> list[Node]:
         return substitute(self.graph, nodes, self._back, named=False) if self._back else list(nodes)

@@ -5,8 +5,10 @@ turn with omega, is fixed on axes that turn with omega + a' n, and
 
     u' = (omega + a' n) x u.
 
-So the columns of a body's matrix are read from the inside: one turn at a time, each on the columns that the one before had.  All is
-in space, and every identity is tested in the prime fields of :mod:`nhc.mechanics.moving.signatures`.
+So the columns of a body's matrix are read from the inside: one turn at a time, each on the columns that the one before had.
+The column u = R_1j v1 + R_2j v2 + R_3j v3 of a rotation, on right-handed axes v that are fixed in this way, turns with omega and
+the columns times the components of R's own angular velocity.  All is in space, and every identity is tested in the prime fields
+of :mod:`nhc.mechanics.moving.signatures`.
 """
 
 from __future__ import annotations
@@ -17,43 +19,63 @@ from nhc.algebra.calculus import gradient, list_terms
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.directions import list_factors
 from nhc.mechanics.moving.signatures import Signature, Signatures
-from nhc.mechanics.system import System
+from nhc.mechanics.trees.rates import Rates
 from nhc.mechanics.turns import Vector, add_vectors, cross
-from nhc.records import identity_record
+from nhc.records import identity_record, record
 
 ZERO: Vector = (0, 0, 0)
 _DEEP = 60  # turns on one another that are followed at once: those of bodies nearer to the root are known
 
 
+@record
+class Spin:
+    """A turn about ``axis`` (in space) with a rate over velocities; ``own`` is what the rate has beside these."""
+
+    axis: Vector
+    rates: tuple[tuple[Node, Node], ...]
+    own: Node
+
+
 @identity_record
 class Frame:
-    """Axes that turn about ``axis`` (in space) on those of ``parent``; ``rates``: the angle's rate by the velocities' numbers.
-
-    ``own`` is what the angle's rate has beside these; ``omega`` the angular velocity over the velocities.
-    """
+    """Axes that turn on those of ``parent``; ``omega`` is their angular velocity over the velocities."""
 
     parent: Frame | None
-    axis: Vector
-    rates: tuple[tuple[int, Node], ...]
-    own: Node
+    spins: tuple[Spin, ...]
     omega: Vector
     depth: int
 
+    @property
+    def axis(self) -> Vector | None:
+        """The one about which it turns on its parent; None where it turns about all."""
+        return self.spins[0].axis if len(self.spins) == 1 else None
 
-ROOT = Frame(None, ZERO, (), 0, ZERO, 0)
+
+ROOT = Frame(None, (), ZERO, 0)
 
 
 class Frames:
-    """The frames of one system's vectors."""
+    """The frames of one system's vectors, over the symbols of ``rates``."""
 
-    def __init__(self, system: System, marks: Signatures) -> None:
-        self.system, self.marks = system, marks
-        self.graph: Graph = system.graph
-        self.moving = self.graph.mask((*system.q, system.t))
+    def __init__(self, rates: Rates, marks: Signatures) -> None:
+        self.rates, self.system, self.marks = rates, rates.system, marks
+        self.graph: Graph = rates.graph
+        self.moving = rates.moving
         self._zero = marks.of(self.graph.zero)
         self._known: dict[Vector, Frame | None] = {}
         self._frames: dict[tuple[int, Node, tuple[Signature, ...]], Frame] = {}
+        self._bodies: list[tuple[Frame, Vector]] = []
+        self._entries = {
+            entry: (r, i, j)
+            for r, matrix in enumerate(rates.entries)
+            for i, row in enumerate(matrix)
+            for j, entry in enumerate(row)
+        }
         self._columns: dict[tuple[Signature, ...], Vector] = {}
+
+    def rotation_of(self, entry: Node) -> int:
+        """The number of the rotation with this entry."""
+        return self._entries[entry][0]
 
     @property
     def columns(self) -> list[Vector]:
@@ -66,9 +88,11 @@ class Frames:
         for vector, frame in list(self._known.items()):
             if frame is None or not self.vanishes([self.graph.sub(self.graph.dot(vector, vector), self.graph.one)]):
                 continue
-            own = self.as_known(vector)
-            found += [(frame, own), (frame, frame.axis), (frame, self.as_known(cross(self.graph, frame.axis, own)))]
-        return found
+            own, axis = self.as_known(vector), frame.axis
+            found.append((frame, own))
+            if axis is not None:
+                found += [(frame, axis), (frame, self.as_known(cross(self.graph, axis, own)))]
+        return [*found, *self._bodies]
 
     def of(self, vector: Vector, depth: int = 0) -> Frame | None:
         """The axes on which the vector is fixed; None where it is not seen to be fixed on any."""
@@ -76,7 +100,8 @@ class Frames:
             return ROOT
         if vector not in self._known:
             self._known[vector] = None  # while it is looked for
-            self._known[vector] = self._turned(vector, depth + 1) if depth < _DEEP else None
+            if depth < _DEEP:
+                self._known[vector] = self._turned(vector, depth + 1) or self._rotated(vector, depth + 1)
         return self._known[vector]
 
     def common(self, parts: Sequence[tuple[Frame, Vector]]) -> Frame | None:
@@ -85,7 +110,7 @@ class Frames:
         for frame, vector in parts:
             over: Frame | None = deepest
             while over is not None and over is not frame:
-                if over.parent is None or not self.vanishes(cross(self.graph, over.axis, vector)):
+                if over.parent is None or over.axis is None or not self.vanishes(cross(self.graph, over.axis, vector)):
                     return None
                 over = over.parent
             if over is None:
@@ -148,15 +173,89 @@ class Frames:
         units = [g.sub(g.dot(x, x), g.one), g.sub(g.dot(y, y), g.one)]
         return self.vanishes([*units, g.dot(x, y), g.dot(x, still), g.dot(y, still)])
 
-    def _frame(self, parent: Frame, angle: Node, x: Vector, y: Vector) -> Frame:
+    def _frame(self, parent: Frame, angle: Node, x: Vector, y: Vector) -> Frame | None:
         g, system = self.graph, self.system
+        if self.rates.has_entries(angle):
+            return None
         axis = self.as_known(cross(g, x, y))
         key = (id(parent), angle, self.mark(axis))
         if key not in self._frames:
             *slopes, own = gradient(g, angle, (*system.q, system.t))
-            rates = tuple((i, a) for i, a in enumerate(slopes) if a != g.zero)
-            rate = g.add(g.sum([g.mul(a, system.v[i]) for i, a in rates]), own)
-            turn = (g.mul(axis[0], rate), g.mul(axis[1], rate), g.mul(axis[2], rate))
-            omega = add_vectors(g, parent.omega, turn)
-            self._frames[key] = Frame(parent, axis, rates, own, omega, parent.depth + 1)
+            rates = tuple((v, a) for v, a in zip(system.v, slopes, strict=True) if a != g.zero)
+            self._frames[key] = self._spun(parent, (Spin(axis, rates, own),))
+        return self._frames[key]
+
+    def _spun(self, parent: Frame, spins: tuple[Spin, ...]) -> Frame:
+        g, omega = self.graph, parent.omega
+        for spin in spins:
+            rate = g.add(g.sum([g.mul(a, v) for v, a in spin.rates]), spin.own)
+            x, y, z = spin.axis
+            omega = add_vectors(g, omega, (g.mul(x, rate), g.mul(y, rate), g.mul(z, rate)))
+        return Frame(parent, spins, omega, parent.depth + 1)
+
+    # --- a rotation -----------------------------------------------------------------------------------------
+
+    def _rotated(self, vector: Vector, depth: int) -> Frame | None:
+        """The axes of a rotation of which the vector is a column."""
+        g = self.graph
+        rows = [[list_factors(g, term) for term in list_terms(g, x)] for x in vector]
+        factors = {f for row in rows for term in row for f in term}
+        for r, j in sorted(
+            {(self._entries[f][0], self._entries[f][2]) for f in factors if f in self._entries}, reverse=True
+        ):
+            axes = self._split_column(rows, r, j)
+            if axes is None:
+                continue
+            axes = self._right_handed(axes)
+            if axes is None:
+                continue
+            found = [(self.of(v, depth), v) for v in axes]
+            parents = [(frame, v) for frame, v in found if frame is not None]
+            parent = self.common(parents) if len(parents) == len(found) else None
+            if parent is not None:
+                first, second, third = map(self.as_known, axes)
+                return self._body(parent, r, (first, second, third))
+        return None
+
+    def _right_handed(self, axes: tuple[Vector, ...]) -> tuple[Vector, ...] | None:
+        """Three unit vectors at right angles, all of them turned round where the column was a negative one."""
+        g = self.graph
+        first, second, third = axes
+        units = [g.sub(g.dot(x, x), g.one) for x in axes[:2]]
+        normal = cross(g, first, second)
+        if not self.vanishes([*units, g.dot(first, second)]):
+            return None
+        if self.vanishes([g.sub(a, b) for a, b in zip(normal, third, strict=True)]):
+            return axes
+        if self.vanishes([g.add(a, b) for a, b in zip(normal, third, strict=True)]):
+            return tuple((g.neg(x), g.neg(y), g.neg(z)) for x, y, z in axes)
+        return None
+
+    def _split_column(self, rows: Sequence[Sequence[Sequence[Node]]], r: int, j: int) -> tuple[Vector, ...] | None:
+        """What stands before the entries of column j of rotation r; None where a term has none of these, or another."""
+        g, parts = self.graph, [[self.graph.zero] * 3 for _ in range(3)]
+        for component, row in enumerate(rows):
+            for factors in row:
+                own = [f for f in factors if f in self._entries and self._entries[f][0] == r]
+                if len(own) != 1 or self._entries[own[0]][2] != j:
+                    return None
+                rest = list(factors)
+                rest.remove(own[0])
+                i = self._entries[own[0]][1]
+                parts[i][component] = g.add(parts[i][component], g.product(rest))
+        return tuple((x, y, z) for x, y, z in parts)
+
+    def _body(self, parent: Frame, r: int, axes: tuple[Vector, Vector, Vector]) -> Frame:
+        """The axes of a rotation on its parent's ``axes``."""
+        g, matrix, omega = self.graph, self.rates.entries[r], self.rates.omega[r]
+        key = (id(parent), omega[0], tuple(mark for axis in axes for mark in self.mark(axis)))
+        if key not in self._frames:
+            columns = []
+            for j in range(3):
+                x, y, z = (g.dot([matrix[i][j] for i in range(3)], [own[c] for own in axes]) for c in range(3))
+                columns.append(self.as_known((x, y, z)))
+            about = columns if self.system.rotations[r].sign > 0 else axes
+            spins = [Spin(axis, ((w, g.one),), g.zero) for axis, w in zip(about, omega, strict=True)]
+            self._frames[key] = self._spun(parent, tuple(spins))
+            self._bodies += [(self._frames[key], column) for column in columns]
         return self._frames[key]

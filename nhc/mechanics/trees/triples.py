@@ -1,4 +1,4 @@
-"""Which of T's velocity forms are the three components of a point's velocity in space."""
+"""Which of T's velocity forms are the components of points' velocities, in space or in a plane."""
 
 from __future__ import annotations
 
@@ -16,24 +16,18 @@ def place_of(g: Graph, atom: Node) -> tuple[Node, int]:
     return g.zero, 1
 
 
-def list_triples(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
-    """Neighbours among T's forms that are rates of positions and stand there as h/2 (x'^2 + y'^2 + z'^2)."""
+def list_squares(system: System, kinetic: Kinetic) -> list[list[int]]:
+    """T's forms that are rates of positions and stand there as h/2 x'^2, by h, in the order of the text."""
     g, forms = system.graph, system.graph.mask(kinetic.u)
     number = {u: k for k, u in enumerate(kinetic.u)}
-    found: list[tuple[int, ...]] = []
     groups: dict[Node, list[int]] = {}
     for k in (number[node] for node in _from_left(g, kinetic.tau) if node in number):
         factor = kinetic.hessian[k][k]
         alone = all(h == g.zero for j, h in enumerate(kinetic.hessian[k]) if j != k)
         square = alone and not g.depends(factor, forms) and kinetic.slope[k] == g.mul(factor, kinetic.u[k])
-        if not square or place_of(g, kinetic.atoms[k])[0] == g.zero:
-            continue
-        group = groups.setdefault(factor, [])
-        group.append(k)
-        if len(group) == 3:
-            found.append(tuple(sorted(group)))
-            group.clear()
-    return found
+        if square and place_of(g, kinetic.atoms[k])[0] != g.zero:
+            groups.setdefault(factor, []).append(k)
+    return list(groups.values())
 
 
 def _from_left(g: Graph, root: Node) -> list[Node]:
