@@ -175,14 +175,17 @@ class Points:
     def _read(self, rows: Sequence[Sequence[Node]], *, apart: bool = False) -> tuple[dict[int, list[Arm]], Vector]:
         """By the parameters in front of the terms, then by the axes; with ``apart``, terms of one group may have several."""
         g = self.graph
-        groups: dict[Node, list[list[Node]]] = {}
+        groups: dict[tuple[Node, int], list[list[Node]]] = {}
         for axis, row in enumerate(rows):
+            seen: dict[tuple[Node, Node], int] = {}
             for term in row:
                 monomial, rest = split_parameters(g, term, self._mask)
-                groups.setdefault(monomial.node(g), [[], [], []])[axis].append(rest)
+                key = monomial.node(g), rest
+                copy = seen[key] = seen.get(key, -1) + 1  # what a turn leaves as it is stands for the body before, too
+                groups.setdefault((key[0], copy), [[], [], []])[axis].append(rest)
         arms: dict[int, list[Arm]] = {}
         loose = ZERO
-        for factor, found in groups.items():
+        for (factor, _), found in groups.items():
             own: Vector = (g.sum(found[0]), g.sum(found[1]), g.sum(found[2]))
             frame = self.frames.of(own)
             if frame is not None:
@@ -242,7 +245,10 @@ class Points:
         return self._whole[place]
 
     def _terms(self, node: Node) -> list[Node]:
-        """All terms, with parameters multiplied into sums."""
+        """All terms, with parameters multiplied into sums, and sums that hold a constant into products.
+
+        Two parts of a chain with one vector, k v + l cos(a) v, are a product (k + l cos(a)) v in the graph.
+        """
         if node not in self._summed:
             g, found, stack = self.graph, list[Node](), [(node, self.graph.one)]
             while stack:
@@ -250,12 +256,25 @@ class Points:
                 for term in reversed(list_terms(g, top)):
                     monomial, rest = split_parameters(g, term, self._mask)
                     own = g.mul(factor, monomial.node(g))
+                    mixed = self._mixed(rest)
                     if g.op[g.a[rest] if g.op[rest] == NEG else rest] == ADD:
                         stack.append((rest, own))
+                    elif mixed is not None:
+                        others = list_factors(g, rest)
+                        others.remove(mixed)
+                        stack += [(g.product([*others, part]), own) for part in reversed(list_terms(g, mixed))]
                     else:
                         found.append(g.mul(own, rest))
             self._summed[node] = found
         return self._summed[node]
+
+    def _mixed(self, product: Node) -> Node | None:
+        """A factor that is a sum of a constant and of what moves."""
+        g, moving = self.graph, self.frames.moving
+        for factor in list_factors(g, product):
+            if g.op[factor] == ADD and any(not g.deps[term] & moving for term in list_terms(g, factor)):
+                return factor
+        return None
 
     def _peel(self, vector: Vector) -> tuple[list[tuple[Frame, Vector]], Vector]:
         """Parts that are fixed on axes, and the rest: each part has all the terms in which one angle or rotation stands."""
