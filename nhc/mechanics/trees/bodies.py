@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from nhc.algebra.calculus import gradient, tangent
+from nhc.algebra.calculus import gradient, reachable, tangent
 from nhc.algebra.exact.field import Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.linear import NotLinear, linear_form
@@ -31,6 +31,7 @@ _FEW = 3  # coordinates of what moves in another way than by turning
 
 
 Variables = tuple[int, int, int]
+Named = dict[tuple[int, ...], tuple[Frame, Vector, int]]
 _STILL = -1
 
 
@@ -114,7 +115,7 @@ class _Writer:
         names = self._angular(_frames_of(point for _, point in points))
         for k, atom in enumerate(atoms):
             if k not in inside:
-                found = names.get(self.marks.of(atom))
+                found = names.get(self.marks.of(atom)) or self._last(atom, names)
                 if found is not None:
                     of[k] = found
         forms: list[Terms] = [{} for _ in atoms]
@@ -230,15 +231,27 @@ class _Writer:
 
     # --- T's other forms ------------------------------------------------------------------------------------
 
-    def _angular(self, used: set[int]) -> dict[tuple[int, ...], tuple[Frame, Vector, int]]:
+    def _angular(self, used: set[int]) -> Named:
         """Signatures of the components of angular velocities along vectors that are fixed on the axes, with their signs."""
-        g = self.graph
-        found: dict[tuple[int, ...], tuple[Frame, Vector, int]] = {}
-        for frame, vector in sorted(self.frames.fixed(), key=lambda pair: id(pair[0]) not in used):
-            mark = self.marks.of(g.dot(vector, frame.omega))
+        found: Named = {}
+        self._add_names(found, sorted(self.frames.fixed(), key=lambda pair: id(pair[0]) not in used))
+        return found
+
+    def _add_names(self, found: Named, fixed: Iterable[tuple[Frame, Vector]]) -> None:
+        for frame, vector in fixed:
+            mark = self.marks.of(self.graph.dot(vector, frame.omega))
             found.setdefault(mark, (frame, vector, 1))
             found.setdefault(self.marks.negative(mark), (frame, vector, -1))
-        return found
+
+    def _last(self, atom: Node, names: Named) -> tuple[Frame, Vector, int] | None:
+        """A component of an angular velocity that alone tells of the last turn: no point stands beside its axis."""
+        g, symbols = self.graph, self.rates.symbols
+        if sum(a != g.zero for a in linear_form(g, atom, symbols)[0]) <= _FEW:
+            return None
+        angles = {g.a[node] for node in reachable(g, [atom], self.frames.moving) if g.op[node] in ("sin", "cos")}
+        turned = sorted(angle for angle in angles if not self.frames.turns_by(angle))
+        self._add_names(names, self.frames.spun_on(self.frames.fixed(), turned))
+        return names.get(self.marks.of(atom))
 
     def _component(self, k: int, frame: Frame, vector: Vector, sign: int) -> Terms:
         """u . omega as a definition, with what it gives to omega: -omega x u times its momentum."""

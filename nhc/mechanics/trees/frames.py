@@ -14,13 +14,14 @@ of :mod:`nhc.mechanics.moving.signatures`.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import permutations
 
 from nhc.algebra.calculus import gradient, list_terms
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.directions import list_factors
 from nhc.mechanics.moving.signatures import Signature, Signatures
 from nhc.mechanics.trees.rates import Rates
-from nhc.mechanics.turns import Vector, add_vectors, cross
+from nhc.mechanics.turns import Vector, add_vectors, cross, scale_vector
 from nhc.records import identity_record, record
 
 ZERO: Vector = (0, 0, 0)
@@ -93,6 +94,31 @@ class Frames:
             if axis is not None:
                 found += [(frame, axis), (frame, self.as_known(cross(self.graph, axis, own)))]
         return [*found, *self._bodies]
+
+    def turns_by(self, angle: Node) -> bool:
+        """Whether axes that turn by this angle are known."""
+        return any(key[1] == angle for key in self._frames)
+
+    def spun_on(self, triples: Sequence[tuple[Frame, Vector]], angles: Sequence[Node]) -> list[tuple[Frame, Vector]]:
+        """Unit vectors on axes that turn by one of the angles about a vector of ``triples`` on its own.
+
+        So the last body of an arm is read, of which no point is beside the axis: its angular velocity alone knows the angle.
+        """
+        g, found = self.graph, list[tuple[Frame, Vector]]()
+        for k in range(0, len(triples) - 2, 3):
+            (parent, one), (second, two), (third, three) = triples[k : k + 3]
+            if not parent is second is third:
+                continue
+            for x, y in permutations((one, two, three), 2):
+                for angle in angles:
+                    frame = self._frame(parent, angle, x, y)
+                    if frame is None or frame.axis is None:
+                        continue
+                    c, s = g.function("cos", angle), g.function("sin", angle)
+                    ahead = add_vectors(g, scale_vector(g, c, x), scale_vector(g, s, y))
+                    aside = add_vectors(g, scale_vector(g, c, y), scale_vector(g, g.neg(s), x))
+                    found += [(frame, ahead), (frame, aside), (frame, frame.axis)]
+        return found
 
     def of(self, vector: Vector, depth: int = 0) -> Frame | None:
         """The axes on which the vector is fixed; None where it is not seen to be fixed on any."""
