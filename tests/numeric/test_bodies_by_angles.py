@@ -175,3 +175,36 @@ def test_the_work_is_linear(kind: str, joints: int, each: int) -> None:
         found = model(Source("tree.yaml", tree.text()))
         sizes[n] = count(found.system.graph, Planner(found.equations, found.formulation).route.values)
     assert sizes[9] - sizes[7] <= 1.05 * (sizes[7] - sizes[5]) <= 2 * 1.05 * each
+
+
+def hinged(axes: str, count: int, centre: str = "[0, 0, l/2]") -> str:
+    """An arm by its bodies: equal lengths, centres on the line of joints, so that some turns leave all points where they are."""
+    lines = ["nhc: 1", "system: arm", f"coordinates: [{', '.join(f'q{k}' for k in range(count))}]"]
+    lines += ["parameters: {m: 1, A: 0.1, B: 0.2, C: 0.3, l: 1, a: 0.3, g: 9.81}", "bodies:"]
+    for k in range(count):
+        place = f"on: b{k - 1}, at: [0, 0, l], " if k else ""
+        lines.append(
+            f"  b{k}: {{{place}turns: [{axes[k % len(axes)]}: q{k}], mass: m, centre: {centre}, inertia: [A, B, C]}}"
+        )
+    return "\n".join([*lines, "gravity: [0, 0, -g]"]) + "\n"
+
+
+@pytest.mark.parametrize(
+    ("axes", "count", "centre"),
+    [("zyx", 5, "[0, 0, l/2]"), ("zyx", 7, "[0, 0, l/2]"), ("zyzy", 5, "[0, 0, l/2]"), ("xyz", 6, "[0, a, l/2]")],
+)
+def test_arms_whose_centres_lie_on_their_joints(axes: str, count: int, centre: str) -> None:
+    """A turn about the line of the joints moves no point: it is read from what stands beyond it, or from angular velocities."""
+    found, tree, known = made(hinged(axes, count, centre))
+    g = found.system.graph
+    assert are_equal(g, tree.rates, solve_factored(g, factor(g, found.equations.mass), list(found.equations.force)))
+    assert known >= 3 * (count - 2)
+
+
+def test_arms_of_hinges_take_operations_linear_in_their_length() -> None:
+    def operations(length: int) -> int:
+        found, tree, _ = made(hinged("zyx", length))
+        return count(found.system.graph, tree.rates)
+
+    eight, twelve, sixteen = map(operations, (8, 12, 16))
+    assert sixteen - twelve < 1.2 * (twelve - eight)

@@ -245,10 +245,7 @@ class Points:
         return self._whole[place]
 
     def _terms(self, node: Node) -> list[Node]:
-        """All terms, with parameters multiplied into sums, and sums that hold a constant into products.
-
-        Two parts of a chain with one vector, k v + l cos(a) v, are a product (k + l cos(a)) v in the graph.
-        """
+        """All terms, parameters multiplied into sums, and sums with a constant into products: (k + l cos(a)) v are two parts."""
         if node not in self._summed:
             g, found, stack = self.graph, list[Node](), [(node, self.graph.one)]
             while stack:
