@@ -245,7 +245,7 @@ class Points:
         return self._whole[place]
 
     def _terms(self, node: Node) -> list[Node]:
-        """All terms, parameters multiplied into sums, and sums with a constant into products: (k + l cos(a)) v are two parts."""
+        """All terms, with parameters multiplied into sums."""
         if node not in self._summed:
             g, found, stack = self.graph, list[Node](), [(node, self.graph.one)]
             while stack:
@@ -253,25 +253,12 @@ class Points:
                 for term in reversed(list_terms(g, top)):
                     monomial, rest = split_parameters(g, term, self._mask)
                     own = g.mul(factor, monomial.node(g))
-                    mixed = self._mixed(rest)
                     if g.op[g.a[rest] if g.op[rest] == NEG else rest] == ADD:
                         stack.append((rest, own))
-                    elif mixed is not None:
-                        others = list_factors(g, rest)
-                        others.remove(mixed)
-                        stack += [(g.product([*others, part]), own) for part in reversed(list_terms(g, mixed))]
                     else:
                         found.append(g.mul(own, rest))
             self._summed[node] = found
         return self._summed[node]
-
-    def _mixed(self, product: Node) -> Node | None:
-        """A factor that is a sum of a constant and of what moves."""
-        g, moving = self.graph, self.frames.moving
-        for factor in list_factors(g, product):
-            if g.op[factor] == ADD and any(not g.deps[term] & moving for term in list_terms(g, factor)):
-                return factor
-        return None
 
     def _peel(self, vector: Vector) -> tuple[list[tuple[Frame, Vector]], Vector]:
         """Parts that are fixed on axes, and the rest: each part has all the terms in which one angle or rotation stands."""
