@@ -85,7 +85,11 @@ class _Decoder:
         rotations = self.draft.rotations
         count = len(self._equations_of("constraints")) + len(self._equations_of("holonomic")) + len(rotations)
         dependent = self._dependent(count)
-        scenes = decode_scenes(self.root.get("scenes"), self.shapes, self.scope, self.draft.parameters, rotations)
+        given, constrained = (
+            self.draft.parameters,
+            any(map(self.root.get, ("constraints", "holonomic"))) or bool(rotations),
+        )
+        scenes = decode_scenes(self.root.get("scenes"), self.shapes, self.scope, given, rotations, constrained)
         draw = decode_drawing(self.root.get("draw"), self.shapes, self._read)
         definitions = self._in_order()
         spec = Spec(

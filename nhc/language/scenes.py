@@ -19,7 +19,8 @@ from .spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Rotatio
 from .syntax import Number, Syntax
 from .yaml_reader import is_empty
 
-_OWN_NEEDS = ("energy", "reactions")
+ENERGY, REACTIONS = "energy", "reactions"
+_NEEDED = "quantity that a scene can need"
 
 
 def decode_scenes(
@@ -28,12 +29,13 @@ def decode_scenes(
     scope: Scope,
     parameters: Sequence[Parameter],
     rotations: Sequence[Rotation] = (),
+    constrained: bool = True,
 ) -> tuple[Scene, ...]:
-    """Return the scenes; ``parameters`` and ``rotations`` are those of the spec."""
+    """Return the scenes; ``parameters`` and ``rotations`` are those of the spec, which is ``constrained`` if it has constraints."""
     table = shapes.table(node, "a mapping of scenes by name", "write `name:` with its keys below") if node else None
     if table is None:
         return ()
-    reader = _SceneReader(shapes, scope, parameters, rotations)
+    reader = _SceneReader(shapes, scope, parameters, rotations, constrained)
     found: dict[str, Scene] = {}
     for text, value in table.entries:
         good = check_name(text, shapes.bag)
@@ -48,13 +50,19 @@ def decode_scenes(
 
 class _SceneReader:
     def __init__(
-        self, shapes: Shapes, scope: Scope, parameters: Sequence[Parameter], rotations: Sequence[Rotation]
+        self,
+        shapes: Shapes,
+        scope: Scope,
+        parameters: Sequence[Parameter],
+        rotations: Sequence[Rotation],
+        constrained: bool,
     ) -> None:
         self.shapes = shapes
         self.scope = scope
         self.bag = shapes.bag
         self.parameters = parameters
         self.rotations = {rotation.name: rotation for rotation in rotations}
+        self.own_needs = (ENERGY, REACTIONS) if constrained else (ENERGY,)
 
     def read(self, text: Text, value: Node) -> Scene | None:
         help = f"write `{text.value}: {{time: [0, 10]}}`"
@@ -88,7 +96,7 @@ class _SceneReader:
         near = nearest(name, known)
         rate = meant_rate(name, [other for other in self.scope.of_kind("coordinate") if f"{other}'" in known])
         defined = self.scope.kind(name) in ("define", "entry", "output")
-        if defined and known[-1:] == _OWN_NEEDS[-1:]:
+        if defined and what == _NEEDED:
             help = f"show it under `outputs`: `{name}: {name}`"
         elif defined:
             help = f"`{name}` follows from others: give the values of these"
@@ -214,7 +222,11 @@ class _SceneReader:
             if need is None:
                 known = (*self.scope.of_kind("coordinate", "quasi", "output"), *self.scope.shown)
                 velocities = tuple(f"{name}'" for name in self.scope.of_kind("coordinate"))
-                self._unknown(text, "quantity that a scene can need", (*known, *velocities, *_OWN_NEEDS))
+                if fold(text.value) == REACTIONS and not self.scope.open:
+                    message = "there are no reactions: this spec has no constraint"
+                    self.bag.error("E0419", message, text.span, help=("leave `reactions` out",))
+                else:
+                    self._unknown(text, _NEEDED, (*known, *velocities, *self.own_needs))
             elif (need.kind, need.name) in found:
                 self.bag.error("E0305", f"`{text.value}` is needed twice", text.span, help=("keep one of them",))
             else:
@@ -232,7 +244,7 @@ class _SceneReader:
         velocity = self.scope.velocity_of(text.value)
         if velocity is not None:
             return Need("velocity", f"{velocity}'", text.span)
-        return Need(name, name, text.span) if name in _OWN_NEEDS else None
+        return Need(name, name, text.span) if name in self.own_needs else None
 
     def _tolerance(self, node: Node | None) -> Fraction:
         value = self.shapes.number(node, "`tolerance`") if node is not None else None

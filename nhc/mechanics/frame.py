@@ -13,6 +13,7 @@ from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.show import to_text
 from nhc.algebra.solving.linear import is_clearly_regular, solve_rows
 from nhc.mechanics import turning
 from nhc.mechanics.regular.regularity import pivot_weakness
@@ -23,6 +24,8 @@ from nhc.mechanics.turning import Direction, along, from_base, moving
 from nhc.thesis import equation
 
 Guards = tuple[tuple[Node, Node], ...]
+_LONGEST_FORM = 200
+"""Characters of a form that is put into a sentence."""
 
 
 @dataclass(frozen=True)
@@ -215,6 +218,19 @@ def kept_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
     if frame is None:
         return tuple(coordinate_form(system, i) for i in range(system.n))
     return frame.forms[system.l :]
+
+
+def describe_added(system: System, frame: Frame | None) -> dict[str, str]:
+    """What the velocities are that nhc made for a motion to keep: their names, and their forms as the language writes them.
+
+    Those of the spec and of rotations are known by their names, as are the coordinates' velocities.
+    """
+    known = {*system.q_names, *(form.name for form in system.quasi)}
+    return {
+        form.name: to_text(system.graph, form_value(system.graph, form, system.v), _LONGEST_FORM)
+        for form in kept_forms(system, frame)
+        if form.name not in known
+    }
 
 
 def velocity_symbol(system: System, form: Form) -> Node:

@@ -205,11 +205,15 @@ def exterior_derivative(system: System, form: Form, x: Direction, e: Direction) 
 
 
 def _reach(system: System, form: Form) -> int:
-    """The coordinates of which the form has a differential or on which it depends."""
+    """The coordinates, t among them, of which the form has a differential or on which it depends."""
     g = system.graph
-    memo: dict[Node, int] = g.memory.setdefault("reach of forms", {})
+    memo: dict[tuple[Node, Node], int] = g.memory.setdefault("reach of forms", {})
     value = g.dot(form.coefficients, system.v) if form.value is None else form.value
-    if value not in memo:
+    key = value, form.constant
+    if key not in memo:
         own = g.deps[value] | g.deps[form.constant]
-        memo[value] = own | g.mask([q for q, v in zip(system.q, system.v, strict=True) if own & g.deps[v]])
-    return memo[value]
+        differentials = [q for q, v in zip(system.q, system.v, strict=True) if own & g.deps[v]]
+        if form.constant != g.zero:
+            differentials.append(system.t)  # d(W_0 dt) = dW_0 ^ dt, whether or not anything depends on t
+        memo[key] = own | g.mask(differentials)
+    return memo[key]

@@ -47,7 +47,8 @@ def list_columns(planner: Planner, needs: Sequence[str]) -> list[Column]:
     moving: dict[str, Node] = {f"{name}'": v for name, v in zip(system.q_names, system.v, strict=True)}
     moving.update((form.name, form_value(system.graph, form, system.v)) for form in system.quasi)
     moving.update(system.outputs)
-    moving.setdefault("energy", system.energy)
+    if "energy" not in named:  # a coordinate may have this name, too
+        moving.setdefault("energy", system.energy)
     wanted = [name for name in needs if name in moving]
     named.update(zip(wanted, planner.on_motion([moving[name] for name in wanted]), strict=True))
     found: list[Column] = []

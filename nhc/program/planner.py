@@ -11,6 +11,7 @@ from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
+from nhc.mechanics.frame import describe_added
 from nhc.mechanics.regular.trials import usual_digits
 from nhc.mechanics.system import System
 from nhc.mechanics.turning import moving
@@ -233,7 +234,10 @@ class PlannerBase:
     def state_quantities(self) -> tuple[Quantity, ...]:
         """The full state: the coordinates, then the kept velocities."""
         coordinates = [Quantity(c.name, identifier(c.name), c.unit, c.about) for c in self.system.spec.coordinates]
-        kept = [Quantity(name, identifier(name), self.system.units.get(name, "")) for name in self.kept_names()]
+        units, added = self.system.units, describe_added(self.system, self.formulation.frame)
+        kept = [
+            Quantity(name, identifier(name), units.get(name, ""), added.get(name, "")) for name in self.kept_names()
+        ]
         return (*coordinates, *kept)
 
 

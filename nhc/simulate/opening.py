@@ -115,7 +115,7 @@ def list_needs(spec: Spec) -> tuple[str, ...]:
         *(q.name for q in spec.quasi_velocities),
         *(o.name for o in spec.outputs),
         "energy",
-        "reactions",
+        *(("reactions",) if spec.constraints or spec.holonomic or spec.rotations else ()),
     )
     return tuple(dict.fromkeys(names))
 
@@ -127,6 +127,8 @@ def find_need(spec: Spec, text: str) -> str:
         return name
     if name.endswith("dot") and f"{name[:-3]}'" in known:
         return f"{name[:-3]}'"
+    if name == "reactions":
+        raise RunError("there are no reactions: this spec has no constraint", ("leave `reactions` out",))
     hint = suggest(name, known, f"it can be {', '.join(known)}")
     raise RunError(f"no quantity `{text}` in this spec", (hint,))
 

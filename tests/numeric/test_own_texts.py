@@ -83,3 +83,17 @@ def test_a_prescribed_velocity_in_a_chain(count: int, row: str) -> None:
 )
 def test_one_rod_that_is_unlike_the_others(changes: dict[str, str]) -> None:
     assert_right(rods(4, "s", "r", base="s r", **changes))
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "coordinates: [x, y]\nT: ((x' - Omega*y)^2 + (y' + Omega*x)^2)/2",  # a particle seen from turning axes
+        "coordinates: [x, y]\nT: ((x' + Omega*x)^2 + (y' - 2*y)^2)/2 + (y' - 2*Omega*x*y)^2",
+        "coordinates: [x, y]\nT: x'^2/2 + w^2\nquasi_velocities: {w: 3*y' + x - x'}",
+        "coordinates: [x, y, z]\nT: x'^2/2 + w^2 + z'^2\nquasi_velocities: {w: 3*y' + sin(x)}\nconstraints: [x' = Omega*z' + y]",
+        "coordinates: [x, y, z]\nT: (x' + y)^2/2 + (x' - y)^2 + y'^2 + z'^2\nconstraints: [z' = y*x' + z]",
+    ],
+)
+def test_forms_whose_coefficients_are_constant_but_for_a_term_without_velocities(more: str) -> None:
+    assert_right(f"nhc: 1\nsystem: turning\nparameters: {{Omega: 0.7}}\n{more}\n")

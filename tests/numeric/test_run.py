@@ -237,6 +237,18 @@ def test_csv_has_what_is_needed(capsys: pytest.CaptureFixture[str]) -> None:
             assert row[3] == row[4] and row[5] == pytest.approx(rows[0][5], abs=1e-7)
 
 
+def test_a_coordinate_may_be_called_energy(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    spec = tmp_path / "fall.yaml"
+    head = "nhc: 1\nsystem: fall\ncoordinates: [energy, x]\nT: (energy'^2 + x'^2)/2\nforces: {energy: 2}\n"
+    spec.write_text(head + "scenes: {go: {time: [0, 3], need: [energy]}}\n")
+    for how in (["-f", "multipliers"], ["--need", "x,energy"], ["--python"]):
+        code, out, _ = call(capsys, str(spec), "--points", "2", *how)
+        columns, rows = table(out)
+        assert code == 0 and [row[columns.index("energy")] for row in rows] == pytest.approx([0.0, 9.0])
+    code, _, err = call(capsys, str(spec), "--need", "reactions")
+    assert code == 2 and "there are no reactions" in err
+
+
 def test_an_event_ends_the_run(capsys: pytest.CaptureFixture[str]) -> None:
     for how in ((), ("--python",)):
         code, out, err = call(capsys, "chaplygin_sleigh", "--until", "theta - 1", *how)

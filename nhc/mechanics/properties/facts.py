@@ -12,7 +12,7 @@ from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.solving.linear import degrees
 from nhc.diagnostics import Bag, several
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
-from nhc.mechanics.frame import coordinate_frame
+from nhc.mechanics.frame import coordinate_frame, describe_added
 from nhc.mechanics.properties.coframe import never_vanishes, warn_of_coframe
 from nhc.mechanics.properties.conserved import Integral, find_conserved
 from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
@@ -70,10 +70,10 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
             )
     names = [f.name for f in applicable(system)]
     facts.say("applicable", names, f"formulations that apply: {', '.join(names)}")
+    added = describe_added(system, formulation.frame)
+    data = {"name": formulation.name, "number": formulation.number, "reason": formulation.reason, "added": added}
     line = f"formulation: {formulation.name} ({formulation.number}), {formulation.reason}"
-    facts.say(
-        "formulation", {"name": formulation.name, "number": formulation.number, "reason": formulation.reason}, line
-    )
+    facts.say("formulation", data, "; ".join([line, *(f"{name} = {text}" for name, text in added.items())]))
     warn_rough(system, torn, bag)
     return facts
 

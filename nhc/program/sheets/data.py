@@ -164,7 +164,8 @@ def reason_sheet(desk: Desk) -> DraftSheet:
     sheet = DraftSheet("formulation", "The formulation")
     title = TITLES[formulation.name]
     velocities = "|".join(map(re.escape, desk.system.q_names))
-    reason = re.sub(rf"\b({velocities})'(?!\w)", r"$\1'$", formulation.reason.rstrip("."))
+    names = "|".join([rf"(?:{velocities})'(?!\w)", *(rf"{re.escape(name)}(?=[,:]|$)" for name in formulation.added)])
+    reason = re.sub(rf"(?<!\w)({names})", r"$\1$", formulation.reason.rstrip("."))
     sheet.say(f"The equations are {title}. Why these: {reason}.")
     if formulation.name == "chaplygin":
         if formulation.broken:

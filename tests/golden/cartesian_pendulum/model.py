@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:b3d09f0739bf5cdb).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:1c103440e844401b).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -10,7 +10,7 @@ Why: coframe completed by nhc with v: the dependent velocities that nhc would ch
 State y:
 y[0] = x [m]: across
 y[1] = y [m]: up
-y[2] = v
+y[2] = v: y*x' - x*y'
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bob

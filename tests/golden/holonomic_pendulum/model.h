@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:635ac2f7c77df28e)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:1d2afd55966c12d4)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -9,7 +9,7 @@
  * State y:
  * y[0] = x [m]: across
  * y[1] = y [m]: up
- * y[2] = v
+ * y[2] = v: y*x' - x*y'
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the bob

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:f4dc1e27ccca22ac).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:6c1c50679f9190bd).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -11,7 +11,7 @@ Why: coframe completed by nhc with v: the dependent velocities that nhc would ch
 State y:
 y[0] = x [m]: across
 y[1] = y [m]: up
-y[2] = v
+y[2] = v: y*x' - x*y'
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bob

@@ -1,0 +1,40 @@
+"""Velocities that nhc added are said where a user meets them, and are what is said."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+import re
+
+import pytest
+
+from nhc.cli import main
+from nhc.diagnostics import Source
+from nhc.pipeline import Options, emit
+from tests.support import python_model, spec_path
+
+
+@pytest.mark.parametrize("name", ["cartesian_pendulum", "roller_racer", "skate_incline", "snakeboard"])
+def test_a_velocity_that_nhc_added_is_what_its_header_says(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    text, draw = spec_path(name).read_text(), random.Random(name)
+    formulation = "euler-lagrange"
+    (source,) = emit(Source("spec.yaml", text), "python", Options(formulation=formulation)).values()
+    model = python_model(source, f"added_{name}")
+    assert model.__doc__ is not None
+    header = " ".join(model.__doc__.split())
+    place = model.STATE.index("v")
+    found = re.search(rf"y\[{place}\] = v: (.*?) (?:y\[|Parameters p:)", header)
+    assert found is not None, header
+    said = found[1].replace("^", "**")
+    q, qdot = ([draw.uniform(-1, 1) for _ in model.COORDINATES] for _ in range(2))
+    values = dict(zip(model.PARAMETERS, model.DEFAULTS, strict=True)) | dict(zip(model.COORDINATES, q, strict=True))
+    values |= {f"{x}_rate": v for x, v in zip(model.COORDINATES, qdot, strict=True)} | {
+        "sin": math.sin,
+        "cos": math.cos,
+    }
+    assert model.state(0.3, q, qdot)[place] == pytest.approx(eval(re.sub(r"(\w)'", r"\1_rate", said), {}, values))
+    if name != "snakeboard":  # its own choice
+        assert main(["check", name, "--json", "--explain"]) == 0
+        said_there = json.loads(capsys.readouterr().out)["specs"][0]["data"]["formulation"]["added"]
+        assert said_there == {"v": found[1]}
