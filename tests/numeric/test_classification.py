@@ -210,6 +210,21 @@ def test_rows_that_are_integrable_for_the_values_given_only(values: str, row: st
     assert [d.message for d in bag.diagnostics if d.code == "W0410"] == ([said] if integral else [])
 
 
+def test_each_constraint_in_disguise_is_told_its_own_integral() -> None:
+    """Of z = x y and w = sin(x) as rates, each with its own function; the sleigh's edge between them has none."""
+    rows = ("first: z' = y*x' + x*y'", "edge: u' = y*x'", "second: w' = cos(x)*x'")
+    system = constrained("x, y, z, u, w", *rows)
+    bag = Bag(system.spec.origin)
+    describe(system, formulate(system), bag)
+    found = {d.message.split("`")[1]: d.notes for d in bag.diagnostics if d.code == "W0410"}
+    assert set(found) == {"first", "second"}
+    wanted = {"first": "z - x*y", "second": "w - sin(x)"}
+    for name, (note,) in found.items():
+        text = note.removeprefix("its integral is `").removesuffix(" = const`")
+        ratio = sympy.simplify(sympy.sympify(text.replace("^", "**")) / sympy.sympify(wanted[name]))
+        assert ratio.is_number and ratio != 0, text
+
+
 def test_what_is_declared_holonomic_is_not_in_disguise() -> None:
     """The length of a quaternion and a `holonomic:` equation are integrable by the user's own word; x' = 2 y' is not."""
     text = """
