@@ -12,7 +12,11 @@ from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.probe import bounded
+from nhc.algebra.solving.blocks import size_of
+from nhc.diagnostics import Source
+from nhc.language import decode
 from nhc.language.names import FUNCTIONS
+from nhc.mechanics.resolve import resolve
 
 # On all of the line where nothing else is said; (first operand, second operand), away from kinks.
 PLACES = {
@@ -81,3 +85,27 @@ def test_intervals_and_error_bounds_hold_the_value(name: str, at: tuple[float, .
             exact = plain(name, *map(mpmath.mpf, moved))
             assert abs(exact - value) <= bound * (1 + 1e-6) + abs(value) * 2.0**-52  # to first order
         assert bound < 1e3 * error * (1 + abs(value))
+
+
+SIZES = [  # a node, a place where it vanishes, and the size that it is measured against there
+    ("sin(x)", (0.0, 2.0), 1.0),
+    ("cos(x)", (float(mpmath.pi) / 2, 2.0), 1.0),
+    ("x - y", (2.0, 2.0), 4.0),
+    ("x*cos(y) - x", (3.0, 0.0), 6.0),
+    ("(x - 1)^3", (1.0, 2.0), 8.0),
+    ("y*x/sqrt(x^2 + y^2)", (0.0, 2.0), 2.0),
+    ("-y*sin(x)", (0.0, -2.0), 2.0),
+]
+
+
+@pytest.mark.parametrize(("text", "place", "size"), SIZES)
+def test_sizes_do_not_vanish_with_what_they_measure(text: str, place: tuple[float, float], size: float) -> None:
+    source = f"nhc: 1\nsystem: s\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nV: {text}\n"
+    system = resolve(decode(Source("s.yaml", source)))
+    g, node = system.graph, system.U
+    found = size_of(g, node)
+    value, measured = evaluate(g, [node, found], dict(zip(system.q, place, strict=True)))
+    assert abs(value) < 1e-15 and measured == pytest.approx(size, rel=1e-12)
+    for x, y in product(ANYWHERE, repeat=2):
+        value, measured = evaluate(g, [node, found], dict(zip(system.q, (x, y), strict=True)))
+        assert abs(value) <= measured * (1 + 1e-14)
