@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from fractions import Fraction
 from functools import cache
 from itertools import product
 
@@ -10,14 +12,16 @@ import pytest
 import sympy
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.exact.relations import find_relations, rational, without
 from nhc.algebra.exact.residues import PRIMES
+from nhc.algebra.graph import Graph
 from nhc.diagnostics import Bag, Source, SpecError
 from nhc.language import decode, read
 from nhc.mechanics.choosing.choose import dependent_of, formulate
 from nhc.mechanics.frame import coordinate_frame, total_derivative
-from nhc.mechanics.properties.conserved import find_conserved, generalized_energy, power
+from nhc.mechanics.properties.conserved import Candidate, combine, find_conserved, generalized_energy, power, spell
 from nhc.mechanics.properties.facts import Facts, describe
 from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
@@ -511,3 +515,24 @@ def test_facts_are_the_same_as_lines_and_data(name: str) -> None:
     if system_of(name).l:
         assert [k["name"] for k in facts.data["kinds"]] == [f.name for f in system_of(name).constraints]
         assert len(facts.data["integrals"] if facts.data["hidden"] else []) == facts.data["hidden"]
+
+
+@pytest.mark.parametrize(
+    ("vector", "wanted"),
+    [
+        ((1, 0, 0), "a"),
+        ((0, 0, -1), "-c"),
+        ((-2, 0, 1), "c - 2 a"),
+        ((1, 1, Fraction(-1, 2)), "-1/2 c + b + a"),
+        ((Fraction(3, 4), -1, 5), "5 c - b + 3/4 a"),
+    ],
+)
+def test_a_combination_is_spelt_as_it_is_made(vector: tuple[Fraction, ...], wanted: str) -> None:
+    g = Graph()
+    candidates = [Candidate(name, g.symbol(name)) for name in "abc"]
+    assert spell(vector, candidates) == wanted
+    values = dict(zip((c.node for c in candidates), (2.0, 3.0, 7.0), strict=True))
+    known = {"a": 2, "b": 3, "c": 7}
+    text = re.sub(r"(\d) ([abc])", r"\1*\2", wanted)
+    exact = sympy.sympify(text, {name: sympy.Integer(k) for name, k in known.items()})
+    assert evaluate(g, [combine(g, vector, candidates)], values)[0] == pytest.approx(float(exact), rel=1e-15)
