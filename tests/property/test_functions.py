@@ -7,7 +7,7 @@ from itertools import product
 import mpmath
 import pytest
 
-from nhc.algebra.bounds.interval import bounds
+from nhc.algebra.bounds.interval import bounds, excludes_zero
 from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.graph import Graph, Node
@@ -109,3 +109,25 @@ def test_sizes_do_not_vanish_with_what_they_measure(text: str, place: tuple[floa
     for x, y in product(ANYWHERE, repeat=2):
         value, measured = evaluate(g, [node, found], dict(zip(system.q, (x, y), strict=True)))
         assert abs(value) <= measured * (1 + 1e-14)
+
+
+@pytest.mark.parametrize(
+    ("interval", "excluded"),
+    [
+        ((1.0, 2.0), True),
+        ((0.0, 2.0), False),
+        ((-1e-3, 2.0), False),
+        ((1e-12, 1.0), False),  # no more than what rounding leaves of 1
+        ((1e-6, 1.0), True),
+        ((1e-12, 1e-11), True),
+        ((2e-9, mpmath.inf), True),
+        ((1e-12, mpmath.inf), False),
+        ((-mpmath.inf, mpmath.inf), False),
+    ],
+)
+def test_zero_is_excluded_by_more_than_rounding_and_on_both_sides_alike(
+    interval: tuple[float, float], excluded: bool
+) -> None:
+    low, high = map(float, interval)
+    assert excludes_zero((low, high)) is excluded
+    assert excludes_zero((-high, -low)) is excluded
