@@ -536,3 +536,13 @@ def test_a_combination_is_spelt_as_it_is_made(vector: tuple[Fraction, ...], want
     text = re.sub(r"(\d) ([abc])", r"\1*\2", wanted)
     exact = sympy.sympify(text, {name: sympy.Integer(k) for name, k in known.items()})
     assert evaluate(g, [combine(g, vector, candidates)], values)[0] == pytest.approx(float(exact), rel=1e-15)
+
+
+@pytest.mark.parametrize("function", ["sin", "cos", "sinh", "cosh", "exp"])
+def test_integrals_behind_a_factor(function: str) -> None:
+    """x f(x) x' + x y' = 0 is x times d(y + integral of f): no term of it is a differential, and none is needed."""
+    system = constrained("x, y, z", f"c: x*{function}(x)*x' + x*y' = 0")
+    facts = describe(system, formulate(system), Bag(system.spec.origin))
+    (found,) = [sympy.sympify(e["integral"].replace("^", "**")) for e in facts.data["integrals"]]
+    x, y = sympy.symbols("x y")
+    assert sympy.simplify(sympy.diff(found, x) / sympy.diff(found, y) - getattr(sympy, function)(x)) == 0
