@@ -32,6 +32,18 @@ KEYS: dict[str, tuple[str, str]] = {
     **dict.fromkeys(("initial", "initial_conditions", "ic", "time", "tspan", "need", "tolerance"), ("", _SCENE)),
 }
 
+# key of a scene as others call it -> this language's key
+_SCENE_WORDS = {
+    "time": ("t", "tspan", "t_span", "times", "duration", "interval"),
+    "initial": ("initial_conditions", "initial_state", "initial_values", "ic", "x0", "q0", "start"),
+    "need": ("needs", "output", "outputs", "want"),
+    "tolerance": ("tol", "rtol", "accuracy"),
+    "parameters": ("values", "constants", "params"),
+}
+SCENE_KEYS: dict[str, tuple[str, str]] = {
+    word: (key, f"write `{key}`") for key, words in _SCENE_WORDS.items() for word in words
+}
+
 # formulation as others call it -> this language's word
 METHODS: dict[str, str] = {
     **dict.fromkeys(
@@ -49,6 +61,12 @@ def meant_method(name: str) -> str:
     spelled = unicodedata.normalize("NFD", name.casefold())
     plain = re.sub("[^a-z0-9-]", "", spelled.replace("_", "-").replace(" ", "-"))
     return METHODS.get(plain, "")
+
+
+def meant_scene_key(name: str, present: Collection[str]) -> tuple[str, str]:
+    """The key of a scene that a word stands for elsewhere, and what to do about it, as :func:`meant_key` says it."""
+    key, advice = SCENE_KEYS.get(name, ("", ""))
+    return (key, advice) if key not in present else ("", "")
 
 
 def meant_key(name: str, present: Collection[str]) -> tuple[str, str]:

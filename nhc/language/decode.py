@@ -246,7 +246,8 @@ class _Decoder:
 
     def _forces(self) -> tuple[Definition, ...]:
         node = self.root.get("forces")
-        table = self.shapes.table(node, "a mapping of coordinates to expressions") if node is not None else None
+        help = f"write `{next(iter(self.scope.of_kind('coordinate')), 'x')}: ...`, each force with its coordinate"
+        table = self.shapes.table(node, "a mapping of coordinates to expressions", help) if node is not None else None
         found: dict[str, Definition] = {}
         moving = self.scope.of_kind("define", "quasi")
         quaternions = [name for rotation in self.draft.rotations for name in rotation.coordinates]

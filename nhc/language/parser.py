@@ -16,7 +16,7 @@ from nhc.diagnostics import Bag, Span, nearest
 from .names import DOT, FUNCTIONS, SPELLINGS
 from .numbers import DOUBLES, exact
 from .syntax import Binary, Call, Name, Negate, Number, Prime, Syntax
-from .tokens import LONGEST, ExpressionError, Locate, Token, tokenise
+from .tokens import CONDITIONS, LONGEST, ExpressionError, Locate, Token, tokenise
 
 DEEPEST = 200  # parentheses, calls, unary minus and right-hand powers inside one another
 _LEVEL = {"+": 10, "-": 10, "*": 20, "/": 20, "^": 40}
@@ -98,6 +98,8 @@ class _Parser:
         if token.kind == ")" and self.frames and self.frames[-1].kind == "(" and self.frames[-1].function:
             name = self.frames[-1].function
             return ExpressionError("E0206", f"`{name}` needs an argument", self._span(token), f"write `{name}(x)`")
+        if token.kind == "=" and self.equals is not None and self.equals.end == token.start:
+            return ExpressionError("E0208", "`==` in place of `=`", self._span(token), "write a single `=`")
         advice = {"+": "leave the `+` out", "prime": "the prime stands after a name or a parenthesis: `x'`"}
         help = advice.get(token.kind, f"leave the `{token.text}` out, or write what it stands between")
         return ExpressionError(
@@ -141,6 +143,8 @@ class _Parser:
             self._check_function(previous)
             self._open(_Frame("(", 0, previous, previous.text))
             return True
+        if token.text in ("if", "else", "and", "or", "not"):
+            raise ExpressionError("E0203", f"expected an operator, found `{token.text}`", self._span(token), CONDITIONS)
         node, start, end = self.operands[-1]
         left = self.text[start:end] if isinstance(node, Number | Name) else self.text[start:end].strip()
         left = left if len(left) <= 24 else "..."

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import nearest, quote
 
-from .advice import meant_rate
+from .advice import meant_rate, meant_scene_key
 from .keys import NEAR_KEYS, SCENE_KEYS
 from .names import fold
 from .nodes import Items, Node, Table, Text
@@ -70,7 +70,7 @@ class _SceneReader:
         if table is None:
             return None
         what = f"scene `{text.value}`"
-        self.shapes.check_keys(table, SCENE_KEYS, what, text.span)
+        self.shapes.check_keys(table, SCENE_KEYS, what, text.span, meant_scene_key)
         overrides = self._overrides(table.get("parameters"))
         self._check_values(text, overrides)
         initial = self._initial(table.get("initial"))
@@ -137,7 +137,8 @@ class _SceneReader:
             self.bag.error("E0418", message, text.span, help=(help,))
 
     def _initial(self, node: Node | None) -> tuple[Initial, ...]:
-        table = self.shapes.table(node, "a mapping of start values") if node is not None else None
+        help = f"write `{{{next(iter(self.scope.of_kind('coordinate')), 'x')}: 1}}`, each value with its name"
+        table = self.shapes.table(node, "a mapping of start values", help) if node is not None else None
         found: dict[tuple[str, str], Initial] = {}
         for text, value in table.entries if table else ():
             rotation = self.rotations.get(fold(text.value))

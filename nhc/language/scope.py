@@ -219,7 +219,8 @@ class Scope:
             near = nearest(name, known) if self._searches <= _SEARCHES else None
             rate = meant_rate(name, self.of_kind("coordinate", "define", "entry")) if place != "start" else ""
             where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"
-            help = rate or (f"did you mean `{near}`?" if near else f"declare it under {where}")
+            base = "a power of e is written `exp(...)`; another `e` is to be declared" if name == "e" else ""
+            help = rate or base or (f"did you mean `{near}`?" if near else f"declare it under {where}")
         self.bag.error("E0302", message, node.span, help=(help,))
 
     def _check_prime(self, node: Prime) -> None:

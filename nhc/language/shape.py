@@ -187,7 +187,10 @@ class Shapes:
             return None
         if len(items.items) != 2:
             message = f"expected two numbers for {what}, found {len(items.items)}"
-            self.bag.error("E0301", message, items.span, help=("write `[low, high]`",))
+            only = items.items[0] if len(items.items) == 1 else None
+            parts = only.value.split() if isinstance(only, Text) else []
+            help = f"write `[{parts[0]}, {parts[1]}]`" if len(parts) == 2 else "write `[low, high]`"
+            self.bag.error("E0301", message, items.span, help=(help,))
             return None
         low, high = (self.number(item, what) for item in items.items)
         if low is None or high is None:

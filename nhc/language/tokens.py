@@ -19,6 +19,7 @@ _PLAIN = re.compile(
     r"|((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)(?![0-9._eE])"
     r"|(\*\*|[-+*/^(),=]))"
 )
+CONDITIONS = "the language has no conditions: write them with `sign`, `min` or `max`"
 _INSTEAD = {
     "\u2212": "write `-`",
     "\u2013": "write `-`",
@@ -50,8 +51,8 @@ _INSTEAD = {
     "|": "write `abs(...)`",
     '"': "write `'` twice only for a second derivative, which the language has not",
     "%": "the language has no remainder",
-    "<": "the language has no comparisons",
-    ">": "the language has no comparisons",
+    "<": CONDITIONS,
+    ">": CONDITIONS,
 }
 
 

@@ -238,5 +238,8 @@ def _check_filled(source: Source, node: Node, place: Span, what: str, bag: Bag) 
         after_colon = source.text[place.end :].lstrip(" ").startswith(":")
         help = "give it a value, or remove it"
         if span == place and not after_colon:
-            help = "a text with commas inside `{ }` or `[ ]` needs quotes"
+            name, equal, value = source.text[place.start : place.end].partition("=")
+            help = "commas part entries here: write a list as `[a, b]`, and a text with commas between quotes"
+            if equal and value.strip():
+                help = f"write `{name.strip()}: {value.strip()}`"
         bag.error("E0109", f"empty {what}", span, help=(help,))

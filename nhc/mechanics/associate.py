@@ -58,7 +58,6 @@ class Equations:
     react: Callable[[], tuple[Row, ...]]
     sweep: Callable[[], tuple[Node, ...] | None]
     guards: tuple[tuple[Node, Node], ...]
-    forms: tuple[tuple[Node, ...], Node] | tuple[()] = ()
     tree: Elimination | None = None
 
     @cached_property

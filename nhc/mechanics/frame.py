@@ -111,11 +111,6 @@ class Frame:
         """d function / d pi_j = b_ij d function / d q_i."""
         return tangent(self.graph, [function], along(self.system, self.vectors[j]))[0]
 
-    def along_time(self, function: Node) -> Node:
-        """d function / d pi_{n+1} = d/dt + b_{j,n+1} d/dq_j (Remark 3 of I.2)."""
-        seeds = along(self.system, self.drift)
-        return tangent(self.graph, [function], {**seeds, self.system.t: self.graph.one})[0]
-
     @equation("I.2.11")
     def gamma(self, i: int, t: int, j: int) -> Node:
         """gamma^i_tj = (da_ir/dq_s - da_is/dq_r) b_st b_rj; t = n stands for the time index n + 1 (then it is epsilon^i_j)."""

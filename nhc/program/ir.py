@@ -221,7 +221,6 @@ class Quantity:
     """A name of the spec with what is known of it."""
 
     name: str  # as the spec writes it (Greek folded): "theta", "theta'", "v"
-    identifier: str  # over [A-Za-z0-9_]: "theta", "theta_dot", "v"
     unit: str = ""
     about: str = ""
     default: Fraction | float | None = None

@@ -14,7 +14,6 @@ from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value
 from nhc.program.build import Planner, build_functions
 from nhc.program.ir import Program, Quantity, SceneData, Stop
-from nhc.program.naming import identifier
 from nhc.program.starting import warn_of_coframe
 
 
@@ -49,14 +48,13 @@ def build_program(
         formulation=formulation.name,
         equation=formulation.number,
         reason=formulation.reason,
-        coordinates=tuple(Quantity(c.name, identifier(c.name), c.unit, c.about) for c in spec.coordinates),
+        coordinates=tuple(Quantity(c.name, c.unit, c.about) for c in spec.coordinates),
         state=planner.state_quantities(),
         parameters=tuple(
-            Quantity(p.name, identifier(p.name), p.unit, p.about, _default(p, k, chosen))
-            for k, p in enumerate(spec.parameters)
+            Quantity(p.name, p.unit, p.about, _default(p, k, chosen)) for k, p in enumerate(spec.parameters)
         ),
-        constraints=tuple(Quantity(c.name, identifier(c.name)) for c in system.constraints),
-        outputs=tuple(Quantity(name, identifier(name), system.units.get(name, "")) for name, _ in system.outputs),
+        constraints=tuple(Quantity(c.name) for c in system.constraints),
+        outputs=tuple(Quantity(name, system.units.get(name, "")) for name, _ in system.outputs),
         functions=build_functions(planner, only),
         scenes=starts,
         notes=_notes(formulation),

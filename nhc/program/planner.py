@@ -18,7 +18,6 @@ from nhc.mechanics.turning import moving
 from nhc.program.ir import Argument, Function, Origin, Quantity
 from nhc.program.lower import lower_function
 from nhc.program.mass_route import mass_route
-from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
@@ -233,11 +232,9 @@ class PlannerBase:
 
     def state_quantities(self) -> tuple[Quantity, ...]:
         """The full state: the coordinates, then the kept velocities."""
-        coordinates = [Quantity(c.name, identifier(c.name), c.unit, c.about) for c in self.system.spec.coordinates]
+        coordinates = [Quantity(c.name, c.unit, c.about) for c in self.system.spec.coordinates]
         units, added = self.system.units, describe_added(self.system, self.formulation.frame)
-        kept = [
-            Quantity(name, identifier(name), units.get(name, ""), added.get(name, "")) for name in self.kept_names()
-        ]
+        kept = [Quantity(name, units.get(name, ""), added.get(name, "")) for name in self.kept_names()]
         return (*coordinates, *kept)
 
 

@@ -14,7 +14,6 @@ from nhc.program.ir import Function, Program, Quantity, SceneData
 from nhc.program.leaps import find_leaps
 from nhc.program.lower import lower_function
 from nhc.program.model import build_program
-from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan
 from nhc.program.scene_model import SceneModel
 from nhc.program.scene_planner import ScenePlanner
@@ -52,7 +51,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         full,
         state=tuple(quantities[i] for i in made.kept),
         parameters=(*full.parameters, *constants),
-        outputs=tuple(Quantity(c.name, identifier(c.name), c.unit, c.about) for c in columns),
+        outputs=tuple(Quantity(c.name, c.unit, c.about) for c in columns),
         functions=lower_functions(planner, only),
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),

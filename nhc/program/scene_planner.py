@@ -17,7 +17,6 @@ from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.build import Planner
 from nhc.program.ir import Quantity
-from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan
 
 
@@ -111,7 +110,7 @@ class ScenePlanner(Planner):
             default = values[integral.index] - float(evaluate(g, [integral.written], place)[0])
             place[integral.symbol] = default  # what was found later may contain it
             unit = whole[integral.index].unit
-            found.append(Quantity(symbol.name, identifier(symbol.name), unit, f"in {integral.text}", default))
+            found.append(Quantity(symbol.name, unit, f"in {integral.text}", default))
         return tuple(found)
 
     def needed_nodes(self) -> list[Node]:

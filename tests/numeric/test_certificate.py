@@ -13,9 +13,10 @@ from nhc.algebra.exact.degree import Degrees
 from nhc.algebra.graph import Graph
 from nhc.diagnostics import Source
 from nhc.language import decode, read
+from nhc.mechanics.associate import Equations
 from nhc.mechanics.certificates import certificate as module
 from nhc.mechanics.certificates.certificate import Certificate, certify
-from nhc.mechanics.certificates.claims import wrong_claims
+from nhc.mechanics.certificates.claims import Claim, wrong_claims
 from nhc.mechanics.certificates.file import is_sound, power_of_ten, verify, write
 from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.resolve import resolve
@@ -70,6 +71,32 @@ quasi_velocities: {{v: "x'*cos(theta) + y'*sin(theta)", w: theta'}}
     made = certify(resolve(decode(Source("rubbed.yaml", text))))
     assert len(made.agreements) >= 4
     assert all(found.accelerations and found.reactions for found in made.agreements)
+
+
+@pytest.mark.parametrize("part", ["accelerations", "reactions"])
+@pytest.mark.parametrize("everywhere", [True, False])
+def test_one_difference_at_some_of_the_points_is_enough(
+    part: str, everywhere: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Voronec's equations with x too much in one entry, at all places or only where x is positive, agree no more; others do."""
+    system = system_of("nh_particle")
+    g, x = system.graph, system.q[0]
+    extra = x if everywhere else g.mul(g.add(g.one, g.function("sign", x)), x)
+    right = module.formulation_claim
+
+    def spoilt(equations: Equations) -> Claim:
+        claim = right(equations)
+        if equations.formulation != "voronec":
+            return claim
+        (coefficients, constant), *others = getattr(claim, part)
+        return replace(claim, **{part: ((coefficients, g.add(constant, extra)), *others)})
+
+    monkeypatch.setattr(module, "formulation_claim", spoilt)
+    found = certify(system)
+    assert not found.holds
+    for agreement in found.agreements:
+        wrong = part if agreement.name == "voronec" else ""
+        assert (agreement.accelerations, agreement.reactions) == (wrong != "accelerations", wrong != "reactions")
 
 
 @pytest.mark.parametrize("name", GALLERY)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from fractions import Fraction
 from functools import cache
 from itertools import product
 
@@ -10,14 +12,16 @@ import pytest
 import sympy
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.exact.relations import find_relations, rational, without
 from nhc.algebra.exact.residues import PRIMES
+from nhc.algebra.graph import Graph
 from nhc.diagnostics import Bag, Source, SpecError
 from nhc.language import decode, read
 from nhc.mechanics.choosing.choose import dependent_of, formulate
 from nhc.mechanics.frame import coordinate_frame, total_derivative
-from nhc.mechanics.properties.conserved import find_conserved, generalized_energy, power
+from nhc.mechanics.properties.conserved import Candidate, combine, find_conserved, generalized_energy, power, spell
 from nhc.mechanics.properties.facts import Facts, describe
 from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
@@ -208,6 +212,21 @@ def test_rows_that_are_integrable_for_the_values_given_only(values: str, row: st
     assert [entry["integral"] for entry in found] == ([integral] if integral else [])
     said = "the constraint `c1` is integrable with the values under `parameters:`: it is a holonomic constraint in disguise"
     assert [d.message for d in bag.diagnostics if d.code == "W0410"] == ([said] if integral else [])
+
+
+def test_each_constraint_in_disguise_is_told_its_own_integral() -> None:
+    """Of z = x y and w = sin(x) as rates, each with its own function; the sleigh's edge between them has none."""
+    rows = ("first: z' = y*x' + x*y'", "edge: u' = y*x'", "second: w' = cos(x)*x'")
+    system = constrained("x, y, z, u, w", *rows)
+    bag = Bag(system.spec.origin)
+    describe(system, formulate(system), bag)
+    found = {d.message.split("`")[1]: d.notes for d in bag.diagnostics if d.code == "W0410"}
+    assert set(found) == {"first", "second"}
+    wanted = {"first": "z - x*y", "second": "w - sin(x)"}
+    for name, (note,) in found.items():
+        text = note.removeprefix("its integral is `").removesuffix(" = const`")
+        ratio = sympy.simplify(sympy.sympify(text.replace("^", "**")) / sympy.sympify(wanted[name]))
+        assert ratio.is_number and ratio != 0, text
 
 
 def test_what_is_declared_holonomic_is_not_in_disguise() -> None:
@@ -496,3 +515,34 @@ def test_facts_are_the_same_as_lines_and_data(name: str) -> None:
     if system_of(name).l:
         assert [k["name"] for k in facts.data["kinds"]] == [f.name for f in system_of(name).constraints]
         assert len(facts.data["integrals"] if facts.data["hidden"] else []) == facts.data["hidden"]
+
+
+@pytest.mark.parametrize(
+    ("vector", "wanted"),
+    [
+        ((1, 0, 0), "a"),
+        ((0, 0, -1), "-c"),
+        ((-2, 0, 1), "c - 2 a"),
+        ((1, 1, Fraction(-1, 2)), "-1/2 c + b + a"),
+        ((Fraction(3, 4), -1, 5), "5 c - b + 3/4 a"),
+    ],
+)
+def test_a_combination_is_spelt_as_it_is_made(vector: tuple[Fraction, ...], wanted: str) -> None:
+    g = Graph()
+    candidates = [Candidate(name, g.symbol(name)) for name in "abc"]
+    assert spell(vector, candidates) == wanted
+    values = dict(zip((c.node for c in candidates), (2.0, 3.0, 7.0), strict=True))
+    known = {"a": 2, "b": 3, "c": 7}
+    text = re.sub(r"(\d) ([abc])", r"\1*\2", wanted)
+    exact = sympy.sympify(text, {name: sympy.Integer(k) for name, k in known.items()})
+    assert evaluate(g, [combine(g, vector, candidates)], values)[0] == pytest.approx(float(exact), rel=1e-15)
+
+
+@pytest.mark.parametrize("function", ["sin", "cos", "sinh", "cosh", "exp"])
+def test_integrals_behind_a_factor(function: str) -> None:
+    """x f(x) x' + x y' = 0 is x times d(y + integral of f): no term of it is a differential, and none is needed."""
+    system = constrained("x, y, z", f"c: x*{function}(x)*x' + x*y' = 0")
+    facts = describe(system, formulate(system), Bag(system.spec.origin))
+    (found,) = [sympy.sympify(e["integral"].replace("^", "**")) for e in facts.data["integrals"]]
+    x, y = sympy.symbols("x y")
+    assert sympy.simplify(sympy.diff(found, x) / sympy.diff(found, y) - getattr(sympy, function)(x)) == 0

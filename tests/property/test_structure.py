@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from nhc.algebra.calculus import derivative
 from nhc.algebra.exact.modular import are_equal, is_zero
 from nhc.exterior import basis_form, d
 from nhc.mechanics.formulations.euler_lagrange import full_coframe
@@ -78,4 +79,8 @@ def test_derivatives_along_quasi_coordinates_are_the_differential() -> None:
     phi = g.mul(g.function("sin", g.mul(x, frame.system.t)), g.add(y, g.power(z, 2)))
     found = coframe.differential(phi)
     assert are_equal(g, [found.get(j, g.zero) for j in range(n)], [frame.along(phi, j) for j in range(n)])
-    assert is_zero(g, g.sub(found.get(2 * n, g.zero), frame.along_time(phi)))
+    drift = dict(zip(frame.system.q, frame.drift, strict=True))  # d/dpi_(n+1) = d/dt + b_j(n+1) d/dq_j
+    along_time = g.sum(
+        [derivative(g, phi, frame.system.t), *(g.mul(b, derivative(g, phi, q)) for q, b in drift.items())]
+    )
+    assert is_zero(g, g.sub(found.get(2 * n, g.zero), along_time))

@@ -102,3 +102,22 @@ def test_a_pole_at_a_full_turn_is_no_mistake() -> None:
 def test_what_only_tends_to_zero_has_none() -> None:
     g = GRAPH
     assert find_common_zero(g, [g.function("exp", X)], [X], [{X: 0.0}, {X: -3.0}]) is None
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_common_zero_is_found(seed: int) -> None:
+    """A circle and a line meet where Vieta says; a wave and a power where the power is; neither where the circle is too small."""
+    g, rng = GRAPH, np.random.default_rng(seed)
+    near = [{X: 4.0 + float(rng.uniform(-1, 1)), Y: 3.0 + float(rng.uniform(-1, 1))}]
+    circle = g.sub(g.add(power(2), g.power(Y, 2)), g.number(25))
+    line = g.sub(g.sub(X, Y), g.one)
+    found = find_common_zero(g, [circle, line], [X, Y], near)
+    assert found is not None and (found[X], found[Y]) == pytest.approx((4.0, 3.0), rel=1e-9)
+    wave = g.function("sin", g.add(X, Y))
+    found = find_common_zero(g, [wave, g.sub(power(3), g.number(64))], [X, Y], near)
+    assert found is not None and found[X] == pytest.approx(4.0, rel=1e-6)
+    assert math.sin(found[X] + found[Y]) == pytest.approx(0.0, abs=1e-9)
+    small = g.sub(
+        g.add(power(2), g.power(Y, 2)), g.div(g.one, g.number(3))
+    )  # the line's distance from the centre is sqrt(1/2)
+    assert find_common_zero(g, [small, line], [X, Y], near) is None

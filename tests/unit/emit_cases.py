@@ -97,7 +97,7 @@ def loads(array: str, *names: str) -> tuple[Load, ...]:
 
 
 def quantities(*names: str) -> tuple[Quantity, ...]:
-    return tuple(Quantity(name, name.replace("'", "_dot"), "m", f"about {name}") for name in names)
+    return tuple(Quantity(name, "m", f"about {name}") for name in names)
 
 
 def make_oscillator() -> Program:
@@ -122,7 +122,7 @@ def make_oscillator() -> Program:
     )
     scene = SceneData("swing", "one period", (1.0, 0.0), (1.0,), (0.0, 6.5), ("x", "x'", "energy"), 1e-11)
     other = SceneData("rest", "", (0.0, 0.0), (4.0,), (1.0, 2.0), (), 1e-8)
-    parameter = Quantity("k", "k", "1/s^2", "stiffness", Fraction(1))
+    parameter = Quantity("k", "1/s^2", "stiffness", Fraction(1))
     return Program(
         "oscillator", "A mass on a spring.", "oscillator.yaml", "lagrange", "I.2.3", "no constraints", quantities("x"),
         quantities("x", "x'"), (parameter,), (), (), functions, (scene, other),
@@ -187,9 +187,9 @@ def make_sleigh() -> Program:
         ("y", "theta'", "v", "lnv", "reactions", "energy"), 1e-9,
     )  # fmt: skip
     given = (
-        Quantity("m", "m", "kg", "mass", Fraction(1)),
-        Quantity("I", "I", "", "", Fraction(3, 10)),
-        Quantity("lambda", "lambda", "m", "offset", None),
+        Quantity("m", "kg", "mass", Fraction(1)),
+        Quantity("I", "", "", Fraction(3, 10)),
+        Quantity("lambda", "m", "offset", None),
     )
     return Program(
         "sleigh", "A rigid body on a knife edge.", "sleigh.yaml", "euler-lagrange", "I.2.15", "cheapest",
@@ -275,7 +275,7 @@ def make_hostile() -> Program:
         Guard(ref("total").node, total.node, 1e-30, 1, HOSTILE_TEXT),
         *(Store("dydt", i, (ref("total") * float(i)).node, HOSTILE_TEXT, origin) for i in range(size)),
     )
-    names = tuple(Quantity(name, name, HOSTILE_TEXT, HOSTILE_TEXT, Fraction(1)) for name in HOSTILE_NAMES)
+    names = tuple(Quantity(name, HOSTILE_TEXT, HOSTILE_TEXT, Fraction(1)) for name in HOSTILE_NAMES)
     rhs = Function("rhs", HOSTILE_TEXT, (T, Argument("y", size), Argument("p", 0)), Argument("dydt", size), body)
     scene = SceneData("s", HOSTILE_TEXT, (0.0,) * size, (), (0.0, 1.0), (), 1e-6)
     return Program(

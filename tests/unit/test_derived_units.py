@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.diagnostics import Source
+from nhc.diagnostics import Source, SpecError
 from nhc.language import decode, read
 from nhc.language.derived_units import derive_units
+from nhc.language.names import FUNCTIONS
 from nhc.language.units import parse_unit
 from tests.support import GALLERY, spec_path
 
@@ -90,6 +91,40 @@ def test_a_reaction_makes_a_force_of_its_row(row: str, unit: str) -> None:
         head.replace("define: {spin: v/a}\n", "") + row + "\n" + outputs.replace("I*(v/a)^2", "0").replace("a*v*1", "a")
     )
     assert units(text)["lambda_c"] == unit
+
+
+UNITS_OF_FUNCTIONS = {  # of x and y in metres, theta in radians, a in metres
+    **{f"{name}(theta)": "1" for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log")},
+    **{f"{name}(x/a)": "1" for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log")},
+    **{f"{name}(x/a)": "rad" for name in ("asin", "acos", "atan")},
+    **{"atan2(y, x)": "rad", "abs(x)": "m", "min(x, y)": "m", "max(x, y)": "m", "sqrt(x*y)": "m"},
+    **{"abs(theta)": "rad", "min(theta, 2)": "rad", "max(0, theta)": "rad", "max(0, x)": "m", "min(x, 0)": "m"},
+    **{"sign(x)": "1", "sign(theta)": "1", "abs(x')": "m/s", "max(x', y')": "m/s", "sqrt(x'^2 + y'^2)": "m/s"},
+}
+
+
+def test_each_function_has_its_unit() -> None:
+    assert {text.partition("(")[0] for text in UNITS_OF_FUNCTIONS} == set(FUNCTIONS)
+    head = SLEIGH.replace("LENGTH", "m").replace("MASS", "kg").partition("outputs:")[0]
+    lines = [f"  o{k}: {text}" for k, text in enumerate(UNITS_OF_FUNCTIONS)]
+    found = units("\n".join([f"{head}outputs:", *lines, ""]))
+    assert [found.get(f"o{k}") for k in range(len(lines))] == list(UNITS_OF_FUNCTIONS.values())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(f"{name}(x)" for name in FUNCTIONS if FUNCTIONS[name][1] == 1 and name not in ("abs", "sqrt", "sign")),
+        *(f"{name}(x, x')" for name in ("atan2", "min", "max")),
+        *(f"{name}(x) + x'" for name in ("abs", "sqrt", "sign")),
+        *(f"{name}(x, y) + x'" for name in ("atan2", "min", "max")),
+    ],
+)
+def test_each_function_asks_for_units_that_fit(text: str) -> None:
+    head = SLEIGH.replace("LENGTH", "m").replace("MASS", "kg").partition("outputs:")[0]
+    with pytest.raises(SpecError) as caught:
+        decode(Source("s.yaml", f"{head}outputs: {{o: '{text.replace(chr(39), 2 * chr(39))}'}}\n"))
+    assert [d.code for d in caught.value.diagnostics] == ["E0413"]
 
 
 @pytest.mark.parametrize("name", GALLERY)

@@ -52,6 +52,17 @@ SLIPS = [
     ("V: -m*g*l*cos(θ)", "V: 0\nforces:\n  - x: -x\n  - θ: 1", "E0301", "leave out the `-`", "V: 0\nforces:\n  x: -x\n  θ: 1"),
     ("define: {X: x + l*sin(θ)}", "define: {X: x, P: [x, 1]}", "E0301", "one name for each", "define: {X: x, P1: x, P2: 1}"),
     ("scenes:", "time: [0, 1]\nscenes:", "E0303", "it belongs into a scene", "scenes:"),
+    ("+ x'^2", "+ e^(-x/l)*x'^2", "E0302", "a power of e is written `exp(...)`", "+ exp(-x/l)*x'^2"),
+    ("+ x'^2", "+ x'^2 if x > 0", "E0203", "the language has no conditions: write them with", "+ x'^2*(1 + sign(x))/2"),
+    ("+ x'^2", "+ x'^2*(x > 0)", "E0201", "the language has no conditions: write them with", "+ x'^2*(1 + sign(x))/2"),
+    ("time: [0, 10]", "t: [0, 10]", "E0303", "write `time`", "time: [0, 10]"),
+    ("time: [0, 10]", "tspan: [0, 10]", "E0303", "write `time`", "time: [0, 10]"),
+    ("initial: {θ", "initial_conditions: {θ", "E0303", "write `initial`", "initial: {θ"),
+    ("time: [0, 10]", "time: [0 10]", "E0301", "write `[0, 10]`", "time: [0, 10]"),
+    ("initial: {θ: 0.1, x': 1}", "initial: [0, 0.1]", "E0301", "write `{x: 1}`", "initial: {x: 1}"),
+    ("initial: {θ: 0.1,", "initial: {θ = 0.1,", "E0109", "write `θ: 0.1`", "initial: {θ: 0.1,"),
+    ("need: [x, θ']", "need: x, θ'", "E0109", "write a list as `[a, b]`", "need: [x, θ']"),
+    ("V: -m*g*l*cos(θ)", "forces: [1, 2]", "E0301", "write `x: ...`", "forces: {x: 1, θ: 2}"),
 ]  # fmt: skip
 
 
@@ -88,6 +99,19 @@ def test_one_slip_one_diagnostic_and_a_help_that_helps(
 )  # fmt: skip
 def test_the_first_of_several(right: str, wrong: str, help: str) -> None:
     assert any(help in d.help[0] for d in find(SPEC.replace(right, wrong)))
+
+
+@pytest.mark.parametrize("entry", ["x' == l*θ'", "x' - l*θ' ==0"])
+def test_equality_as_programs_write_it(entry: str) -> None:
+    (found,) = find(SPEC + f"constraints:\n  - {entry}\n")
+    assert (found.code, found.help) == ("E0208", ("write a single `=`",))
+
+
+@pytest.mark.parametrize("sign", ["<", ">="])
+def test_a_constraint_is_no_inequality(sign: str) -> None:
+    (found,) = find(SPEC + f"constraints:\n  - x' {sign} l*θ'\n")
+    assert (found.code, found.message) == ("E0201", f"unexpected character `{sign[0]}`")
+    assert found.help[0].startswith("the language has no conditions")
 
 
 def test_two_equations_in_one_entry() -> None:

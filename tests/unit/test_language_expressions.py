@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import pytest
@@ -10,6 +11,7 @@ from hypothesis import strategies as st
 
 from nhc.diagnostics import Bag, Source, Span
 from nhc.language import Binary, Call, Name, Negate, Number, Prime, Syntax, same, unparse, walk
+from nhc.language.constant import ConstantError, evaluate
 from nhc.language.names import FUNCTIONS, GREEK, fold, is_name
 from nhc.language.parser import parse_equation, parse_expression
 
@@ -208,3 +210,39 @@ def test_random_expressions_never_crash(text: str) -> None:
 def test_random_text_never_crashes(text: str) -> None:
     bag = Bag(Source("a", text))
     assert (parse_expression(text, Span, bag) is None) == bag.has_errors
+
+
+CONSTANTS = {
+    **{f"{name}(0.4)": None for name in FUNCTIONS if FUNCTIONS[name][1] == 1},
+    **{f"{name}(-0.4)": None for name in ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "abs")},
+    **{"sign(-0.4)": -1.0, "sign(0)": 0.0, "sign(3)": 1.0, "min(2, -3)": -3.0, "max(2, -3)": 2.0, "2^-2": 0.25},
+    **{"atan2(1, -1)": 3 * math.pi / 4, "atan2(-2, 0)": -math.pi / 2, "sin(pi)": 0.0, "cos(-3*pi/2)": 0.0},
+    **{"tan(2*pi)": 0.0, "sin(pi/6)": 0.5, "cos(pi)": -1.0, "1/4 - 3*(2 - 1/3)": -4.75, "-pi^2": -(math.pi**2)},
+    **{"sin(3.141592653589793)": math.sin(math.pi), "sin(pi + 1e-9)": math.sin(math.pi + 1e-9)},  # no multiple of pi
+}
+
+
+@pytest.mark.parametrize(("text", "wanted"), CONSTANTS.items())
+def test_values_of_constants(text: str, wanted: float | None) -> None:
+    """Those that are not given are those of the C library; turns of pi are taken for what they mean."""
+    if wanted is None:
+        name, _, argument = text.rstrip(")").partition("(")
+        own = {"abs": abs, "sign": lambda x: 1.0}
+        wanted = own.get(name, getattr(math, name, None))(float(argument))
+    assert evaluate(parse(text)) == pytest.approx(wanted, rel=1e-15, abs=0.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        *(
+            (text, "E0313")
+            for text in ("sqrt(-1)", "log(-2)", "asin(2)", "acos(-2)", "exp(1000)", "cosh(1000)", "(-8)^(1/3)")
+        ),
+        *((text, "E0417") for text in ("1/0", "1/(2 - 2)", "1/sin(pi)", "tan(pi/2)", "0^-1")),
+    ],
+)
+def test_constants_without_a_value(text: str, code: str) -> None:
+    with pytest.raises(ConstantError) as caught:
+        evaluate(parse(text))
+    assert caught.value.code == code

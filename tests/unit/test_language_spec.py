@@ -6,6 +6,8 @@ from fractions import Fraction
 
 import jsonschema
 import pytest
+import sympy.physics.units
+import sympy.physics.units.systems.si
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import (
@@ -222,7 +224,45 @@ def test_units(text: str, dimension: str) -> None:
     assert show(parse_unit(text)) == dimension
 
 
-@pytest.mark.parametrize("text", ["metre", "", "kg*", "/s", "m^x", "m^", "(m", "m)", "2", "m^0.5", "m?"])
+def test_derived_units_are_those_of_the_international_system() -> None:
+    """Each named unit, and with a prefix, by SymPy's tables; minutes, hours and degrees take none."""
+    names = {
+        "N": "newton",
+        "J": "joule",
+        "eV": "electronvolt",
+        "W": "watt",
+        "Pa": "pascal",
+        "bar": "bar",
+        "Hz": "hertz",
+    }
+    names |= {"C": "coulomb", "V": "volt", "F": "farad", "ohm": "ohm", "S": "siemens", "Wb": "weber", "T": "tesla"}
+    names |= {
+        "H": "henry",
+        "L": "liter",
+        "l": "liter",
+        "t": "tonne",
+        "g": "gram",
+        "m": "meter",
+        "s": "second",
+        "A": "ampere",
+    }
+    names |= {"K": "kelvin", "mol": "mole", "cd": "candela", "min": "minute", "h": "hour"}
+    base = {"mass": "kg", "length": "m", "time": "s", "current": "A", "temperature": "K", "amount_of_substance": "mol"}
+    base["luminous_intensity"] = "cd"
+    system = sympy.physics.units.systems.si
+    for name, word in names.items():
+        whole = system.SI.get_quantity_dimension(getattr(sympy.physics.units, word))
+        powers = system.dimsys_SI.get_dimensional_dependencies(whole)
+        wanted = {base[str(dimension.name)]: power for dimension, power in powers.items()}
+        product = "*".join(f"{unit}^{power}" for unit, power in wanted.items())
+        assert parse_unit(name) == parse_unit(product), name
+        for prefix in ("k", "m", "da", "\u00b5") if name not in ("min", "h") else ():
+            assert parse_unit(prefix + name) == parse_unit(name)
+
+
+@pytest.mark.parametrize(
+    "text", ["kmin", "mh", "mdeg", "k1", "metre", "", "kg*", "/s", "m^x", "m^", "(m", "m)", "2", "m^0.5", "m?"]
+)
 def test_texts_that_are_no_units(text: str) -> None:
     with pytest.raises(UnitError) as caught:
         parse_unit(text)

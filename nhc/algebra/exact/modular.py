@@ -163,9 +163,9 @@ def _vanishes_numerically(graph: Graph, node: Node, seed: int) -> bool:
     return False
 
 
-def enough_points(graph: Graph, nodes: Sequence[Node], count: int) -> int:
-    """More points where signs occur; a sign is right by chance at every second point."""
-    return points_for(min(MOST, degree_in_signs(graph, nodes)), count)
+def enough_points(graph: Graph, nodes: Sequence[Node]) -> int:
+    """One point, more where signs occur; a sign is right by chance at every second point."""
+    return points_for(min(MOST, degree_in_signs(graph, nodes)), 1)
 
 
 def is_zero(graph: Graph, node: Node) -> bool:
@@ -198,7 +198,7 @@ def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:
     if found == full:
         return found
     # a rank is too small only at special points; signs make half of the points special for an entry
-    enough = enough_points(graph, flat, 1)
+    enough = enough_points(graph, flat)
     if enough > 1:
         found = max(found, rank_at(sample(graph, flat, min(enough, _RANK_POINTS), seed)))
     if enough > _RANK_POINTS and found < full:

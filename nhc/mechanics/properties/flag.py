@@ -54,7 +54,7 @@ def growth_vector(
     """
     flag = _Flag(graph, variables, fields, combination)
     found: list[tuple[int, ...]] = []
-    count = min(_MOST_POINTS, enough_points(graph, flag.nodes, 1))
+    count = min(_MOST_POINTS, enough_points(graph, flag.nodes))
     seeds = range(_FIRST_SEED, _FIRST_SEED + MOST_DRAWS)
     for _, point in draw_points(graph, flag.plan.nodes, primes_of(graph)[0], seeds, settle=settle):
         try:

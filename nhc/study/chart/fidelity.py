@@ -81,7 +81,6 @@ class Comparison:
     units: tuple[str, ...]
     time_unit: str
     times: tuple[float, ...]
-    truth: tuple[tuple[float, ...], ...]
     sizes: tuple[float, ...]
     rungs: tuple[Rung, ...]
     results: tuple[Result, ...]
@@ -135,7 +134,6 @@ def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: 
         results += found
     if show is not None:
         show(1.0, "")
-    width = len(best.job.columns)
     return Comparison(
         scene=scene.name,
         finest=best.name,
@@ -145,7 +143,6 @@ def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: 
         units=tuple(column.unit for column in best.job.columns),
         time_unit=truth.time_unit,
         times=times,
-        truth=tuple(tuple(row[:width]) for row in solution.rows),
         sizes=tuple(solution.sizes),
         rungs=tuple(rungs),
         results=tuple(results),

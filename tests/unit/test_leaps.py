@@ -1,0 +1,52 @@
+"""Which arguments the steps of a run are watched by, from the range that a coordinate is expected in."""
+
+from __future__ import annotations
+
+import pytest
+
+from nhc.diagnostics import Source
+from nhc.language import decode
+from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.program.build import Planner
+from nhc.program.leaps import find_leaps
+
+
+def parts_of(force: str, low: float, high: float) -> tuple[tuple[float, float], ...]:
+    text = f"""nhc: 1
+system: s
+coordinates: {{x: {{range: [{low}, {high}]}}, y: {{}}}}
+T: (x'^2 + y'^2)/2
+forces: {{x: "{force}", y: "-y"}}
+"""
+    system = resolve(decode(Source("s.yaml", text)))
+    formulation = formulate(system)
+    found = find_leaps(Planner(equations_of(system, formulation), formulation))
+    return () if found is None else found.parts
+
+
+@pytest.mark.parametrize(
+    ("force", "near", "far", "part"),
+    [  # a force, a range in which its argument has a narrow place or bends, one in which it has none, how it is watched
+        ("-max(0, x - 1)", (0, 3), (2, 3), (0.0, 0.0)),
+        ("-min(2, x)", (0, 3), (3, 9), (0.0, 0.0)),
+        ("-abs(x - 1)", (0, 3), (2, 300), (0.0, 0.0)),
+        ("-1/(x + 1)", (0, 300), (0, 50), (1.5, 0.0)),
+        ("-sqrt(x + 1)", (0, 300), (0, 50), (1.5, 0.0)),
+        ("-log(x)", (0.1, 30), (1, 50), (1.5, 0.0)),
+        ("-exp(-x)", (0, 3), (0, 1.9), (1.5, 2.0)),
+        ("-tanh(x)", (0, 3), (0, 0.9), (0.75, 1.0)),
+        ("-cosh(x)", (0, 3), (0, 0.9), (0.75, 1.0)),
+    ],
+)
+def test_only_what_can_be_short_is_watched(
+    force: str, near: tuple[float, float], far: tuple[float, float], part: tuple[float, float]
+) -> None:
+    assert parts_of(force, *near) == (part,)
+    assert parts_of(force, *far) == ()
+
+
+@pytest.mark.parametrize("force", ["-x", "-x^3", "-sin(x)", "-x*y", "-1/(2 + sin(x))"])
+def test_what_is_slow_everywhere_is_not_watched(force: str) -> None:
+    assert parts_of(force, -100, 100) == ()
