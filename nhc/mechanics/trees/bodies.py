@@ -9,7 +9,6 @@ left out, B'' has omega x (omega x d) added, omega' gets omega_before x n a', an
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import gradient, list_terms, tangent
 from nhc.algebra.exact.field import Unlucky
@@ -24,11 +23,12 @@ from nhc.mechanics.trees.recursion import Recursion, Terms
 from nhc.mechanics.trees.triples import list_triples, place_of
 from nhc.mechanics.turns import Vector, add_vectors, cross
 from nhc.mechanics.whole_forms import whole_kinetic
+from nhc.records import fresh, structure
 
 _FEW = 3  # coordinates of what moves in another way than by turning
 
 
-@dataclass
+@structure
 class Point:
     """``base`` + the vectors d on their axes + what moves in other ways."""
 
@@ -38,7 +38,7 @@ class Point:
     variables: tuple[int, int, int] | None = None
 
 
-@dataclass
+@structure
 class Spatial:
     """``turns`` are the rates of the recursion's definitions where those they are made of have none; ``torques`` what the forms
     that are ``known`` give to the variables beside the rates of T's slopes.
@@ -46,9 +46,9 @@ class Spatial:
 
     kinetic: Kinetic
     recursion: Recursion
-    turns: list[Node] = field(default_factory=list)
-    torques: list[tuple[int, Node]] = field(default_factory=list)
-    known: set[int] = field(default_factory=set)
+    turns: list[Node] = fresh(factory=list)
+    torques: list[tuple[int, Node]] = fresh(factory=list)
+    known: set[int] = fresh(factory=set)
 
 
 class _Unread(Exception):

@@ -18,11 +18,12 @@ from nhc.mechanics.trees.chain import Chain
 from nhc.mechanics.trees.order import choose_order
 from nhc.mechanics.trees.recursion import Terms
 from nhc.mechanics.trees.rods import Rods
+from nhc.records import structure
 
 _NEAR = 9  # forms in the order among which those are sought that move together
 
 
-@dataclass
+@structure
 class Step:
     """Variable number ``index`` was replaced by ``terms``; a rate also by its pull times ``reciprocal``."""
 
@@ -31,7 +32,7 @@ class Step:
     reciprocal: Node | None = None
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Elimination:
     """Steps from the leaves to the root; ``pivots`` are (pivot, what it is measured by) in the chain's units.
 
