@@ -21,7 +21,7 @@ from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class ScenePlanner(Planner):
     """Plans over the kept state; what is left out has been given a value that its equations do not depend on."""
 
