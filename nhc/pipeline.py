@@ -15,7 +15,7 @@ Stages are pure; the names below are those of ``--dump``.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from nhc.diagnostics import Bag, Diagnostic, Source, SpecError
@@ -67,7 +67,7 @@ STAGES = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Options:
     """``formulation``, ``scene``: names or empty; ``to``: text, latex or json; ``only``: functions; ``array``: numpy or jax.
 
@@ -84,6 +84,9 @@ class Options:
     trig: str = ""
     reduce: bool = False
     fold: bool = False
+
+
+DEFAULT = Options()
 
 
 @record
@@ -105,7 +108,7 @@ class Model:
     equations: Equations
 
 
-def model(source: Source, options: Options = Options()) -> Model:
+def model(source: Source, options: Options = DEFAULT) -> Model:
     """decode, resolve, choose, associate.
 
     Raises:
@@ -118,7 +121,7 @@ def model(source: Source, options: Options = Options()) -> Model:
     return Model(spec, system, formulation, equations_of(system, formulation))
 
 
-def program(source: Source, options: Options = Options()) -> Program:
+def program(source: Source, options: Options = DEFAULT) -> Program:
     """The program of a spec, as the emitters read it; with ``reduce`` the smallest one that delivers what the scene needs.
 
     The starts of the spec's scenes are part of it where it is the whole program, or for a driver.
@@ -215,7 +218,7 @@ def derivation(source: Source, options: Options) -> Derivation:
     return paper.derivation(made.system, made.formulation, made.equations, scene, options.simplify)
 
 
-def derive(source: Source, options: Options = Options()) -> str:
+def derive(source: Source, options: Options = DEFAULT) -> str:
     """The derivation as text, LaTeX or JSON."""
     made = derivation(source, options)
     if options.to == "latex":
@@ -232,7 +235,7 @@ def derive(source: Source, options: Options = Options()) -> str:
 
 
 def emit(
-    source: Source, language: str, options: Options = Options(), warn: Callable[[str], None] | None = None
+    source: Source, language: str, options: Options = DEFAULT, warn: Callable[[str], None] | None = None
 ) -> dict[str, str]:
     """File name -> text, stamped; ``warn`` is told what the functions cannot do.
 
@@ -265,7 +268,7 @@ def _functions(only: tuple[str, ...]) -> tuple[str, ...]:
     return wanted if all(name in FUNCTIONS for name in wanted) else ()
 
 
-def linearize(source: Source, request: Request, options: Options = Options()) -> Findings:
+def linearize(source: Source, request: Request, options: Options = DEFAULT) -> Findings:
     """A steady motion, the matrix and the eigenvalues about it (needs numpy: the extra ``sim``).
 
     Raises:
@@ -279,7 +282,7 @@ def linearize(source: Source, request: Request, options: Options = Options()) ->
     return study(made.equations, made.formulation, request)
 
 
-def stability(source: Source, question: Question, options: Options = Options()) -> Laboratory:
+def stability(source: Source, question: Question, options: Options = DEFAULT) -> Laboratory:
     """Every stability study of a scene (needs numpy: the extra ``sim``).
 
     Raises:

@@ -1,4 +1,4 @@
-"""Frozen classes with slots that are cheap to define and to make.
+"""Classes with slots that are cheap to define and to make, most of them frozen.
 
 ``dataclass(frozen=True, slots=True)`` writes half a dozen methods for each class and compiles them when its module is imported: for
 the hundred small classes of a compiler that is a third of the start-up time, and their instances are made through
@@ -8,9 +8,11 @@ the hundred small classes of a compiler that is a third of the start-up time, an
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cached_property
 from operator import attrgetter
 from types import FunctionType
-from typing import Any, TypeVar, dataclass_transform
+from typing import Any, TypeVar, cast, dataclass_transform
 
 T = TypeVar("T")
 WIDEST = 25  # fields of a record
@@ -20,7 +22,7 @@ _NOTHING: Any = object()
 class _Described:
     """What ``dataclasses`` wants to know of a class, made when it is asked for."""
 
-    def __get__(self, instance: object, owner: type[_Frozen]) -> dict[str, Any]:
+    def __get__(self, instance: object, owner: type[_Open]) -> dict[str, Any]:
         from dataclasses import make_dataclass
 
         found: dict[str, Any] = vars(make_dataclass(owner.__name__, owner._fields))["__dataclass_fields__"]
@@ -28,21 +30,27 @@ class _Described:
         return found
 
 
-class _Frozen:
-    """What all records share; ``_fields`` are the names in their order."""
+class _Open:
+    """What all of them share; ``_fields`` are the names in their order."""
 
     __slots__ = ()
     _fields: tuple[str, ...] = ()
     __dataclass_fields__: Any = _Described()
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), tuple(getattr(self, name) for name in self._fields)
+
+
+class _Frozen(_Open):
+    """What records share."""
+
+    __slots__ = ()
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{type(self).__qualname__} is frozen: `{name}` cannot be set")
 
     def __delattr__(self, name: str) -> None:
         raise AttributeError(f"{type(self).__qualname__} is frozen: `{name}` cannot be deleted")
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return type(self), tuple(getattr(self, name) for name in self._fields)
 
 
 class _Value(_Frozen):
@@ -67,25 +75,57 @@ class _Value(_Frozen):
         return f"{type(self).__qualname__}({shown})"
 
 
-@dataclass_transform(frozen_default=True)
+class _Fresh:
+    """The default of a field that is made for each instance."""
+
+    __slots__ = ("factory",)
+
+    def __init__(self, factory: Callable[[], object]) -> None:
+        self.factory = factory
+
+    def filling(self, setter: Callable[[Any, Any], None]) -> Callable[[Any, Any], None]:
+        """The setter, which makes the value where none was given."""
+        factory = self.factory
+
+        def fill(instance: Any, value: Any) -> None:
+            setter(instance, factory() if value is self else value)
+
+        return fill
+
+
+def fresh(*, factory: Callable[[], T]) -> T:
+    """The default of a field that is made anew for each instance: ``found: list[int] = fresh(factory=list)``."""
+    made: Any = _Fresh(factory)
+    return cast(T, made)
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(fresh,))
 def record(cls: type[T]) -> type[T]:
     """The class with its annotated names as slots, a constructor that takes them in their order, and equality by value.
 
-    A default is an immutable value, no ``field()``.  ``match`` knows the fields by position; there is no inheritance and no
-    ``__post_init__``.
+    A default is an immutable value, or :func:`fresh`.  ``match`` knows the fields by position; there is no inheritance and no
+    ``__post_init__``.  A ``cached_property`` keeps what it has found.
     """
     return _make(cls, _Value)
 
 
-@dataclass_transform(frozen_default=True, eq_default=False)
+@dataclass_transform(frozen_default=True, eq_default=False, field_specifiers=(fresh,))
 def identity_record(cls: type[T]) -> type[T]:
     """The same, equal to itself only: for the nodes of trees, which may be deeper than a comparison can go."""
     return _make(cls, _Frozen)
 
 
+@dataclass_transform(eq_default=False, field_specifiers=(fresh,))
+def structure(cls: type[T]) -> type[T]:
+    """The same with fields that may be set, equal to itself only: for what is filled step by step."""
+    return _make(cls, _Open)
+
+
 def _make(cls: type[T], base: type) -> type[T]:
     names = tuple(vars(cls).get("__annotations__", ()))
     body: dict[str, Any] = {key: value for key, value in vars(cls).items() if key not in ("__dict__", "__weakref__")}
+    keeps = any(isinstance(value, cached_property) for value in body.values())
+    made_anew = {k: body[name] for k, name in enumerate(names) if isinstance(body.get(name), _Fresh)}
     defaults = tuple(body.pop(name) for name in names if name in body)
     setters: dict[str, Any] = {}
     spare = tuple(f"_spare{k}" for k in range(len(names), WIDEST)) if len(names) >= len(_CONSTRUCTORS) else ()
@@ -97,7 +137,7 @@ def _make(cls: type[T], base: type) -> type[T]:
         (base,),
         {
             **body,
-            "__slots__": names,
+            "__slots__": (*names, "__dict__") if keeps else names,
             "_fields": names,
             "_get": attrgetter(*names) if names else type,
             "__match_args__": names,
@@ -106,6 +146,7 @@ def _make(cls: type[T], base: type) -> type[T]:
         },
     )
     setters.update((f"_{k}", vars(made)[name].__set__) for k, name in enumerate(names))
+    setters.update((f"_{k}", own.filling(setters[f"_{k}"])) for k, own in made_anew.items())
     setters.update((f"_{k}", _refuse) for k in range(len(names), len(names) + len(spare)))
     return made
 

@@ -18,22 +18,9 @@ def reachable(
 
     With ``within``, only those that contain one of its symbols; what is ``known`` is left out, and not walked into.
     """
-    kids, deps = graph.kids, graph.deps
     if within == -1 and known is None:
-        asked = tuple(roots)
-        if asked == graph.reached[0]:  # several passes look at the same roots, one after the other
-            return graph.reached[1].copy()
-        seen = set(asked)
-        stack = list(seen)
-        while stack:
-            for child in kids[stack.pop()]:
-                if child not in seen:
-                    seen.add(child)
-                    if kids[child]:
-                        stack.append(child)
-        found = sorted(seen)
-        graph.reached = asked, found.copy()
-        return found
+        return _list_below(graph, roots).copy()
+    kids, deps = graph.kids, graph.deps
     every, passed = within == -1, known or ()
     seen = {root for root in roots if root not in passed and (every or deps[root] & within)}
     stack = list(seen)
@@ -44,6 +31,25 @@ def reachable(
                 if kids[child]:
                     stack.append(child)
     return sorted(seen)
+
+
+def _list_below(graph: Graph, roots: Iterable[Node]) -> list[Node]:
+    """The nodes that the roots are made of, in increasing order: the graph's own list, which nobody else may change."""
+    asked = tuple(roots)
+    if asked == graph.reached[0]:  # several passes look at the same roots, one after the other
+        return graph.reached[1]
+    kids = graph.kids
+    seen = set(asked)
+    stack = list(seen)
+    while stack:
+        for child in kids[stack.pop()]:
+            if child not in seen:
+                seen.add(child)
+                if kids[child]:
+                    stack.append(child)
+    found = sorted(seen)
+    graph.reached = asked, found
+    return found
 
 
 def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node], *, named: bool = True) -> list[Node]:
@@ -318,7 +324,7 @@ def derivative(graph: Graph, root: Node, symbol: Node) -> Node:
 def count(graph: Graph, roots: Sequence[Node]) -> int:
     """Operations that the shared roots cost; leaves and signs are free, and powers are products."""
     op, kids, exponents, total = graph.op, graph.kids, graph.b, 0
-    for node in reachable(graph, roots):
+    for node in _list_below(graph, roots):
         kind = op[node]
         if kind == POW:
             size = abs(exponents[node])  # multiplications by squaring, and the division of a negative one

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nhc.algebra.graph import MUL, NEG, NUM, POW, Graph, Node
+from nhc.records import fresh, record
 
 _ONE = Fraction(1)
 
 
-@dataclass(frozen=True)
+@record
 class Monomial:
     """``number`` times the product of nodes to integer powers."""
 
     number: Fraction = _ONE
-    powers: Mapping[Node, int] = field(default_factory=dict)
+    powers: Mapping[Node, int] = fresh(factory=dict)
 
     def node(self, graph: Graph) -> Node:
         """The monomial as a node; equal monomials are one node."""

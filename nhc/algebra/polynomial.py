@@ -103,9 +103,13 @@ def _horner(graph: Graph, terms: Terms) -> Node:
         return graph.sum([_monomial(graph, m, c) for m, c in sorted(terms)])
     taken, negative = divmod(min(key for key, count in times.items() if count == most), 2)
     inside, outside = Terms(), Terms()
-    for m, c in terms:
-        holds = any(f == taken and (e < 0) == negative for f, e in m)
-        (inside if holds else outside).append((m, c))
+    for term in terms:
+        for f, e in term[0]:
+            if f == taken and (e < 0) == negative:
+                inside.append(term)
+                break
+        else:
+            outside.append(term)
     return graph.add(_horner(graph, inside), _horner(graph, outside))
 
 

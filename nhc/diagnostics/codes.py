@@ -6,7 +6,7 @@ a code that starts with W is a warning.
 
 from __future__ import annotations
 
-from importlib.resources import files
+from pathlib import Path
 
 TITLES: dict[str, str] = {
     "E0101": "the file cannot be read",
@@ -94,4 +94,4 @@ def page(code: str) -> str:
     name = code.strip().upper()
     if name not in TITLES:
         raise KeyError(code)
-    return files(__package__).joinpath("pages", f"{name}.md").read_text(encoding="utf-8")
+    return (Path(__file__).parent / "pages" / f"{name}.md").read_text(encoding="utf-8")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from dataclasses import dataclass
 from functools import cached_property
 
 from nhc.records import record
@@ -24,7 +23,7 @@ class Span:
         return (self.start, self.end) < (other.start, other.end)
 
 
-@dataclass(frozen=True)
+@record
 class Source:
     """A text with the path that it is to be named by (``<stdin>`` for standard input).
 

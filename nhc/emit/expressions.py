@@ -6,7 +6,7 @@ without bound, the printer hands the longest operand to ``spill``, which stores 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple, Protocol
 
@@ -34,12 +34,6 @@ class Dialect(Protocol):
     def print_call(self, function: str, arguments: tuple[str, ...]) -> str: ...
 
 
-class Names(Protocol):
-    """The language's spelling of an IR name."""
-
-    def __getitem__(self, name: str, /) -> str: ...
-
-
 def enclose(part: Text, least: int) -> str:
     """The text, in parentheses unless it binds at least as tightly as ``least``."""
     return part.text if part.level >= least else f"({part.text})"
@@ -56,10 +50,12 @@ def split_sign(expression: Expr) -> tuple[bool, Expr]:
 
 @record
 class ExpressionPrinter:
-    """``width`` is the longest text allowed (0: no limit), ``spill`` stores an operand that makes it longer."""
+    """``names``: the language's spelling of the IR's; ``width``: the longest text allowed (0: no limit); ``spill`` stores
+    an operand that makes a text longer.
+    """
 
     dialect: Dialect
-    names: Names | Mapping[str, str]
+    names: Mapping[str, str]
     width: int = 0
     spill: Callable[[str], str] | None = None
 
@@ -86,16 +82,34 @@ class ExpressionPrinter:
                 break
         if negative and isinstance(expression, Number):
             negative, expression = False, Number(-expression.value)
-        part = self._render_term(expression)
+        if type(expression) is Ref:
+            part = Text(self.names[expression.name], ATOM)
+        else:
+            part = self._render_term(expression)
         if negative:
             part = self._negate(part)
+        if self.width:
+            for node in reversed(spine):
+                part = self._join(node.op, part, node.right)
+            return part
+        return self._chain(part, spine) if spine else part
+
+    def _chain(self, first: Text, spine: Sequence[Binary]) -> Text:
+        """What :meth:`_join` makes of one operand after the other, where no text is too long; the last of them comes first."""
+        text, level = first
         for node in reversed(spine):
-            part = self._join(node.op, part, node.right)
-        return part
+            op, right, outer = node.op, node.right, LEVELS[node.op]
+            if level < outer:
+                text = f"({text})"
+            if type(right) is Ref:
+                text = f"{text} {op} {self.names[right.name]}"
+            else:
+                op, second = self._right(op, right)
+                text = f"{text} {op} {enclose(second, outer + 1)}"
+            level = outer
+        return Text(text, level)
 
     def _render_term(self, expression: Expr) -> Text:
-        if isinstance(expression, Ref):
-            return Text(self.names[expression.name], ATOM)
         if isinstance(expression, Number):
             text = self.dialect.print_number(expression.value)
             return Text(text, UNARY if text.startswith("-") else ATOM)
@@ -116,18 +130,19 @@ class ExpressionPrinter:
         (operand,) = self._shorten([operand], 3)
         return Text(f"-{enclose(operand, ATOM)}", UNARY)
 
-    def _join(self, op: str, left: Text, right_side: Expr) -> Text:
-        if op in OPPOSITE and type(right_side) is not Ref:
-            negative, positive = split_sign(right_side)
+    def _right(self, op: str, operand: Expr) -> tuple[str, Text]:
+        """The operation and its right operand; a + (-b) and a - b are the same double."""
+        if op in OPPOSITE:
+            negative, positive = split_sign(operand)
             if negative:
-                op, right_side = OPPOSITE[op], positive  # a + (-b) and a - b are the same double
-        right = self.render(right_side)
-        if self.width:
-            left, right = self._shorten([left, right], 7)
+                return OPPOSITE[op], self.render(positive)
+        return op, self.render(operand)
+
+    def _join(self, op: str, left: Text, operand: Expr) -> Text:
+        op, right = self._right(op, operand)
+        left, right = self._shorten([left, right], 7)
         level = LEVELS[op]
-        first = left.text if left.level >= level else f"({left.text})"
-        second = right.text if right.level > level else f"({right.text})"
-        return Text(f"{first} {op} {second}", level)
+        return Text(f"{enclose(left, level)} {op} {enclose(right, level + 1)}", level)
 
     def _shorten(self, parts: list[Text], extra: int) -> list[Text]:
         """Store the longest parts under names until all of them and ``extra`` characters fit."""

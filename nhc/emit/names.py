@@ -13,7 +13,7 @@ class Scope:
     def __init__(self, reserved: Iterable[str], longest: int) -> None:
         self._taken = set(reserved)
         self._longest = longest
-        self._names: dict[str, str] = {}
+        self.spellings: dict[str, str] = {}  # what each name is in the language
 
     def bind_all(self, names: Iterable[str]) -> None:
         """Give each name its spelling; names that may stay as they are go first, so that they do stay."""
@@ -37,13 +37,13 @@ class Scope:
 
     def alias(self, name: str, spelling: str) -> None:
         """Spell a bound name as something that exists already."""
-        self._names[name] = spelling
+        self.spellings[name] = spelling
 
     def __getitem__(self, name: str) -> str:
-        return self._names[name]
+        return self.spellings[name]
 
     def _enter(self, name: str, spelling: str) -> None:
-        self._names[name] = spelling
+        self.spellings[name] = spelling
         self._taken.add(spelling)
 
     def _respell(self, name: str) -> str:

@@ -43,6 +43,8 @@ def _fold_character(character: str) -> str:
 
 def wrap(text: str, width: int, hanging: str = "") -> list[str]:
     """Lines of at most ``width`` characters (a longer word stays whole); ``hanging`` indents all but the first."""
+    if 0 < len(text) <= width and text.isprintable() and text == text.strip():
+        return [text]  # most are short, and looking for places to break takes long
     return textwrap.wrap(
         text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False, expand_tabs=False
     )

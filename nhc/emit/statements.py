@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from fractions import Fraction
 
 from nhc.program.ir import (
@@ -29,13 +28,14 @@ from nhc.records import record
 
 ZERO = Number(Fraction(0))
 _MANY = 1 << 14
+_VALUED, _BOUND = (Let, Store, Result), (Load, Let)
 # by identity, for comparing what statements say takes longer than looking through them; an entry keeps its statement alive
 _REFS: dict[int, tuple[Statement, frozenset[str]]] = {}
 
 
 def list_expressions(statement: Statement) -> tuple[Expr, ...]:
     """The expressions that a statement evaluates."""
-    if isinstance(statement, Let | Store | Result):
+    if isinstance(statement, _VALUED):
         return (statement.value,)
     if isinstance(statement, Guard):
         return (statement.value, statement.scale)
@@ -47,12 +47,13 @@ def list_expressions(statement: Statement) -> tuple[Expr, ...]:
     return ()
 
 
-def walk(expression: Expr) -> Iterator[Expr]:
+def walk(expression: Expr) -> list[Expr]:
     """The expression and all that it is made of; a sum may be thousands of terms deep, hence the stack."""
+    found: list[Expr] = []
     stack: list[Expr] = [expression]
     while stack:
         node = stack.pop()
-        yield node
+        found.append(node)
         if isinstance(node, Binary):
             stack += (node.left, node.right)
         elif isinstance(node, Negate):
@@ -61,11 +62,26 @@ def walk(expression: Expr) -> Iterator[Expr]:
             stack.append(node.base)
         elif isinstance(node, Call):
             stack += node.arguments
+    return found
 
 
-def iterate_refs(expression: Expr) -> Iterator[str]:
+def iterate_refs(expression: Expr) -> list[str]:
     """The names that an expression uses, with repetitions."""
-    return (node.name for node in walk(expression) if isinstance(node, Ref))
+    found: list[str] = []
+    stack: list[Expr] = [expression]
+    while stack:
+        node = stack.pop()
+        if isinstance(node, Ref):
+            found.append(node.name)
+        elif isinstance(node, Binary):
+            stack += (node.left, node.right)
+        elif isinstance(node, Negate):
+            stack.append(node.operand)
+        elif isinstance(node, Power):
+            stack.append(node.base)
+        elif isinstance(node, Call):
+            stack += node.arguments
+    return found
 
 
 def collect_refs(statement: Statement) -> frozenset[str]:
@@ -74,7 +90,7 @@ def collect_refs(statement: Statement) -> frozenset[str]:
     if known is None:
         if len(_REFS) >= _MANY:
             _REFS.clear()
-        names = frozenset(name for expression in list_expressions(statement) for name in iterate_refs(expression))
+        names = frozenset([name for expression in list_expressions(statement) for name in iterate_refs(expression)])
         known = _REFS[id(statement)] = statement, names
     return known[1]
 
@@ -91,7 +107,7 @@ def list_used_names(body: tuple[Statement, ...]) -> set[str]:
 def drop_unused(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
     """The body without loads and lets that nothing uses: compilers and linters complain of them."""
     used = list_used_names(body)
-    kept = [s for s in body if not isinstance(s, Load | Let) or s.name in used]
+    kept = [s for s in body if not isinstance(s, _BOUND) or s.name in used]
     return tuple(
         statement
         for position, statement in enumerate(kept)
@@ -116,7 +132,7 @@ def place_guards(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
         if isinstance(statement, Guard):
             continue
         ordered.append(statement)
-        if isinstance(statement, Load | Let):
+        if isinstance(statement, _BOUND):
             known.add(statement.name)
         elif isinstance(statement, Solve):
             known.update(name for names in statement.names for name in names)

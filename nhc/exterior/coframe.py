@@ -8,15 +8,15 @@ their rows over coordinates.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.graph import Graph, Node
+from nhc.records import fresh, record
 
 TwoFormTerms = Mapping[tuple[int, int], Node]
 
 
-@dataclass(frozen=True)
+@record
 class Coframe:
     """``variables`` are the coordinates of the chart; ``dual[k][r]`` are the components of the k-th dual vector along
     them.
@@ -30,7 +30,7 @@ class Coframe:
     names: tuple[str, ...]
     variables: tuple[Node, ...]
     dual: tuple[tuple[Node, ...], ...]
-    structure: Mapping[int, TwoFormTerms] = field(default_factory=dict)
+    structure: Mapping[int, TwoFormTerms] = fresh(factory=dict)
     inner: tuple[Mapping[Node, Node], ...] = ()
 
     def __len__(self) -> int:

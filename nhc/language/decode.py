@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
+from nhc.records import fresh, structure
 
 from .advice import meant_key, meant_method
 from .drawing import decode_drawing
@@ -34,19 +34,19 @@ _Equation = tuple[str, Span, Syntax, Syntax]
 _VECTOR = "write one expression: a vector takes one name for each component, such as `X` and `Y`"
 
 
-@dataclass(slots=True)
+@structure
 class _Draft:
     """What is known of the spec while it is decoded."""
 
-    coordinates: list[Coordinate] = field(default_factory=list)
-    rotations: list[Rotation] = field(default_factory=list)
-    parameters: list[Parameter] = field(default_factory=list)
-    define: list[Definition] = field(default_factory=list)
-    quasi: list[Definition] = field(default_factory=list)
-    outputs: list[Definition] = field(default_factory=list)
-    forces: list[Definition] = field(default_factory=list)
+    coordinates: list[Coordinate] = fresh(factory=list)
+    rotations: list[Rotation] = fresh(factory=list)
+    parameters: list[Parameter] = fresh(factory=list)
+    define: list[Definition] = fresh(factory=list)
+    quasi: list[Definition] = fresh(factory=list)
+    outputs: list[Definition] = fresh(factory=list)
+    forces: list[Definition] = fresh(factory=list)
     order: tuple[str, ...] = ()
-    velocities: dict[str, bool] = field(default_factory=dict)
+    velocities: dict[str, bool] = fresh(factory=dict)
 
 
 class _Decoder:

@@ -8,10 +8,10 @@ primary    = number | name | "(" expression ")" | function "(" expression { "," 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Span, nearest
+from nhc.records import fresh, structure
 
 from .names import DOT, FUNCTIONS, SPELLINGS
 from .numbers import DOUBLES, exact
@@ -24,7 +24,7 @@ _NEGATE = 30
 _ARITY = {**FUNCTIONS, DOT: (1, 1)}
 
 
-@dataclass(slots=True)
+@structure
 class _Frame:
     """A pending operator, or an open parenthesis (``kind`` "(" ; ``function`` is empty for a plain one)."""
 
@@ -32,7 +32,7 @@ class _Frame:
     level: int
     token: Token
     function: str = ""
-    arguments: list[tuple[Syntax, int, int]] = field(default_factory=list)
+    arguments: list[tuple[Syntax, int, int]] = fresh(factory=list)
 
 
 class _Parser:

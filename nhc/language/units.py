@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from types import MappingProxyType
+
+from nhc.records import structure
 
 _BASE = ("m", "kg", "s", "A", "K", "mol", "cd")
 Dimension = tuple[int | Fraction, ...]  # the powers of metre, kilogram, second, ampere, kelvin, mole, candela
@@ -115,7 +116,7 @@ def _unit(text: str, start: int) -> Dimension:
     raise UnitError(f"unknown unit `{text}`", start, start + len(text))
 
 
-@dataclass(slots=True)
+@structure
 class _Word:
     kind: str  # unit, sign, power
     text: str

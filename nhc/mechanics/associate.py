@@ -11,7 +11,6 @@ theorem of energy.  A_mu(X) is evaluated by directional derivatives of T's veloc
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from nhc.algebra.calculus import Replacement, gradient, pullback_gradient, substitute, tangent
@@ -37,7 +36,7 @@ class Row:
     force: Node
 
 
-@dataclass(frozen=True)
+@record
 class Equations:
     """mass @ w' = force over the motion's w; with multipliers, the bordered system for (q'', lambda).
 

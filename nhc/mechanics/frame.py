@@ -8,7 +8,6 @@ The coordinate coframe of Čaplygin and Voronec is the one whose free forms are 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
@@ -21,6 +20,7 @@ from nhc.mechanics.rotation import Rotation
 from nhc.mechanics.row_factors import strip_factor
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import Direction, along, from_base, moving
+from nhc.records import record
 from nhc.thesis import equation
 
 Guards = tuple[tuple[Node, Node], ...]
@@ -28,7 +28,7 @@ _LONGEST_FORM = 200
 """Characters of a form that is put into a sentence."""
 
 
-@dataclass(frozen=True)
+@record
 class Frame:
     """A coframe (I.2.1): n velocity forms, the l constraints first, and its inverse, which is solved for on demand.
 

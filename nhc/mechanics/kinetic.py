@@ -13,7 +13,6 @@ of T's own.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
@@ -26,9 +25,10 @@ from nhc.mechanics import turning
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import Direction
 from nhc.mechanics.values import scene_values
+from nhc.records import fresh, record
 
 
-@dataclass(frozen=True)
+@record
 class Kinetic:
     """``atoms`` are the velocity forms as they stand in T, ``u`` their symbols in ``tau``; ``slope[k]`` is pi_k,
     ``hessian[k][j]`` its derivative by u_j.
@@ -40,8 +40,8 @@ class Kinetic:
     tau: Node
     slope: tuple[Node, ...]
     hessian: tuple[tuple[Node, ...], ...]
-    _exact: dict[int, bool] = field(default_factory=dict)
-    _forms: dict[int, Form] = field(default_factory=dict)
+    _exact: dict[int, bool] = fresh(factory=dict)
+    _forms: dict[int, Form] = fresh(factory=dict)
 
     @property
     def forms(self) -> tuple[Form, ...]:

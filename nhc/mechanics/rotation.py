@@ -16,18 +16,18 @@ or [omega] R.  These three facts are used where derivatives along a motion are t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.turns import Vector, cross
+from nhc.records import fresh, identity_record
 
 Turning = tuple[Node, Node, Node, Node]
 """(|e|^2)' and the three components of omega."""
 
 
-@dataclass(frozen=True, eq=False)
+@identity_record
 class Rotation:
     """``places`` are the indices of the quaternion among the coordinates; ``matrix`` is R, ``omega`` and ``growth`` = (|e|^2)'
     are nodes over e and e'.  ``sign``: 1 for components on the body's axes, -1 for those in space.
@@ -44,8 +44,8 @@ class Rotation:
     omega: Vector
     growth: Node
     sums: Vector
-    known: dict[tuple[Node, ...], Turning] = field(default_factory=dict)
-    _seeds: dict[tuple[Node, ...], dict[Node, Node]] = field(default_factory=dict)
+    known: dict[tuple[Node, ...], Turning] = fresh(factory=dict)
+    _seeds: dict[tuple[Node, ...], dict[Node, Node]] = fresh(factory=dict)
 
     # --- velocities -----------------------------------------------------------------------------------------
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
@@ -39,7 +39,6 @@ CALLED = 300
 """Operations of the rates beyond which other functions call ``rhs`` for them."""
 
 
-@dataclass
 class Planner(PlannerBase):
     """Plans of one model's functions."""
 

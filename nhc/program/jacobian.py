@@ -213,7 +213,8 @@ def _write_sparse(graph: Graph, rates: Sequence[Node], y: Sequence[Node], sweep:
 def _cost(graph: Graph, sweep: SweepPlan) -> int:
     """Operations of one pass."""
     mask = graph.mask(sweep.seeds)
-    return sum(1 for n in reachable(graph, [target.node for target in sweep.targets], mask) if graph.children(n))
+    kids = graph.kids
+    return sum([1 for n in reachable(graph, [target.node for target in sweep.targets], mask) if kids[n]])
 
 
 def _passes(graph: Graph, sweeps: Sequence[SweepPlan]) -> int:

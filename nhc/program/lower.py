@@ -129,6 +129,8 @@ class Lowering:
         """Write the lets that the roots need and that are not written yet, each after those that it needs itself."""
         kids, names, done = self.kids, self.names, self._done
         for root in roots:
+            if root in done:
+                continue
             stack = [root]
             while stack:
                 node = stack[-1]
@@ -205,7 +207,8 @@ class Lowering:
     def _sweep(self, sweep: SweepPlan) -> None:
         """Everything the passes share, then the sweep with its own lets."""
         own = reachable(self.graph, [target.node for target in sweep.targets], self.graph.mask(sweep.seeds))
-        self._prepare(child for node in own for child in self.graph.children(node) if not self._is_swept(child))
+        kids, deps, swept = self.graph.kids, self.graph.deps, self.swept
+        self._prepare([child for node in own for child in kids[node] if not deps[child] & swept])
         for seed in sweep.seeds:
             self.names[seed] = self.namer.symbol(seed)
         outer, self.body = self.body, []
@@ -218,9 +221,6 @@ class Lowering:
         names = tuple(self.names[seed] for seed in sweep.seeds)
         kept = tuple(statement for statement in inner if isinstance(statement, Let | Store))
         self.body.append(Sweep(sweep.about, names, sweep.offsets, kept))
-
-    def _is_swept(self, node: Node) -> bool:
-        return bool(self.graph.deps[node] & self.swept)
 
     def _function(self) -> Function:
         plan, body = self.plan, tuple(self.body)
@@ -310,9 +310,11 @@ class Lowering:
         return Binary("+", self.expression(x), self.expression(y))
 
     def _product(self, x: Node, y: Node) -> Expr:
-        bx, by = self._denominator(x), self._denominator(y)
+        op = self.graph.op
+        by = self._denominator(y) if op[y] == POW else None
         if by is not None:
             return Binary("/", self.expression(x), by)
+        bx = self._denominator(x) if op[x] == POW else None
         if bx is not None:
             return Binary("/", self.expression(y), bx)
         return Binary("*", self.expression(x), self.expression(y))

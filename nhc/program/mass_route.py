@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
@@ -15,9 +14,10 @@ from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.program.held_tree import held_tree
 from nhc.program.plan import Factors, factor, solve_factored
+from nhc.records import fresh, structure
 
 
-@dataclass
+@structure
 class MassRoute:
     """``values`` of the rates; (pivot, scale) pairs that must not vanish; a tree's results get ``put_in`` put into them.
 
@@ -29,8 +29,8 @@ class MassRoute:
     values: list[Node]
     pivots: list[tuple[Node, Node]]
     tree: Elimination | None = None
-    put_in: Mapping[Node, Node] = field(default_factory=dict)
-    held: list[tuple[Node, Node]] = field(default_factory=list)
+    put_in: Mapping[Node, Node] = fresh(factory=dict)
+    held: list[tuple[Node, Node]] = fresh(factory=list)
     _factors: Factors | None = None
 
     def solve(self, right: Sequence[Node]) -> list[Node]:

@@ -74,11 +74,14 @@ def find_constants(graph: Graph, kids: Operands, needed: Sequence[Node], paramet
 
 def find_shared(graph: Graph, needed: Sequence[Node], seeds: int) -> set[Node]:
     """What the passes of a sweep have in common and use: it is computed once, before them."""
-    g, boundary = graph, set[Node]()
+    op, kids, deps, boundary = graph.op, graph.kids, graph.deps, set[Node]()
     for node in needed:
-        if g.deps[node] & seeds:
-            inner = [g.a[child] if g.op[child] == NEG else child for child in g.children(node)]
-            boundary.update(n for n in inner if g.children(n) and not g.deps[n] & seeds)
+        if deps[node] & seeds:
+            for child in kids[node]:
+                if not deps[child] & seeds:
+                    inner = kids[child][0] if op[child] == NEG else child
+                    if kids[inner]:
+                        boundary.add(inner)
     return boundary
 
 

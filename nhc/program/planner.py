@@ -27,7 +27,7 @@ _HELD_TOLERANCE = 1e-10  # six digits are left
 T_ARGUMENT = Argument("t", -1)
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class PlannerBase:
     """One model: nodes that several functions need are made once."""
 

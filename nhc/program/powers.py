@@ -95,6 +95,8 @@ def _put_in_order(needed: Iterable[Node], kids: Sequence[tuple[Node, ...]]) -> l
     """The nodes and what they need, each after its own operands."""
     ordered: dict[Node, None] = {}
     for root in needed:
+        if root in ordered:
+            continue
         stack = [root]
         while stack:
             top = stack[-1]

@@ -20,7 +20,7 @@ from nhc.program.ir import Quantity
 from nhc.program.plan import FunctionPlan
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class ScenePlanner(Planner):
     """Plans over the kept state; what is left out has been given a value that its equations do not depend on."""
 

@@ -111,7 +111,7 @@ class _Printer:
     def __init__(self, prefix: str, kind: str, scope: Scope, called: dict[str, int]) -> None:
         self.kind, self.scope = kind, scope
         self.type = "double" if kind == ONE else kind
-        self.printer = ExpressionPrinter(_Dialect(prefix, kind, called), scope)
+        self.printer = ExpressionPrinter(_Dialect(prefix, kind, called), scope.spellings)
         self.lines: list[str] = []
 
     def add(self, text: str) -> None:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import random
 from pathlib import Path
 
 import pytest
 
 from nhc.diagnostics import Source
 from nhc.mechanics.certificates.certificate import certify
-from nhc.mechanics.regular.regularity import choose_dependent, relative_determinant
+from nhc.mechanics.regular.regularity import choose_dependent, relative_determinant, score
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
 from nhc.pipeline import Options, check, emit, model, program
 from tests.support import compile_c
@@ -120,3 +122,16 @@ def test_rows_that_the_given_values_make_equal_are_solved_for_others(pairs: int)
     chosen = {made.system.q_names[i] for i in choose_dependent(made.system).dependent}
     assert chosen == {f"{letter}{k}" for k in range(pairs) for letter in "xz"}
     assert certify(made.system).holds
+
+
+@pytest.mark.parametrize("enough", [1, 8, 20])
+def test_what_is_left_out_of_a_score_comes_behind_what_is_wanted(enough: int) -> None:
+    """Entries of -1, 0 and 1 make many candidates singular at the starts; the best of all are those that stay."""
+    draw = random.Random(enough)
+    candidates = [list(columns) for columns in itertools.combinations(range(6), 3)]
+    for _ in range(40):
+        starts = [[[draw.choice((-1.0, 0.0, 0.0, 1.0)) for _ in range(6)] for _ in range(3)] for _ in range(2)]
+        samples = [[[draw.uniform(-1, 1) for _ in range(6)] for _ in range(3)] for _ in range(5)]
+        every = score(candidates, samples, starts, len(candidates))
+        assert len(every) == len(candidates) and score(candidates, samples, starts, enough)[:enough] == every[:enough]
+    assert score([], samples, starts, enough) == []

@@ -140,6 +140,18 @@ def test_importing_the_package_costs_nothing() -> None:
     assert not set(done.stdout.split()) & {*HEAVY, "click", "nhc.pipeline", "nhc.language"}
 
 
+def test_what_every_command_imports_compiles_no_methods() -> None:
+    """``dataclass`` does at each start; records and structures do not."""
+    program = (
+        "import sys, nhc.pipeline, nhc.emit.c.printer, nhc.emit.python.printer\n"
+        "own = [(m, x) for name, m in list(sys.modules.items()) if name.startswith('nhc') for x in vars(m).values()]\n"
+        "made = {x for m, x in own if isinstance(x, type) and '__dataclass_params__' in vars(x)}\n"
+        "print(*sorted(x.__name__ for x in made if x.__module__.startswith('nhc')), 'importlib.resources' in sys.modules)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["PlannerBase", "False"]  # which has heirs with fields of their own
+
+
 def test_no_file_names_a_machine() -> None:
     """Neither the place of this checkout, nor a home folder, nor a temporary one of whoever wrote the file."""
     machine = re.compile(rf"{re.escape(str(ROOT.parent))}/|/(?:home|Users)/\w+/|/tmp/\w+")

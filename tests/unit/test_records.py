@@ -5,10 +5,11 @@ from __future__ import annotations
 import copy
 import pickle
 from dataclasses import asdict, is_dataclass, replace
+from functools import cached_property
 
 import pytest
 
-from nhc.records import identity_record, record
+from nhc.records import fresh, identity_record, record, structure
 
 
 @record
@@ -93,3 +94,52 @@ def test_identity() -> None:
 def test_missing_arguments_are_refused() -> None:
     with pytest.raises(TypeError):
         Point()  # type: ignore[call-arg]
+
+
+@record
+class Kept:
+    size: int
+    found: dict[int, int] = fresh(factory=dict)
+
+    @cached_property
+    def square(self) -> int:
+        self.found[self.size] = self.found.get(self.size, 0) + 1
+        return self.size**2
+
+
+@structure
+class Draft:
+    name: str
+    lines: list[str] = fresh(factory=list)
+    note: str = ""
+    a: int = 0
+    b: int = 0
+    c: int = 0
+    d: list[int] = fresh(factory=list)
+    e: int = 0
+
+
+def test_a_fresh_default_is_made_for_each_instance() -> None:
+    first, second = Kept(2), Kept(2)
+    first.found[0] = 1
+    assert second.found == {} and first != second == Kept(2, {})
+    assert replace(first).found is first.found and Kept(3, first.found).found is first.found
+    mine: list[int] = []
+    assert Draft("a").d is not Draft("a").d and Draft("a", d=mine).d is mine
+
+
+def test_a_frozen_record_keeps_what_its_properties_have_found() -> None:
+    kept = Kept(3)
+    assert kept.square == kept.square == 9 and kept.found == {3: 1}
+    with pytest.raises(AttributeError, match="frozen"):
+        kept.size = 4  # type: ignore[misc]
+
+
+def test_a_structure_may_be_filled_step_by_step() -> None:
+    draft = Draft("a", note="b")
+    draft.name, draft.lines = "c", [*draft.lines, "d"]
+    assert (draft.name, draft.lines, draft.note) == ("c", ["d"], "b")
+    assert draft == draft and draft != Draft("c", ["d"], "b")
+    assert asdict(replace(draft, note="")) == {**asdict(draft), "note": ""}
+    again = copy.deepcopy(draft)
+    assert again.lines == draft.lines and again.lines is not draft.lines

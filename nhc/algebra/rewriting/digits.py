@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Sequence
+from functools import cache
 
 from nhc.algebra.calculus import count, reachable
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, SYM, Graph, Node
@@ -22,6 +23,25 @@ _WORSE = 1000.0
 """How much larger a form's error bound may be: other orders of sums and products have bounds that differ by some ten times."""
 
 
+class _Places:
+    """Where the symbols are at all points, in the order in which they are asked for: the same in every graph, drawn once."""
+
+    def __init__(self) -> None:
+        self._draws = [(random.Random(9_000_011 + number), range_) for number, range_ in enumerate(_RANGES)]
+        self._drawn: list[list[float]] = []
+
+    def get(self, number: int) -> list[float]:
+        """Of the symbol with this number."""
+        while len(self._drawn) <= number:
+            self._drawn.append([draw.uniform(*range_) * draw.choice((1, -1)) for draw, range_ in self._draws])
+        return self._drawn[number]
+
+
+@cache
+def _places() -> _Places:
+    return _Places()
+
+
 class _Points:
     """Values at all points together, and their bounds, of the nodes that were asked for; where a symbol is does not depend on its
     name.
@@ -29,7 +49,7 @@ class _Points:
 
     def __init__(self, graph: Graph) -> None:
         self._graph = graph
-        self._draws = [(random.Random(9_000_011 + number), range_) for number, range_ in enumerate(_RANGES)]
+        self._symbols = 0  # that have a place
         self.values: dict[Node, list[float]] = {}
         self.errors: dict[Node, list[float]] = {}
 
@@ -76,7 +96,8 @@ class _Points:
         return values, errors
 
     def _place(self) -> list[float]:
-        return [draw.uniform(*range_) * draw.choice((1, -1)) for draw, range_ in self._draws]
+        self._symbols += 1
+        return _places().get(self._symbols - 1)
 
     def _number(self, kind: str, node: Node) -> float:
         try:

@@ -47,9 +47,18 @@ def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[
             graph.pass_label(factor, new[factor])
         return new[factor]
 
+    kids = graph.kids
     for node in nodes:
-        if node not in inner and node not in new:
-            made(node)
+        if node in inner or node in new:
+            continue
+        if node not in chains:
+            for kid in kids[node]:
+                if new.get(kid) != kid:
+                    break
+            else:
+                new[node] = node
+                continue
+        made(node)
     return [new[root] for root in roots]
 
 

@@ -75,17 +75,12 @@ def _saves(
 def _list_angles(graph: Graph, roots: Sequence[Node]) -> dict[Node, set[str]]:
     """The arguments of sines and cosines, each with the functions that are needed; those that hold sines themselves stay apart."""
     found: dict[Node, set[str]] = {}
-    turned = set[Node]()
     op, kids = graph.op, graph.kids
     for node in reachable(graph, roots):
-        if op[node] in ("sin", "cos"):
-            turned.add(node)
-            (angle,) = kids[node]
-            if angle not in turned:
-                found.setdefault(angle, set()).add(op[node])
-        elif not turned.isdisjoint(kids[node]):
-            turned.add(node)
-    return found
+        if op[node] in _BOTH:
+            found.setdefault(kids[node][0], set()).add(op[node])
+    simple = {angle for angle in found if not any(op[part] in _BOTH for part in reachable(graph, (angle,), known=()))}
+    return {angle: own for angle, own in found.items() if angle in simple}
 
 
 def _split(graph: Graph, node: Node) -> Angle:

@@ -130,9 +130,16 @@ class _Merging:
 
     def replace(self, roots: Iterable[Node]) -> list[Node]:
         """The roots over one node for each class."""
+        new, same, kids = self._new, self._same, self.graph.kids
         for node in self._needed:
-            if node not in self._new:
-                self._settle(node)
+            if node in same:
+                if node not in new:
+                    self._settle(node)
+            elif new and node not in new:
+                for kid in kids[node]:
+                    if kid in new:
+                        self._make(node)
+                        break
         return [self._new.get(root, root) for root in roots]
 
     def _settle(self, node: Node, *, ahead: bool = True) -> None:

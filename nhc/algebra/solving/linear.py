@@ -7,7 +7,6 @@ the matched pattern (:mod:`nhc.algebra.solving.blocks`).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import partial
 
 from nhc.algebra.calculus import gradient, reachable, rebuild, substitute, tangent
@@ -20,7 +19,7 @@ from nhc.algebra.probe import probe_of
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import Weakness, block_order, form_size, row_scale, solve_block
 from nhc.algebra.solving.peel import coefficients, peel
-from nhc.records import record
+from nhc.records import fresh, record, structure
 
 _NO_POLYNOMIAL = 99
 STEPPED = (*STEPS, "sqrt", "powf", *INVERSE)
@@ -123,12 +122,12 @@ def linear_form(graph: Graph, node: Node, symbols: Sequence[Node]) -> tuple[tupl
     return tuple(cleaned[:-1]), cleaned[-1]
 
 
-@dataclass
+@structure
 class Elimination:
     """Unknowns as nodes, and what must not vanish for that: (determinant, scale) pairs."""
 
     unknowns: list[list[Node]]
-    guards: list[tuple[Node, Node]] = field(default_factory=list)
+    guards: list[tuple[Node, Node]] = fresh(factory=list)
 
 
 @record

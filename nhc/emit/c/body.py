@@ -34,6 +34,9 @@ class BodyPrinter(CodePrinter):
 
     def mark_origin(self, origin: Origin) -> None:
         """Say where the next statements come from, when that changes."""
+        if origin is self._last_origin:
+            return
+        self._last_origin = origin
         text = print_comment(show_origin(origin))
         if text and text != self._origin:
             self._origin = text

@@ -48,7 +48,7 @@ class LanesPrinter:
         self.summed = summed
         self.prefix, self.scope, self.helpers, self.each, self.scalars = prefix, scope, helpers, each, scalars
         self.kind = f"{prefix}_lanes"
-        self.printer = ExpressionPrinter(_Dialect(self), scope)
+        self.printer = ExpressionPrinter(_Dialect(self), scope.spellings)
         self.lines: list[str] = []
         self.turned: dict[str, tuple[str, str]] = {}
         self._origin = ""

@@ -10,7 +10,7 @@ from nhc.emit.c.literals import PI, print_comment, print_double
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
 from nhc.emit.prose import wrap
-from nhc.program.ir import Binary, Expr, Guard, Number
+from nhc.program.ir import Binary, Expr, Guard, Number, Origin
 from nhc.records import record
 
 WIDTH = 110
@@ -120,17 +120,21 @@ class CodePrinter:
         self.trig = trig
         self.scalar = scalar
         self.turned: dict[tuple[str, str], str] = {}
-        self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig, self.turned), scope)
+        self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig, self.turned), scope.spellings)
         self.kept: dict[str, int] = {}  # names that parts of the function find in the array `kept`, and where
         self.blocks: Blocks = {}  # dense solves that parts have filled
         self.arguments: tuple[str, ...] = ()  # what other functions are called with
         self.paired = False  # whether angles are turned two at a time
         self.quick = False  # whether dense solves are written out where they are short
         self._origin = ""
+        self._last_origin = Origin()
 
     def add(self, text: str) -> None:
         """One line of code, broken where it is too long."""
-        self.lines += wrap_code(text, self.indent)
+        if len(self.indent) + len(text) <= WIDTH:
+            self.lines.append(self.indent + text)
+        else:
+            self.lines += wrap_code(text, self.indent)
 
     def add_comment(self, text: str) -> None:
         """A comment on its own lines; ``text`` must have gone through ``print_comment``."""

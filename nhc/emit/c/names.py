@@ -29,14 +29,10 @@ NULL EDOM ERANGE EILSEQ double_t float_t size_t ptrdiff_t wchar_t offsetof max_a
 matherr main i386 linux unix
 """
 
+# what a standard header may define, now or in a later edition of C
 PREFIXES = ("M_", "FP_", "FLT_", "DBL_", "LDBL_", "DECIMAL_", "MATH_", "SNAN", "__")
 
 RESERVED = frozenset((KEYWORDS + LIBRARY).split())
-
-
-def is_macro_like(name: str) -> bool:
-    """Whether a standard header may define the name, now or in a later edition of C."""
-    return name.startswith(PREFIXES)
 
 
 def print_singular(prefix: str, code: int) -> str:
@@ -49,8 +45,8 @@ def make_scope(
 ) -> Scope:
     """The names of one function: its arguments and ``own`` are taken, and so is everything that the file declares."""
     bound = list_bound_names(body)
-    prefix, capitals = program.system + "_", program.system.upper() + "_"
-    taken = {name for name in bound if is_macro_like(name) or name.startswith((prefix, capitals))}
+    prefixes = (*PREFIXES, program.system + "_", program.system.upper() + "_")
+    taken = {name for name in bound if name.startswith(prefixes)}
     scope = Scope(RESERVED | taken | {argument.name for argument in arguments} | set(own), LONGEST)
     scope.bind_all(bound)
     return scope

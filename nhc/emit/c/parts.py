@@ -72,9 +72,11 @@ def find_crossing(parts: Iterable[Iterable[Statement]]) -> dict[str, int]:
     crossing: set[str] = set()
     for number, part in enumerate(parts):
         for statement in part:
-            crossing.update(name for name in collect_refs(statement) if home.get(name, number) != number)
-            home.update((name, number) for name in list_bound(statement))
-    return {name: place for place, name in enumerate(name for name in home if name in crossing)}
+            if number:  # the first part has nothing from others
+                crossing.update([name for name in collect_refs(statement) if home.get(name, number) != number])
+            for name in list_bound(statement):
+                home[name] = number
+    return {name: place for place, name in enumerate([name for name in home if name in crossing])}
 
 
 def find_tail(straight: Sequence[Statement]) -> int:

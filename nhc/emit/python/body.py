@@ -120,7 +120,7 @@ class BodyPrinter:
 
     def print_value(self, value: Expr, width: int) -> str:
         """An expression of at most ``width`` characters, after the lines that store its parts."""
-        return ExpressionPrinter(self.dialect, self.scope, min(width, LONGEST_VALUE), self.spill).print(value)
+        return ExpressionPrinter(self.dialect, self.scope.spellings, min(width, LONGEST_VALUE), self.spill).print(value)
 
     def spill(self, text: str) -> str:
         """Store a part of an expression under a name."""

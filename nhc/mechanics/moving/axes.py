@@ -9,7 +9,7 @@ follows from bases to what stands on them, as in a hand-written recursion, and e
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import cached_property
 
 from nhc.algebra.calculus import Derivation
@@ -19,7 +19,7 @@ from nhc.mechanics.moving.vectors import Chained, Part, Reader
 from nhc.mechanics.row_factors import Bare
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Path, Turn, Vector, add_spin, add_vectors, change_axes, climb, cross
-from nhc.records import record
+from nhc.records import fresh, record, structure
 
 
 @record
@@ -37,7 +37,7 @@ class Home:
     root: bool
 
 
-@dataclass
+@structure
 class Scene:
     """What is known while vectors are placed, bases first."""
 
@@ -49,18 +49,18 @@ class Scene:
     positions: Reader
     velocities: Reader
     bare: tuple[Bare, ...]  # the constraints' rows, which the held symbols stand for, with the factors that they had
-    equations: dict[Vector, tuple[Path, Vector]] = field(default_factory=dict)
-    homes: dict[tuple[bool, Vector], Home] = field(default_factory=dict)
-    paths: list[Path] = field(default_factory=list)
-    rows: dict[int, Node] = field(default_factory=dict)  # shorter expressions of forms, by number
-    spins: dict[Path, Vector] = field(default_factory=dict)
-    meaning: dict[Node, Node] = field(default_factory=dict)  # symbols of turned equations -> turned held symbols
-    unknown: dict[Node, Node] = field(default_factory=dict)  # components at home that take the place of velocities
-    given: dict[Node, Node] = field(default_factory=dict)  # those velocities, from the components
-    dropped: set[int] = field(default_factory=set)  # forms that are among the components
+    equations: dict[Vector, tuple[Path, Vector]] = fresh(factory=dict)
+    homes: dict[tuple[bool, Vector], Home] = fresh(factory=dict)
+    paths: list[Path] = fresh(factory=list)
+    rows: dict[int, Node] = fresh(factory=dict)  # shorter expressions of forms, by number
+    spins: dict[Path, Vector] = fresh(factory=dict)
+    meaning: dict[Node, Node] = fresh(factory=dict)  # symbols of turned equations -> turned held symbols
+    unknown: dict[Node, Node] = fresh(factory=dict)  # components at home that take the place of velocities
+    given: dict[Node, Node] = fresh(factory=dict)  # those velocities, from the components
+    dropped: set[int] = fresh(factory=set)  # forms that are among the components
     # the spec's expressions of angular velocities -> the chain's
-    replaced: dict[Node, Node] = field(default_factory=dict)
-    pairs: set[tuple[bool, Vector]] = field(default_factory=set)  # vectors of which T has two components and no third
+    replaced: dict[Node, Node] = fresh(factory=dict)
+    pairs: set[tuple[bool, Vector]] = fresh(factory=set)  # vectors of which T has two components and no third
     backs: tuple[Turn, ...] = ()  # constant turns to axes on which the spec may have its components
 
     @cached_property

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from nhc.algebra.calculus import Derivation, Replacement, substitute, tangent
@@ -12,9 +11,10 @@ from nhc.algebra.solving.linear import NamedBlock
 from nhc.mechanics.moving.axes import Scene
 from nhc.mechanics.moving.vectors import Chained, Part
 from nhc.mechanics.turns import Path, Vector, add_vectors, climb, cross
+from nhc.records import fresh, record
 
 
-@dataclass(frozen=True)
+@record
 class Solution:
     """The velocities over the held symbols, and over the symbols of blocks of equations that were solved together.
 
@@ -24,7 +24,7 @@ class Solution:
     scene: Scene
     found: dict[Node, Node]  # of the velocities, and of the turned equations' symbols
     blocks: tuple[NamedBlock, ...]
-    _derivations: dict[Node, Derivation] = field(default_factory=dict)
+    _derivations: dict[Node, Derivation] = fresh(factory=dict)
 
     @cached_property
     def _solved(self) -> Replacement:

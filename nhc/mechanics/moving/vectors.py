@@ -8,7 +8,6 @@ and its coefficients are those of a turn, which is tested as an identity.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nhc.algebra.calculus import gradient, list_terms, reachable, substitute
@@ -17,7 +16,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.digits import normalise_kept
 from nhc.mechanics.directions import list_factors
 from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
-from nhc.records import identity_record, record
+from nhc.records import fresh, identity_record, record, structure
 
 _PLANES = ((0, 1), (1, 2), (2, 0))
 _FEW_ANGLES = 2  # a link and its neighbour: fewer cannot be hoped for
@@ -49,16 +48,16 @@ def _goes_on(path: Path, longer: Path) -> bool:
     return len(longer) > len(path) and longer[: len(path)] == path
 
 
-@dataclass
+@structure
 class Reader:
     """Reads vectors of one kind, positions or velocities, in the order in which they come."""
 
     graph: Graph
     moving: int  # mask of the coordinates and the time
-    known: dict[Vector, Chained] = field(default_factory=dict)
-    _sums: dict[Node, dict[Node, Fraction]] = field(default_factory=dict)
-    _angles: dict[Node, frozenset[Node]] = field(default_factory=dict)
-    _at: tuple[dict[Node, list[Chained]], ...] = field(default_factory=lambda: ({}, {}, {}))
+    known: dict[Vector, Chained] = fresh(factory=dict)
+    _sums: dict[Node, dict[Node, Fraction]] = fresh(factory=dict)
+    _angles: dict[Node, frozenset[Node]] = fresh(factory=dict)
+    _at: tuple[dict[Node, list[Chained]], ...] = fresh(factory=lambda: ({}, {}, {}))
 
     def read(self, components: Vector) -> Chained:
         """The vector as base and parts; the base is one that was read before, where its components share one."""

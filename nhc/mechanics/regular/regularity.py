@@ -21,6 +21,7 @@ from nhc.records import record
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per row)
 _NOTHING = 1e-9  # what rounding leaves of a pivot
 _MANY = 250  # subsets of columns that are tried one by one
+_JUDGED = 8  # choices whose determinants are looked at
 
 
 @record
@@ -147,9 +148,9 @@ def _choose(system: System) -> Choice:
         ]
         candidates = [list(columns) for columns in dict.fromkeys(map(tuple, chosen))]
     own = _own_columns(system, samples)
-    scored = _scored(candidates, samples, begun)
+    scored = score(candidates, samples, begun, _JUDGED)
     best: Choice | None = None
-    for first, weak, _, columns in scored[:8]:
+    for first, weak, _, columns in scored[:_JUDGED]:
         choice = judge(system, tuple(columns))
         if best is None or (choice.regular and not best.regular):
             best = choice
@@ -161,17 +162,25 @@ def _choose(system: System) -> Choice:
     return best
 
 
-def _scored(
+def score(
     candidates: Sequence[Sequence[int]],
     samples: Sequence[Sequence[Sequence[float]]],
     begun: Sequence[Sequence[Sequence[float]]],
+    enough: int,
 ) -> list[tuple[int, int, float, list[int]]]:
-    """(how often lost at the scenes' starts, how often weak, how weak, columns) of each candidate, the best first."""
-    minors = [relative_minors(matrix, candidates) for matrix in samples]
+    """(how often lost at the scenes' starts, how often weak, how weak, columns) of each candidate, the best first.
+
+    Where ``enough`` are lost less often than the others, these come behind them in any case and are left out.
+    """
+    if not candidates:
+        return []
     begin = [relative_minors(matrix, candidates) for matrix in begun]
     lost = [sum(row[k] < _WEAK for row in begin) for k in range(len(candidates))]
+    most = sorted(lost)[min(enough, len(lost)) - 1]
+    left = [k for k, times in enumerate(lost) if times <= most]
+    minors = [relative_minors(matrix, [candidates[k] for k in left]) for matrix in samples]
     return sorted(
-        (lost[k], *weakness([row[k] for row in minors]), list(columns)) for k, columns in enumerate(candidates)
+        (lost[k], *weakness([row[place] for row in minors]), list(candidates[k])) for place, k in enumerate(left)
     )
 
 
@@ -183,7 +192,8 @@ def ranked(system: System, columns: Sequence[int], fits: Callable[[Sequence[int]
         return []
     samples = sampled_rows(system, system.constraints)
     begun = sampled_rows(system, system.constraints, start_points(system))
-    scored = _scored([list(c) for c in combinations(columns, system.l)], samples, begun)
+    candidates = [list(c) for c in combinations(columns, system.l)]
+    scored = score(candidates, samples, begun, len(candidates))
     found = [judge(system, tuple(chosen)) for _, weak, _, chosen in scored if weak < len(samples) and fits(chosen)]
     return sorted(found, key=lambda choice: not choice.regular)
 

@@ -9,7 +9,6 @@ left out, B'' has omega x (omega x d) added, omega' gets omega_before x n a', an
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import gradient, reachable, tangent
 from nhc.algebra.exact.field import Unlucky
@@ -26,6 +25,7 @@ from nhc.mechanics.trees.recursion import Recursion, Terms
 from nhc.mechanics.trees.triples import list_squares, place_of
 from nhc.mechanics.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.whole_forms import whole_kinetic
+from nhc.records import fresh, structure
 
 _FEW = 3  # coordinates of what moves in another way than by turning
 
@@ -35,7 +35,7 @@ Named = dict[tuple[int, ...], tuple[Frame, Vector, int]]
 _STILL = -1
 
 
-@dataclass
+@structure
 class Spatial:
     """``turns`` are the rates of the recursion's definitions where those they are made of have none; ``torques`` what the forms
     that are ``known`` give to the variables beside the rates of T's slopes.
@@ -43,9 +43,9 @@ class Spatial:
 
     kinetic: Kinetic
     recursion: Recursion
-    turns: list[Node] = field(default_factory=list)
-    torques: list[tuple[int, Node]] = field(default_factory=list)
-    known: set[int] = field(default_factory=set)
+    turns: list[Node] = fresh(factory=list)
+    torques: list[tuple[int, Node]] = fresh(factory=list)
+    known: set[int] = fresh(factory=set)
 
 
 def read_bodies(system: System, motion: Motion) -> Spatial | None:

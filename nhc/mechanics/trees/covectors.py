@@ -11,7 +11,6 @@ on the body's axes or in space.  The cost is a small multiple of the function's 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import pullback_gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
@@ -19,11 +18,12 @@ from nhc.mechanics.rotation import Rotation, name_entries
 from nhc.mechanics.system import System
 from nhc.mechanics.turning import along as seeds_along
 from nhc.mechanics.turns import Vector, add_vectors, cross
+from nhc.records import record
 
 ZERO: Vector = (0, 0, 0)
 
 
-@dataclass(frozen=True)
+@record
 class Covector:
     """What stands before each coordinate's velocity (zero before those of quaternions), and before each rotation's omega."""
 

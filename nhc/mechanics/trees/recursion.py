@@ -8,11 +8,11 @@ Forms whose sums were written from the far end, or without anything in common, g
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
-from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, Graph, Node
 from nhc.algebra.monomials import Monomial, split_parameters, tidy
+from nhc.records import fresh, structure
 
 Terms = dict[int, Node]
 Term = tuple[int, Node]  # rate and coefficient
@@ -21,16 +21,16 @@ _MANY = 4  # terms of a form for each rate beyond which it is no sum along a cha
 _WIDE = 2.5  # terms per definition, on average, beyond which the forms are read again from their terms
 
 
-@dataclass
+@structure
 class Recursion:
     """Variables 0 .. rates - 1 are the kept velocities; number rates + k is ``definitions[k]`` . variables +
     ``constants[k]``, made of variables before it.  ``forms[k]`` says what the k-th velocity form is of them.
     """
 
     rates: int
-    definitions: list[Terms] = field(default_factory=list)
-    constants: list[Node] = field(default_factory=list)
-    forms: list[Terms] = field(default_factory=list)
+    definitions: list[Terms] = fresh(factory=list)
+    constants: list[Node] = fresh(factory=list)
+    forms: list[Terms] = fresh(factory=list)
 
     @property
     def size(self) -> int:

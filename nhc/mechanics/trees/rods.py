@@ -13,16 +13,16 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import reachable, tangent
 from nhc.algebra.graph import NEG, Graph, Node
 from nhc.mechanics.trees.chain import Chain, join
+from nhc.records import fresh, structure
 
 Foot = tuple[int | None, int | None]
 
 
-@dataclass
+@structure
 class Rod:
     """``direction`` is n; psi = ``sign`` * angle + ``quarter`` * pi/2; kappa and D as in the text, b = ``centripetal``."""
 
@@ -35,7 +35,7 @@ class Rod:
     quarter: int
     mass: Node
     centripetal: Node
-    children: list[Rod] = field(default_factory=list)
+    children: list[Rod] = fresh(factory=list)
     sine: Node = 0  # of psi minus the parent's
     cosine: Node = 0
     pivot: Node = 0

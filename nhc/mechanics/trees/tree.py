@@ -9,7 +9,6 @@ this order: positive wherever the matrix is.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from nhc.algebra.graph import Graph, Node
@@ -18,11 +17,12 @@ from nhc.mechanics.trees.chain import Chain
 from nhc.mechanics.trees.order import choose_order
 from nhc.mechanics.trees.recursion import Terms
 from nhc.mechanics.trees.rods import Rods
+from nhc.records import structure
 
 _NEAR = 9  # forms in the order among which those are sought that move together
 
 
-@dataclass
+@structure
 class Step:
     """Variable number ``index`` was replaced by ``terms``; a rate also by its pull times ``reciprocal``."""
 
@@ -31,20 +31,16 @@ class Step:
     reciprocal: Node | None = None
 
 
-@dataclass
 class Elimination:
     """Steps from the leaves to the root; ``pivots`` are (pivot, what it is measured by) in the chain's units.
 
     ``beside`` is what will be computed together with the rates.
     """
 
-    chain: Chain
-    beside: Sequence[Node] = ()
-    steps: list[Step] = field(default_factory=list)
-    pivots: list[tuple[Node, Node]] = field(default_factory=list)
-
-    def __post_init__(self) -> None:
-        chain = self.chain
+    def __init__(self, chain: Chain, beside: Sequence[Node] = ()) -> None:
+        self.chain, self.beside = chain, beside
+        self.steps: list[Step] = []
+        self.pivots: list[tuple[Node, Node]] = []
         self.graph: Graph = chain.graph
         self.rows: list[Terms] = [{} for _ in range(chain.size)]
         self.rods = Rods(chain, self.beside)
