@@ -16,7 +16,7 @@ REFERENCE = "dop853"
 MOST_HALVINGS = 20
 FIRST = 64  # steps
 MOST_STEPS = 1_000_000  # of the adaptive run
-_LEAST = 1e-6  # of the largest column: what is zero but for rounding has no digits
+_SMALL = 1e-6  # beside the largest column: what is less may be rounding, which has no digits
 
 
 class Found(Protocol):
@@ -46,9 +46,12 @@ def find_step(go: Run, adaptive: Run, task: Task, tolerance: float) -> tuple[Tas
 
     Where adaptive steps do not come to the end, two lengths in turn are compared.
     """
-    finer = max(0.01 * task.tolerance, LEAST_TOLERANCE)
-    known = adaptive(replace(task, tolerance=finer, step=0.0, most=MOST_STEPS))
-    sure = known.ended in ("done", "event")
+    coarse, known = (
+        adaptive(replace(task, tolerance=max(part * task.tolerance, LEAST_TOLERANCE), step=0.0, most=MOST_STEPS))
+        for part in (1.0, 0.01)
+    )
+    sure = coarse.ended == known.ended and known.ended in ("done", "event")
+    digits = _find_digits(coarse, known) if sure else []
     step = abs(task.times[-1] - task.times[0]) / FIRST
     former = known if sure else None
     found = "do not reach the tolerance: no more halvings were tried"
@@ -56,7 +59,7 @@ def find_step(go: Run, adaptive: Run, task: Task, tolerance: float) -> tuple[Tas
         here = go(replace(task, step=step))
         if here.outcome.kind == STOPPED:
             break
-        if former is not None and _is_close(former, here, tolerance):
+        if former is not None and _is_close(former, here, tolerance, digits):
             found = "reach the tolerance (found by halving)"
             if not sure:
                 found = f"agree with twice as long ones; {REFERENCE} could not confirm them ({known.reason})"
@@ -67,13 +70,29 @@ def find_step(go: Run, adaptive: Run, task: Task, tolerance: float) -> tuple[Tas
     return replace(task, step=step), f"steps of {step:.6g} {found}"
 
 
-def _is_close(known: Found, here: Found, tolerance: float) -> bool:
+def _find_digits(coarse: Found, known: Found) -> list[float]:
+    """Of each column what two adaptive runs leave open, if it is so small that this may be rounding."""
+    sizes = _find_sizes(known)
+    gaps = [
+        max((abs(a - b) for a, b in zip(one, other, strict=False)), default=0.0)
+        for one, other in zip(zip(*coarse.rows, strict=True), zip(*known.rows, strict=True), strict=True)
+    ]
+    most = _SMALL * max(sizes, default=0.0)
+    rows = zip(sizes, gaps, strict=True)
+    return [most if size == 0.0 else 10.0 * gap if size < most else 0.0 for size, gap in rows]
+
+
+def _find_sizes(found: Found) -> list[float]:
+    """The largest magnitudes of the columns."""
+    return [max(map(abs, column)) for column in zip(*found.rows, strict=True)]
+
+
+def _is_close(known: Found, here: Found, tolerance: float, digits: Sequence[float]) -> bool:
     """Whether all rows agree, each column beside its own largest magnitude, and end alike."""
     if here.ended != known.ended or here.ended not in ("done", "event") or len(here.rows) != len(known.rows):
         return False
-    sizes = [max(map(abs, column)) for column in zip(*known.rows, strict=True)]
-    least = max(1e-300, _LEAST * max(sizes, default=0.0))
-    allowed = [tolerance * max(size, least) for size in sizes]
+    allowed = [max(1e-300, tolerance * size) for size in _find_sizes(known)]
+    allowed = [max(a, b) for a, b in zip(allowed, digits or allowed, strict=True)]
     return abs(here.times[-1] - known.times[-1]) <= tolerance * abs(known.times[-1] - known.times[0]) and all(
         abs(a - b) <= most
         for one, other in zip(known.rows, here.rows, strict=True)

@@ -73,3 +73,26 @@ def test_an_event_ends_the_halving_too() -> None:
 def test_methods_for_natural_systems(method: str) -> None:
     found = go(method, 1e-4, "V: x^2/2\nscenes: {go: {initial: {x: 1}, time: [0, 20]}}\n")
     assert worst(found, math.cos) <= 2e-4
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+@pytest.mark.parametrize("method", ["rk4", "gauss6"])
+def test_each_column_counts_whatever_its_unit(method: str, unit: float) -> None:
+    text = (
+        "nhc: 1\nsystem: halved\ncoordinates: [x, z]\n"
+        f"parameters: {{u: {unit}}}\nT: x'^2/2 + (z'/u)^2/2\nV: x^2/2 + 18*(z/u)^2\n"
+        f"scenes: {{go: {{initial: {{x: 1, z: {unit}}}, time: [0, 10]}}}}\n"
+    )
+    found = run(open_scene(Source("halved.yaml", text), method=method), Settings(method, 1e-5, points=41))
+    assert max(abs(row[1] / unit - math.cos(6 * t)) for t, row in zip(found.times, found.rows, strict=True)) <= 2e-5
+
+
+def test_what_is_zero_but_for_rounding_keeps_no_step_short() -> None:
+    text = (
+        "nhc: 1\nsystem: halved\ncoordinates: [x, y]\nT: x'^2/2 + y'^2/2\nV: 0.3*x^2 + 0.7*y^2 + 1.1*(x + y/3)^2\n"
+        "define: {a: x + y}\noutputs: {d: 3*(x + y) - 3*x - 3*y}\n"
+        "scenes: {go: {initial: {x: 0.3, y: 0.1}, time: [0, 10], need: [x, d]}}\n"
+    )
+    found = run(open_scene(Source("halved.yaml", text), method="gauss6"), Settings("gauss6", 1e-8, points=41))
+    assert any("reach the tolerance (found by halving)" in note for note in found.notes)
+    assert found.step >= 1e-3
