@@ -205,17 +205,11 @@ def _attempt(run: _Run, reach: float) -> tuple[float, int]:
 def _measure_error(run: _Run) -> float:
     """That of an attempt, with what rounding allows where it may be rounding that is too much."""
     s, method, twice = run.step, run.method, run.growth == 1.0
-    try:
-        error = explicit.attempt(s, method) if isinstance(method, Explicit) else collocation.attempt(s, method)
-    except NoSolution:
-        s.reached = s.y
-        if s.tolerance <= 0.0 or not (twice or is_faint(s)):
-            raise
-        error = math.nan
-    if error <= 1.0 or s.tolerance <= 0.0 or not (twice or is_faint(s)):
+    error = explicit.attempt(s, method) if isinstance(method, Explicit) else collocation.attempt(s, method)
+    if not error > 1.0 or not (twice or is_faint(s)):
         return error
     if isinstance(method, Explicit):
-        return reconsider(s, error, twice, lambda: explicit.again(s, method)) if error > 1.0 else error
+        return reconsider(s, error, twice, lambda: explicit.again(s, method))
     return reconsider(s, error, twice, lambda: collocation.attempt(s, method))
 
 
