@@ -253,7 +253,7 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     cut, which = 2.0, -1
     if model.watched:
         after = model.watch(reach, s.reached, task.p)
-        near = bool(run.trend) and may_dip(run.before, run.trend, s.h, model.dips) and _may_touch(run, after)
+        near = bool(run.trend) and may_dip(run.before, run.trend, after, s.h, model.dips) and _may_touch(run, after)
         if run.trend:
             run.trend = [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
         if model.events or near or find_change(run.before, after) >= 0:
