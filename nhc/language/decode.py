@@ -64,13 +64,12 @@ class _Decoder:
 
     def run(self) -> Spec:
         place = self.written.entries[0][0].span if self.written.entries else self.written.span
-        given = {text.value for text, _ in self.written.entries}
-        keys = [key.optional() if INSTEAD.get(key.name) in given else key for key in SPEC_KEYS]
+        present = {text.value for text, _ in self.written.entries}
+        keys = [key.optional() if INSTEAD.get(key.name) in present else key for key in SPEC_KEYS]
         meant = self.shapes.check_keys(self.written, keys, "the spec", place, meant_key)
         strange = any(text.value not in _KEYS and not isinstance(node, Text) for text, node in self.root.entries)
-        self.scope.open = (
-            self.scope.open or strange or any(key in _DECLARING for key in meant)
-        )  # what it declares is not known
+        unknown = strange or any(key in _DECLARING for key in meant)  # what it declares is not known
+        self.scope.open = self.scope.open or unknown
         self.uncounted = strange or "constraints" in meant or "holonomic" in meant
         version, system = self._version(), self._system()
         self._declare()
@@ -85,10 +84,8 @@ class _Decoder:
         rotations = self.draft.rotations
         count = len(self._equations_of("constraints")) + len(self._equations_of("holonomic")) + len(rotations)
         dependent = self._dependent(count)
-        given, constrained = (
-            self.draft.parameters,
-            any(map(self.root.get, ("constraints", "holonomic"))) or bool(rotations),
-        )
+        constrained = bool(rotations) or any(map(self.root.get, ("constraints", "holonomic")))
+        given = self.draft.parameters
         scenes = decode_scenes(self.root.get("scenes"), self.shapes, self.scope, given, rotations, constrained)
         draw = decode_drawing(self.root.get("draw"), self.shapes, self._read)
         definitions = self._in_order()

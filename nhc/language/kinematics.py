@@ -9,10 +9,9 @@ body's origin O and omega x (P - O) (E. T. Whittaker, Analytical Dynamics, 4th e
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 from nhc.diagnostics import Span
-from nhc.records import record
+from nhc.records import fresh, record, structure
 
 from . import pieces
 from .nodes import Text
@@ -77,7 +76,7 @@ class Frame:
     heading: Piece | None
 
 
-@dataclass
+@structure
 class Ledger:
     """The definitions that are made, by name, in an order in which each uses earlier ones or those of the spec.
 
@@ -86,8 +85,8 @@ class Ledger:
     """
 
     constant: set[str]
-    made: dict[str, tuple[Piece, Span]] = field(default_factory=dict)
-    twice: dict[Span, str] = field(default_factory=dict)
+    made: dict[str, tuple[Piece, Span]] = fresh(factory=dict)
+    twice: dict[Span, str] = fresh(factory=dict)
 
     def name(self, name: str, piece: Piece, span: Span) -> Piece:
         """Define a name; return what stands for it: itself, or a number or name that it would only repeat."""

@@ -27,6 +27,7 @@ _RELATIVE = frozenset({"sqrt", "powf", "log", POW})
 _LARGE = 1000  # operations beyond which an argument is not followed
 _MILD = 100.0  # how many times its least value an argument may be that has no narrow place
 _BEND = (0.0, 0.0)  # of a corner
+_FAR = 10**100  # from its special value: nothing comes of an argument beyond
 _PARTS = {
     **dict.fromkeys(_RELATIVE, (1.5, 0.0)),
     **dict.fromkeys((*STEPS, "cosh", "sinh"), (0.75, 1.0)),
@@ -67,11 +68,19 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
     for node, (_, part) in zip(nodes, wanted, strict=True):
         told = not g.deps[node] & kept and not planner._is_constant(node) and count(g, [node]) <= _LARGE
         if told and not _is_mild(g, node, part, ranges):
-            found[node, part] = None
+            found[_bounded(g, node), part] = None
     if not found:
         return None
     function = planner.lower_out("places", "arguments that a step must not leap over", [node for node, _ in found])
     return Leaps(function, tuple(part for _, part in found))
+
+
+def _bounded(graph: Graph, node: Node) -> Node:
+    """The argument within what doubles hold: one that grows like an exponential may be infinite far from where it matters."""
+    if all(graph.op[child] not in _GROWING for child in reachable(graph, [node])):
+        return node
+    far = graph.number(_FAR)
+    return graph.function("max", graph.function("min", node, far), graph.neg(far))
 
 
 def _is_plain(graph: Graph, node: Node, moved: tuple[Node, ...]) -> bool:

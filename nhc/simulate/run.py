@@ -11,6 +11,7 @@ from nhc.program.stepping import LEAST_TOLERANCE, MOST_STEPS, SAFETY
 from nhc.records import record
 from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.halving import REFERENCE, find_step
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.natural import NaturalModel
@@ -19,12 +20,11 @@ from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_natural, write_source
-from nhc.simulate.switching import Follower
-from nhc.simulate.task import DONE, EVENT, STOPPED, ModelError, Outcome, Task
+from nhc.simulate.switching import Follower, Leg
+from nhc.simulate.task import EVENT, STOPPED, ModelError, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 
 POINTS = 201
-MOST_HALVINGS = 20
 Model = CompiledModel | InterpretedModel | NaturalModel
 
 
@@ -111,13 +111,25 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     follower = Follower(job, method, workshop.integrate, settings.method == AUTO)
     before, notes = time.perf_counter(), (*job.notes, *workshop.notes)
     if settings.step <= 0 and not adaptive:
-        task, more = _find_step(follower, task, tolerance)
-        notes += more
+        beside = Follower(job, REFERENCE, workshop.integrate, auto=True)
+        task, more = find_step(
+            lambda one: _go(workshop, follower, one), lambda one: _go(workshop, beside, one), task, tolerance
+        )
+        notes += (more,)
     legs = follower.run(task)
     seconds = time.perf_counter() - before
-    parts = [collect(leg.job, leg.method, workshop.model(leg.job, leg.method), leg.task, leg.outcome) for leg in legs]
-    found = join(parts)
+    found = _gather(workshop, legs)
     return replace(found, seconds=seconds, notes=(*notes, *follower.notes))
+
+
+def _go(workshop: Workshop, follower: Follower, task: Task) -> Trajectory:
+    return _gather(workshop, follower.run(task))
+
+
+def _gather(workshop: Workshop, legs: Sequence[Leg]) -> Trajectory:
+    """The legs of a run as one trajectory."""
+    parts = (collect(leg.job, leg.method, workshop.model(leg.job, leg.method), leg.task, leg.outcome) for leg in legs)
+    return join([*parts])
 
 
 @dataclass
@@ -145,29 +157,6 @@ class Workshop:
         news = model.news()
         news.t = task.times[0]
         return wait_for(lambda: model.integrate(task, method, news), news, self.show)
-
-
-def _find_step(follower: Follower, task: Task, tolerance: float) -> tuple[Task, tuple[str, ...]]:
-    """Halve the step until the end no longer moves by more than the tolerance; the last step is the one taken."""
-    duration = abs(task.times[-1] - task.times[0])
-    step, former = duration / 64, list[float]()
-    found = "do not reach the tolerance: no more halvings were tried"
-    for _ in range(MOST_HALVINGS):
-        last = follower.run(replace(task, times=(task.times[0], task.times[-1]), step=step))[-1]
-        if last.outcome.kind == STOPPED:
-            break
-        here = last.outcome.y if last.outcome.kind == DONE else []
-        if here and len(former) == len(here) and _is_close(former, here, tolerance):
-            found = "reach the tolerance (found by halving)"
-            break
-        former = here
-        step /= 2
-    return replace(task, step=step), (f"steps of {step:.6g} {found}",)
-
-
-def _is_close(a: list[float], b: list[float], tolerance: float) -> bool:
-    size = max(1e-300, *(abs(x) for x in b))
-    return all(abs(x - y) <= tolerance * max(abs(y), 1e-3 * size) for x, y in zip(a, b, strict=True))
 
 
 def join(parts: Sequence[Trajectory]) -> Trajectory:

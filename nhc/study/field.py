@@ -118,6 +118,24 @@ class SteadyModel:
         bordered = np.block([[mass * np.outer(lengths, lengths), rows.T], [rows, none]])
         return float(np.linalg.svd(bordered, compute_uv=False)[-1])
 
+    def presence(self, y: Sequence[float], guess: Sequence[float]) -> float:
+        """The root of the least part that the inertia of a kept velocity has at y of what it has elsewhere, at most 1.
+
+        It vanishes with the circles that an angle goes along, at a pole or a centre.  Elsewhere is where the search began, and all
+        around: whichever has less, for a system may be small beside the units it is given in.
+        """
+        here, begin = self._inertias(y), self._inertias(guess)
+        around = np.max([here, *(self._inertias(near) for near in _around(y))], axis=0)
+        usual = np.minimum(begin, around)
+        return math.sqrt(min((a / b for a, b in zip(here, usual, strict=True) if b > a), default=1.0))
+
+    def _inertias(self, y: Sequence[float]) -> Vector:
+        """The diagonal of the kept velocities' mass matrix; zeros where it has no value."""
+        try:
+            return np.abs(np.diag(self.mass(y)))[: self.flow.kept]
+        except ArithmeticError:
+            return np.zeros(self.flow.kept)
+
     def lengths(self, y: Sequence[float]) -> list[float]:
         """What each coordinate moves in a time of 1 with half a unit of kinetic energy, at y or where its mass is larger.
 
@@ -127,8 +145,7 @@ class SteadyModel:
         momenta = gradient(g, system.T, system.v)
         masses = [gradient(g, p, [v])[0] for p, v in zip(momenta, system.v, strict=True)]
         largest = np.zeros(system.n)
-        for k in range(5):
-            near = [x + (1.0 + abs(x)) * math.sin(k * (i + 1.0) ** 1.5) for i, x in enumerate(y)]
+        for near in (list(y), *_around(y)):
             with suppress(ArithmeticError):
                 at = self.values(near)
                 at.update((v, self.value(near, node)) for v, node in zip(system.v, self.flow.velocities, strict=True))
@@ -260,3 +277,8 @@ def scaled_least(mass: Matrix) -> float:
     if not np.all(scale > 0):
         return 0.0
     return float(max(np.linalg.eigvalsh(mass / np.outer(scale, scale))[0], 0.0))
+
+
+def _around(y: Sequence[float]) -> list[list[float]]:
+    """States all around, far off."""
+    return [[x + (1.0 + abs(x)) * math.sin(k * (i + 1.0) ** 1.5) for i, x in enumerate(y)] for k in range(1, 5)]

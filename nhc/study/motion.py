@@ -30,7 +30,7 @@ from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.simulate.switching import SOUND
-from nhc.study.field import SINGULAR, Hold, SteadyModel
+from nhc.study.field import Hold, SteadyModel
 from nhc.study.linearize import Linearisation, linearise_at
 from nhc.study.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
 from nhc.study.sweep import Branch, Sweep, sweep
@@ -111,7 +111,6 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     guess = state_of(flow, formulation.frame, start)
     holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
     steady = find_steady(model, guess, holds)
-    _check_coordinates(model, steady)
     check_smooth(model, steady)
     made = linearise_at(model, steady)
     point = point_of(flow, scene)
@@ -123,23 +122,6 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
     held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
     return Findings(flow, formulation, model, made, rows, held, "", swept)
-
-
-def _check_coordinates(model: SteadyModel, steady: Steady) -> None:
-    """Nothing where the coordinates are regular.
-
-    Raises:
-        NotSteady: they are not (Euler's angles in their lock): rates and slopes there are worth nothing.
-    """
-    regularity = model.regularity(steady.y)
-    if regularity <= SINGULAR:
-        raise NotSteady(
-            f"the coordinates are singular at the steady motion that is found (conditioning {regularity:.2g}), as angles are in a "
-            "gimbal lock",
-            math.inf,
-            steady.y,
-            "give the orientation as a `rotation`, take other angles, or look near another motion",
-        )
 
 
 def linearise_whole(equations: Equations, formulation: Formulation, request: Request) -> Findings:

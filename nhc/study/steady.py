@@ -11,7 +11,7 @@ import numpy as np
 
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import sampled_rows
-from nhc.study.field import RANK, Hold, SteadyModel
+from nhc.study.field import RANK, SINGULAR, Hold, SteadyModel
 from nhc.study.units import Matrix, Vector, beside, is_steady, normal
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
@@ -84,6 +84,7 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
         raise failed[0] from None
     best = min(found, key=lambda one: one[0])[1]  # of equally near ones that with fewer turns
     check_frame(model, best.y, "at the steady motion")
+    check_coordinates(model, best.y, guess)
     return best
 
 
@@ -104,6 +105,24 @@ def check_frame(model: SteadyModel, y: Sequence[float], where: str) -> None:
         )
     if sound < _LEAST_FRAME:
         raise SingularFrame(f"the coframe is singular {where} (conditioning {sound:.2g})", float("inf"))
+
+
+def check_coordinates(model: SteadyModel, y: Sequence[float], guess: Sequence[float]) -> None:
+    """Nothing where the coordinates are regular at the state y, to which a search from the guess led.
+
+    Raises:
+        NotSteady: they are not (Euler's angles in their lock, a sphere's azimuth at its pole): rates and slopes there are worth
+            nothing.
+    """
+    regularity = min(model.regularity(y), model.presence(y, guess))
+    if regularity <= SINGULAR:
+        raise NotSteady(
+            f"the coordinates are singular at the steady motion that is found (conditioning {regularity:.2g}), as angles are in a "
+            "gimbal lock",
+            math.inf,
+            y,
+            "give the orientation as a `rotation`, take other angles, or look near another motion",
+        )
 
 
 def check_smooth(model: SteadyModel, steady: Steady) -> None:

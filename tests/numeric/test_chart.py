@@ -21,6 +21,8 @@ from nhc.report.chart_file import make_file
 from nhc.simulate import compile as compiling
 from nhc.simulate.auto import choose_method
 from nhc.simulate.opening import open_scene
+from nhc.simulate.run import load
+from nhc.simulate.task import Task
 from nhc.study.chart.advice import advise
 from nhc.study.chart.case import RESOLVED, Study
 from nhc.study.chart.grid import Grid
@@ -308,3 +310,26 @@ def test_what_is_too_large_for_xla_is_shown_as_failed(monkeypatch: pytest.Monkey
     made = chart(gallery("chaplygin_sleigh"), replace(grid, formulations=("euler-lagrange",)))
     (found,) = [r for r in made.results if r.case.language == "diffrax"]
     assert "more than XLA compiles in good time" in found.failed
+
+
+def test_work_is_that_of_the_run_that_is_timed() -> None:
+    """Rows between the steps take more slopes of dop853; SciPy's steps are its own, and not the rows."""
+    methods = ("dop853", "dopri5", "radau5")
+    grid = replace(
+        SMALL, methods=methods, tolerances=(1e-3, 1e-6), peers=True, languages=("c",), formulations=("lagrange",)
+    )
+    source = gallery("pendulum")
+    study = chart(source, grid)
+    for result in study.results:
+        method = result.case.method
+        if result.case.language == "c":
+            job = open_scene(source, formulation="lagrange", method=method, whole=True)
+            model, _ = load(job, method)
+            task = Task(job.p, job.y, job.time, result.case.tolerance, result.case.step)
+            alone = model.integrate(task, method, model.news())
+            assert (result.calls, result.steps) == (alone.calls, alone.steps)
+    scipy = {r.case.tolerance: r for r in study.results if (r.case.language, r.case.method) == ("scipy", "DOP853")}
+    job = open_scene(source, formulation="lagrange", method="dop853", whole=True)
+    for tolerance, result in scipy.items():
+        assert result.calls >= 11 * result.steps  # twelve stages, the first of which is the last one's end
+        assert result.steps != study.points - 1 and 5 <= result.steps <= 200, tolerance

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 
 import pytest
 
 from nhc.language import Source
+from nhc.simulate.methods.watching import may_dip
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 
@@ -50,3 +52,16 @@ def test_a_pole_where_two_steps_meet_is_none(method: str, step: float, compiled:
     found = until("tan(t - 1 + pi/2)", method, step, compiled)
     assert found.times[-1] == pytest.approx(1 + math.pi / 2, abs=1e-12)
     assert until("sign(x)", method, step, compiled).times[-1] == pytest.approx(math.pi / 2, abs=1e-8)
+
+
+def test_every_parabola_that_touches_zero_is_looked_at() -> None:
+    """With heights b and a at its ends it begins with the slope -2 (b + sqrt(a b)), whatever the units of its heights."""
+    for unit in (1e-140, 1.0, 1e140):
+        for b, a in product((1e-9, 0.3, 1.0, 7.0, 1e9), repeat=2):
+            slope = -2.0 * (b + math.sqrt(a * b))
+            for share in (0.2, 1.0, 5.0):  # how the value went in the step before is not how it goes in this one
+                trend = share * slope * unit
+                assert may_dip([b * unit], [trend], [a * unit], 1.0, 0)
+                assert may_dip([-b * unit], [trend], [-a * unit], -1.0, 0)
+    assert not may_dip([1.0], [-0.6], [1.1], 1.0, 0)
+    assert not may_dip([1.0], [0.6], [0.1], 1.0, 0)

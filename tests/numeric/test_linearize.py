@@ -381,6 +381,27 @@ def test_no_verdict_where_the_coordinates_are_singular(start: str) -> None:
     assert "rotation" in caught.value.advice
 
 
+@pytest.mark.parametrize("start", ["theta=2.2, phi'=4", "theta=2.5, phi'=4", "theta=2.2"])
+def test_no_verdict_at_the_pole_of_a_sphere(start: str) -> None:
+    """Upright, where a pendulum is unstable and its azimuth means nothing: it was called marginal, with eigenvalues 0 +- 3.3 i."""
+    with pytest.raises(NotSteady, match="coordinates are singular"):
+        find("spherical_pendulum", start)
+
+
+@pytest.mark.parametrize("radius", [1e-9, 1.0, 1e9])
+def test_a_small_circle_is_no_pole(radius: float, tmp_path: Path) -> None:
+    """A mass on a spring that turns about a pin: the radius oscillates with (k + 3 m phi'^2)/m."""
+    text = (
+        "nhc: 1\nsystem: pin\ncoordinates: [r, phi]\nparameters: {k: 5, a: RADIUS}\nT: r'^2/2 + r^2*phi'^2/2\n"
+        "V: k*(r - a)^2/2\nscenes: {go: {initial: {r: START, phi': 1}, time: [0, 1]}}\n"
+    ).replace("RADIUS", repr(radius))
+    path = tmp_path / "pin.yaml"
+    path.write_text(text.replace("START", repr(1.3 * radius)), encoding="utf-8")
+    made = linearize(read(str(path)), Request("go", holds=("phi'",))).linearisation
+    assert made.steady.y[0] == pytest.approx(1.25 * radius, rel=1e-9)
+    assert max(value.imag for value in eigenvalues(made)) == pytest.approx(math.sqrt(5 + 3), rel=1e-6)
+
+
 def test_a_lock_in_quasi_velocities_that_other_formulations_do_not_have() -> None:
     """The start is read once: other coframes do not know the name `w1`."""
     with pytest.raises(NotSteady):

@@ -317,3 +317,17 @@ scenes:
         max_step=0.001,
     )
     assert run(job, Settings(points=2)).rows[-1][0] == pytest.approx(float(short.y[0, -1]), rel=1e-7)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("method", ["dop853", "dopri5"])
+def test_an_argument_that_leaves_the_doubles_far_away(method: str, compiled: bool) -> None:
+    """exp(-exp(u)): the outer argument is infinite where the bump is far; the inner one tells of it all the same."""
+    text = (
+        "nhc: 1\nsystem: passer\ncoordinates: [x, z]\nparameters: {w: 0.1}\nT: x'^2/2 + z'^2/2\n"
+        'forces: {z: "exp(-exp(((x - 50)/w)^2/20))"}\n'
+        "scenes: {go: {initial: {x': 1}, time: [0, 100]}}\n"
+    )
+    found = run(open_scene(Source("passer.yaml", text), needs=("z'",)), Settings(method, 1e-6, 0.0, 2, compiled))
+    push, _ = quad(lambda u: math.exp(-math.exp(u * u / 20)), -12, 12)
+    assert found.rows[-1][0] == pytest.approx(0.1 * push, rel=1e-5)

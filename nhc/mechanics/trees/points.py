@@ -8,7 +8,6 @@ begin with, from the root on.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from itertools import permutations
 
 from nhc.algebra.calculus import list_terms, reachable
@@ -18,11 +17,12 @@ from nhc.mechanics.directions import list_factors
 from nhc.mechanics.moving.signatures import Signature
 from nhc.mechanics.trees.frames import ROOT, ZERO, Frame, Frames
 from nhc.mechanics.turns import Vector, add_vectors, scale_vector
+from nhc.records import fresh, structure
 
 _FEW = 3  # coordinates of what moves in another way than by turning
 
 
-@dataclass
+@structure
 class Point:
     """``base`` + the vectors d on their axes + what moves in other ways."""
 
@@ -303,13 +303,13 @@ def _count_parts(points: Sequence[Point]) -> int:
 Path = tuple[tuple[Frame | None, Vector], ...]
 
 
-@dataclass
+@structure
 class _Branch:
     """What is added to the point before; ``ends``: the places that are reached here."""
 
     part: tuple[Frame | None, Vector]
-    ends: list[int] = field(default_factory=list)
-    next: dict[tuple[int, tuple[Signature, ...]], _Branch] = field(default_factory=dict)
+    ends: list[int] = fresh(factory=list)
+    next: dict[tuple[int, tuple[Signature, ...]], _Branch] = fresh(factory=dict)
 
 
 def _share(frames: Frames, paths: Sequence[Path]) -> list[Point]:

@@ -50,7 +50,7 @@ def _iterate(s: Step, method: Collocation, factors: tuple[list[Vector], list[int
     """The slopes of the stages."""
     n, former, adaptive = len(s.y), math.inf, s.tolerance > 0.0
     sizes = [max(size, abs(y)) for size, y in zip(s.size, s.y, strict=True)]
-    scale = s.allowed(s.y) * len(s.k) if adaptive else []
+    allowed = s.allowed(s.y) if adaptive else []
     for _ in range(PATIENCE):
         points = [[y + z for y, z in zip(s.y, stage, strict=True)] for stage in s.k]
         slopes = [s.rhs(s.t + c * s.h, point) for c, point in zip(method.nodes, points, strict=True)]
@@ -59,7 +59,9 @@ def _iterate(s: Step, method: Collocation, factors: tuple[list[Vector], list[int
         ]
         change = resolve(factors, right)
         s.k = [[z[i] + change[j * n + i] for i in range(n)] for j, z in enumerate(s.k)]
-        if not adaptive:  # what is zero but for rounding counts against the largest
+        if adaptive:  # from rest an entry has no size but what this step gives it
+            scale = [max(a, s.tolerance * abs(z)) for stage in s.k for a, z in zip(allowed, stage, strict=True)]
+        else:  # what is zero but for rounding counts against the largest
             scale = [max(size, abs(z)) for stage in s.k for size, z in zip(sizes, stage, strict=True)]
             least = max(SMALL * max(scale), 1e-300)
             scale = [max(size, least) for size in scale]

@@ -205,17 +205,11 @@ def _attempt(run: _Run, reach: float) -> tuple[float, int]:
 def _measure_error(run: _Run) -> float:
     """That of an attempt, with what rounding allows where it may be rounding that is too much."""
     s, method, twice = run.step, run.method, run.growth == 1.0
-    try:
-        error = explicit.attempt(s, method) if isinstance(method, Explicit) else collocation.attempt(s, method)
-    except NoSolution:
-        s.reached = s.y
-        if s.tolerance <= 0.0 or not (twice or is_faint(s)):
-            raise
-        error = math.nan
-    if error <= 1.0 or s.tolerance <= 0.0 or not (twice or is_faint(s)):
+    error = explicit.attempt(s, method) if isinstance(method, Explicit) else collocation.attempt(s, method)
+    if not error > 1.0 or not (twice or is_faint(s)):
         return error
     if isinstance(method, Explicit):
-        return reconsider(s, error, twice, lambda: explicit.again(s, method)) if error > 1.0 else error
+        return reconsider(s, error, twice, lambda: explicit.again(s, method))
     return reconsider(s, error, twice, lambda: collocation.attempt(s, method))
 
 
@@ -259,7 +253,7 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     cut, which = 2.0, -1
     if model.watched:
         after = model.watch(reach, s.reached, task.p)
-        near = bool(run.trend) and may_dip(run.before, run.trend, s.h, model.dips) and _may_touch(run, after)
+        near = bool(run.trend) and may_dip(run.before, run.trend, after, s.h, model.dips) and _may_touch(run, after)
         if run.trend:
             run.trend = [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
         if model.events or near or find_change(run.before, after) >= 0:

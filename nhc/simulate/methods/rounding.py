@@ -52,22 +52,17 @@ def is_faint(s: Step) -> bool:
 
 
 def reconsider(s: Step, error: float, twice: bool, again: Callable[[], float]) -> float:
-    """The error of an attempt that failed after another one (``twice``), or with an entry that is next to nothing; NaN: it has no
-    solution, and no end.
+    """The error of an attempt that failed after another one (``twice``), or with an entry that is next to nothing.
 
     An entry that is zero but for rounding has errors beside its own size that no shorter step makes less.  What is asked where this
     step ends is not believed of others, unless it is taken: it may end anywhere.
 
     Raises:
-        NoSolution: there is none with what rounding allows either.
+        NoSolution: an implicit step has none with what rounding allows.
     """
     former = s.noise
-    if error > 1.0:
-        measure_noise(s, s.t + s.h, s.reached, s.arrived)
-    else:
-        s.reached = s.y
-        measure_noise(s, s.t, s.y, s.slope)
-    if error > 1.0 and twice:
+    measure_noise(s, s.t + s.h, s.reached, s.arrived)
+    if twice:
         s.spare()
     try:
         found = again() if s.spared or is_noisy(s) else error
@@ -76,6 +71,4 @@ def reconsider(s: Step, error: float, twice: bool, again: Callable[[], float]) -
         raise
     if not 0.0 <= found <= 1.0:
         s.noise = former
-    if math.isnan(found):
-        raise NoSolution
     return found

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from nhc.study.chart.single import Bench
-from nhc.study.chart.slope import Slope, absolute_tolerance
+from nhc.study.chart.slope import Rows, Slope, absolute_tolerance
 
 LANGUAGE = "sundials"
 METHODS = ("Adams", "BDF")
@@ -17,8 +17,8 @@ class NoCvode(Exception):
     """Its run fails."""
 
 
-def bind(bench: Bench, method: str, tolerance: float) -> tuple[Callable[[bool], Any], Slope]:
-    """A run of CVODE with the rows of the reference or the last one alone, and the counter of its right-hand sides."""
+def bind(bench: Bench, method: str, tolerance: float) -> tuple[Callable[[Rows], Any], Slope]:
+    """A run of CVODE with the rows of the reference, the last one alone or its own steps; the counter of its right-hand sides."""
     from sksundae.cvode import CVODE
 
     slope = Slope(bench)
@@ -28,13 +28,12 @@ def bind(bench: Bench, method: str, tolerance: float) -> tuple[Callable[[bool], 
         out[:] = slope(t, y)
 
     start, end = bench.times[0], bench.times[-1]
-    alone = (start, 0.5 * (start + end), end)  # two times would mean every step
+    # two times mean every step
+    wanted = {"grid": bench.times, "end": (start, 0.5 * (start + end), end), "steps": (start, end)}
 
-    def solve(rows: bool) -> Any:
+    def solve(rows: Rows) -> Any:
         slope.calls = 0
-        found = CVODE(fill, max_num_steps=MOST_STEPS, **options).solve(
-            bench.times if rows else alone, list(bench.job.y)
-        )
+        found = CVODE(fill, max_num_steps=MOST_STEPS, **options).solve(wanted[rows], list(bench.job.y))
         if not found.success:
             raise NoCvode(" ".join(str(found.message).lower().split()))
         return found

@@ -13,7 +13,7 @@ from nhc.study.chart import cvode, diffrax_peer
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.measure import time_repeats
 from nhc.study.chart.single import Bench, judge
-from nhc.study.chart.slope import Slope, TooManyCalls, absolute_tolerance
+from nhc.study.chart.slope import Rows, Slope, TooManyCalls, absolute_tolerance
 from nhc.study.chart.taylor import LANGUAGE, METHOD, run_taylor
 
 LEAST_SCIPY = 3e-14  # SciPy raises smaller relative tolerances by itself
@@ -55,7 +55,7 @@ def run_peer(bench: Bench, peer: Peer, tolerances: Sequence[float], budget: floa
 def _run(
     bench: Bench,
     case: Case,
-    bind: Callable[[Bench, str, float], tuple[Callable[[bool], Any], Slope]],
+    bind: Callable[[Bench, str, float], tuple[Callable[[Rows], Any], Slope]],
     budget: float,
 ) -> Result:
     if case.language == "scipy" and case.tolerance < LEAST_SCIPY:
@@ -64,9 +64,10 @@ def _run(
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            found = solve(True)
+            found, steps = solve("grid"), len(solve("steps").t) - 1
             states = found.y.T if case.language == "scipy" else found.y
-            counts = Result(case, calls=slope.calls, jacobians=int(found.njev or 0), steps=len(found.t) - 1)
+            solve("end")  # what is timed: between its steps it needs no slopes
+            counts = Result(case, calls=slope.calls, jacobians=int(found.njev or 0), steps=steps)
             assert bench.compiled is not None
             rows = bench.compiled.quantities(bench.times, [list(map(float, y)) for y in states], bench.job.p)
             measured = judge(bench, counts, rows)
@@ -78,23 +79,25 @@ def _run(
     return replace(measured, best=best, median=middle, repeats=repeats)
 
 
-def _repeat(solve: Callable[[bool], Any], count: int) -> None:
+def _repeat(solve: Callable[[Rows], Any], count: int) -> None:
     for _ in range(count):
-        solve(False)
+        solve("end")
 
 
-def _bind_scipy(bench: Bench, method: str, tolerance: float) -> tuple[Callable[[bool], Any], Slope]:
-    """A run of ``solve_ivp``, with the rows of the reference or with the last one alone."""
+def _bind_scipy(bench: Bench, method: str, tolerance: float) -> tuple[Callable[[Rows], Any], Slope]:
+    """A run of ``solve_ivp``, with the rows of the reference, the last one alone, or those of its own steps."""
     import numpy as np
     from scipy.integrate import solve_ivp
 
     slope, start = Slope(bench), np.array(bench.job.y)
     floor = absolute_tolerance(bench, tolerance)
 
-    def solve(rows: bool) -> Any:
+    ends = bench.times[0], bench.times[-1]
+    wanted = {"grid": bench.times, "end": ends[1:], "steps": None}
+
+    def solve(rows: Rows) -> Any:
         slope.calls = 0
-        ends, wanted = (bench.times[0], bench.times[-1]), bench.times if rows else (bench.times[-1],)
-        found = solve_ivp(slope, ends, start, method=method, rtol=tolerance, atol=floor, t_eval=wanted)
+        found = solve_ivp(slope, ends, start, method=method, rtol=tolerance, atol=floor, t_eval=wanted[rows])
         if found.status != 0:
             raise ArithmeticError(" ".join(str(found.message).lower().split()))
         return found

@@ -54,6 +54,12 @@ def follow_case(bench: Bench, case: Case, budget: float) -> tuple[Result, Rows]:
     if measured.failed:
         return measured, ()
     ends = replace(task, times=(bench.times[0], bench.times[-1]))
+    timed = model.integrate(
+        ends, case.method, model.news()
+    )  # between its steps it needs no slopes: the work that is timed
+    measured = replace(
+        measured, calls=timed.calls, jacobians=timed.jacobians, steps=timed.steps, rejected=timed.rejected
+    )
 
     def repeat(count: int) -> None:
         if case.language == "c":

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any
+from typing import Any, Literal
 
 from nhc.study.chart.model import doubles
 from nhc.study.chart.single import Bench
 
 MOST_CALLS = 10_000
+Rows = Literal["grid", "end", "steps"]
+"""What is asked of a peer: the rows of the reference, the end alone, or those of its own steps."""
 
 
 class TooManyCalls(Exception):
