@@ -60,6 +60,7 @@ _UNITS: dict[str, Dimension] = {
 _COHERENT = ("1", "rad", "sr", "N", "J", "W", "Pa", "Hz", "C", "V", "F", "ohm", "S", "Wb", "T", "H")
 _PREFIXES = ("da", *"QRYZEPTGMkhdcmunpfazyrq", "\u00b5", "\u03bc")
 _UNPREFIXED = ("1", "min", "h", "deg")
+_ENLARGED = {"t": ("da", *"QRYZEPTGMkh")}  # `ft` is a foot to those who write it, and no unit here
 _LETTERS = r"[A-Za-z\u00b5\u03bc\u03a9\u2126]+|1"
 _WORD = re.compile(rf"\s*(?:({_LETTERS})|(\*\*|[*/^()\u00b7\u22c5])|([-+]?[0-9]+)|([\u00b2\u00b3]))")
 _EXPONENT = re.compile(r"\s*([-+]?[0-9]+)")
@@ -111,7 +112,7 @@ def _unit(text: str, start: int) -> Dimension:
         return _UNITS[name]
     for prefix in _PREFIXES:
         rest = name.removeprefix(prefix)
-        if rest != name and rest in _UNITS and rest not in _UNPREFIXED:
+        if rest != name and rest in _UNITS and rest not in _UNPREFIXED and prefix in _ENLARGED.get(rest, _PREFIXES):
             return _UNITS[rest]
     raise UnitError(f"unknown unit `{text}`", start, start + len(text))
 

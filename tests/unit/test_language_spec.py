@@ -183,7 +183,13 @@ def test_the_schema_is_made_of_the_table() -> None:
     body = {"at": ["x", 0], "turns": [{"z": "x"}, {"x": 1}], "mass": 1, "inertia": [1, 2, "a"]}
     heavy = {"nhc": 1, "system": "s", "coordinates": ["x"], "bodies": {"b": body}, "gravity": [0, -9.81]}
     assert validator.is_valid({**heavy, "points": {"p": {"on": "b", "at": [0, 0, 1], "of": "b"}}})
-    for wrong in ({"turns": {"z": "x"}}, {"turns": [{"z": 1, "x": 2}]}, {"turns": [{"w": 1}]}, {"inertia": [1, 2]}, {"at": 0}):
+    for wrong in (
+        {"turns": {"z": "x"}},
+        {"turns": [{"z": 1, "x": 2}]},
+        {"turns": [{"w": 1}]},
+        {"inertia": [1, 2]},
+        {"at": 0},
+    ):
         assert not validator.is_valid({**heavy, "bodies": {"b": {**body, **wrong}}})
     for start in ([1, 0, 0, "a"], {"axis": [0, 0, 1], "angle": "pi"}, {"yaw": 1}):
         assert validator.is_valid({**good, "scenes": {"s": {"time": [0, 1], "initial": {"R": start}}}})
@@ -256,12 +262,14 @@ def test_derived_units_are_those_of_the_international_system() -> None:
         wanted = {base[str(dimension.name)]: power for dimension, power in powers.items()}
         product = "*".join(f"{unit}^{power}" for unit, power in wanted.items())
         assert parse_unit(name) == parse_unit(product), name
-        for prefix in ("k", "m", "da", "\u00b5") if name not in ("min", "h") else ():
+        prefixes = {"min": (), "h": (), "t": ("k", "M")}.get(name, ("k", "m", "da", "\u00b5"))
+        for prefix in prefixes:
             assert parse_unit(prefix + name) == parse_unit(name)
 
 
 @pytest.mark.parametrize(
-    "text", ["kmin", "mh", "mdeg", "k1", "metre", "", "kg*", "/s", "m^x", "m^", "(m", "m)", "2", "m^0.5", "m?"]
+    "text",
+    ["ft", "mt", "kmin", "mh", "mdeg", "k1", "metre", "", "kg*", "/s", "m^x", "m^", "(m", "m)", "2", "m^0.5", "m?"],
 )
 def test_texts_that_are_no_units(text: str) -> None:
     with pytest.raises(UnitError) as caught:
