@@ -192,7 +192,9 @@ PLACES = ("U", "V", "about", "source", "formulation")
 @cache
 def gallery() -> tuple[str, ...]:
     """The texts of the gallery."""
-    return tuple(path.read_text(encoding="utf-8") for path in sorted([*SPECS.glob("*.yaml"), *SPECS.glob("bodies/*.yaml")]))
+    return tuple(
+        path.read_text(encoding="utf-8") for path in sorted([*SPECS.glob("*.yaml"), *SPECS.glob("bodies/*.yaml")])
+    )
 
 
 def random_expression(rng: random.Random, depth: int = 0) -> str:

@@ -46,7 +46,10 @@ def _unit_table() -> str:
         rows.append(f"| {'none' if dimension == ONE else show(dimension)} | {_code(names)} |")
     prefixes = _code(list(dict.fromkeys(_PREFIXES)))
     without = _code(list(_UNPREFIXED))
-    return "\n".join(rows) + f"\n\nAll but {without} take a prefix: {prefixes}; `t` only one that enlarges.  `Ω` is `ohm`.\n"
+    return (
+        "\n".join(rows)
+        + f"\n\nAll but {without} take a prefix: {prefixes}; `t` only one that enlarges.  `Ω` is `ohm`.\n"
+    )
 
 
 def _reserved() -> str:
