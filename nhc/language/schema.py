@@ -136,7 +136,7 @@ def _drawn_shape(key: Key) -> dict[str, Any]:
         case "circle":
             return _object(CIRCLE_KEYS)
         case "body":
-            return _object(DRAWN_BODY_KEYS)
+            return {**_object(DRAWN_BODY_KEYS), "required": ["shape"]}  # `at` and `angle` where it is not on a body
         case "figures":
             one = {"oneOf": [{"required": [kind]} for kind in FIGURES]}
             return _listed({**_object(DRAW_KEYS), **one})

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import Path
 
 import jsonschema
 import pytest
 import sympy.physics.units
 import sympy.physics.units.systems.si
+import yaml
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import (
@@ -161,7 +163,6 @@ def test_a_declared_name_wins() -> None:
 
 @pytest.mark.parametrize("path", sorted(find_specs().glob("*.yaml")), ids=lambda path: path.stem)
 def test_the_gallery_fits_the_schema(path: object) -> None:
-    import yaml
 
     text = path.read_text(encoding="utf-8")  # type: ignore[attr-defined]
     make(text)
@@ -191,6 +192,8 @@ def test_the_schema_is_made_of_the_table() -> None:
         {"at": 0},
     ):
         assert not validator.is_valid({**heavy, "bodies": {"b": {**body, **wrong}}})
+    for path in (Path(__file__).resolve().parents[2] / "specs" / "bodies").glob("*.yaml"):
+        assert validator.is_valid(yaml.safe_load(path.read_text())), path
     for start in ([1, 0, 0, "a"], {"axis": [0, 0, 1], "angle": "pi"}, {"yaw": 1}):
         assert validator.is_valid({**good, "scenes": {"s": {"time": [0, 1], "initial": {"R": start}}}})
     for rotation in ([], {}, {"R": {"velocities": ["a", "b"]}}, {"R": {"frame": "inertial"}}):
