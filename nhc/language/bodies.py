@@ -96,7 +96,7 @@ class BodyReader:
             return None
         return Body(
             Text(fold(name.value), name.span, True),
-            self.name_under(table, "on"),
+            self.name_under(table, "parent"),
             at,
             turns,
             mass,

@@ -12,11 +12,11 @@ from .pieces import Piece, Triple, each, write
 
 
 def put_into_space(table: Table, frame: Frame, reader: BodyReader) -> Table:
-    """A shape without its ``on``; what has no such shape is left for the decoder to report."""
+    """A shape without its ``parent``; what has no such shape is left for the decoder to report."""
     entries: list[tuple[Text, Node]] = []
     for key, node in table.entries:
         match key.value, node:
-            case "on", _:
+            case "parent", _:
                 continue
             case "point", Items():
                 entries.append((key, _points((node,), frame, reader)[0]))
@@ -56,7 +56,7 @@ def _body(key: Text, table: Table, frame: Frame, reader: BodyReader) -> tuple[Te
     for text, _ in table.entries:
         if text.value in ("at", "angle"):
             help = "leave it out: the shape stands on the body's own axes"
-            reader.bag.error("E0303", f"`{text.value}` beside `on`", text.span, help=(help,))
+            reader.bag.error("E0303", f"`{text.value}` beside `parent`", text.span, help=(help,))
     if not isinstance(shape, Items) or not shape.items:
         return key, table
     if frame.heading is not None and frame.origin[2].is_zero:

@@ -40,7 +40,7 @@ class _Drawing:
         place = table.entries[0][0].span if table.entries else item.span
         meant = self.shapes.check_keys(table, DRAW_KEYS, "a shape of `draw`", place)
         kinds = [(text, value) for text, value in table.entries if text.value in FIGURES]
-        self._refuse_on(table)
+        self._refuse_parent(table)
         names = quote(FIGURES)
         if not kinds:
             if not any(name in FIGURES for name in meant):
@@ -66,11 +66,11 @@ class _Drawing:
                 return self._body(value, text, name)
         return Figure(text.value, name, text.span, points, trace) if points else None
 
-    def _refuse_on(self, table: Table) -> None:
+    def _refuse_parent(self, table: Table) -> None:
         """What stands on a body that is known has been put into space before."""
-        text = self.shapes.text(node, "the name of a body") if (node := table.get("on")) is not None else None
+        text = self.shapes.text(node, "the name of a body") if (node := table.get("parent")) is not None else None
         if text is not None:
-            help = "declare it under `bodies`, or leave `on` out"
+            help = "declare it under `bodies`, or leave `parent` out"
             self.bag.error("E0302", f"unknown body `{text.value}`", text.span, help=(help,))
 
     def _trace(self, table: Table, kind: str) -> bool:

@@ -25,7 +25,7 @@ class Key:
         return Key(self.name, self.kind, False, self.about, self.choices)
 
 
-_TURNS = "turns from the axes of `on` to its own, one after another: `[z: yaw, x: roll]`; `[]` if left out"
+_TURNS = "turns from the axes of its parent to its own, one after another: `[z: yaw, x: roll]`; `[]` if left out"
 _INERTIA = (
     "about the centre of mass on its own axes: one moment about every axis, `[A, B, C]`, or entries of the matrix"
 )
@@ -95,10 +95,12 @@ ROTATION_KEYS = (
 )
 
 BODY_KEYS = (
-    Key("on", "name", False, "the body on whose axes it is placed; space if left out"),
-    Key("at", "place", False, "its origin on the axes of `on`: `[X, Y]` or `[X, Y, Z]`; their origin if left out"),
+    Key("parent", "name", False, "the body on whose axes it is placed; space if left out"),
+    Key(
+        "at", "place", False, "its origin on the axes of its parent: `[X, Y]` or `[X, Y, Z]`; their origin if left out"
+    ),
     Key("turns", "turns", False, _TURNS),
-    Key("rotation", "name", False, "in place of `turns`: a rotation, from its own axes to those of `on`"),
+    Key("rotation", "name", False, "in place of `turns`: a rotation, from its own axes to those of its parent"),
     Key("mass", "expression", False, "its mass; none if left out"),
     Key("centre", "place", False, "its centre of mass on its own axes; its origin if left out"),
     Key("inertia", "inertia", False, _INERTIA),
@@ -115,9 +117,9 @@ INERTIA_KEYS = (
 )
 
 POINT_KEYS = (
-    Key("on", "name", False, "the body on whose axes it is placed; space if left out"),
+    Key("parent", "name", False, "the body on whose axes it is placed; space if left out"),
     Key("at", "place", True, "where it is on these axes: `[X, Y]` or `[X, Y, Z]`"),
-    Key("of", "name", False, "the body whose matter moves there; `on` if left out"),
+    Key("of", "name", False, "the body whose matter moves there; the parent if left out"),
     Key("about", "text", False, "what it is"),
 )
 
@@ -165,7 +167,7 @@ DRAW_KEYS = (
     ),
     Key("circle", "circle", False, "a circle: `{centre: [X, Y], radius: R}`"),
     Key("body", "body", False, "a polygon that moves in the plane: `{at: [X, Y], angle: A, shape: [[x, y], ...]}`"),
-    Key("on", "name", False, "the body on whose axes all of it is given; a `body` then takes `shape` alone"),
+    Key("parent", "name", False, "the body on whose axes all of it is given; a `body` then takes `shape` alone"),
     Key("trace", "flag", False, "`true`: the point leaves its path behind"),
     Key("name", "text", False, "a label beside it"),
 )
@@ -177,12 +179,12 @@ CIRCLE_KEYS = (
 )
 
 DRAWN_BODY_KEYS = (
-    Key("at", "spot", True, "`[X, Y]`, where the origin of the body's axes is; not beside `on`"),
+    Key("at", "spot", True, "`[X, Y]`, where the origin of the body's axes is; not beside `parent`"),
     Key(
         "angle",
         "expression",
         True,
-        "not beside `on`; from the x axis to the body's first axis, counterclockwise, in radians",
+        "not beside `parent`; from the x axis to the body's first axis, counterclockwise, in radians",
     ),
     Key("shape", "polygon", True, "three corners or more on the body's axes"),
 )

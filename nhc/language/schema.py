@@ -132,7 +132,7 @@ def _drawn_shape(key: Key) -> dict[str, Any]:
         case "vector":
             return _numbers(3, 3)
         case "polygon":
-            return {**_listed(_numbers(2, 2)), "minItems": 3}
+            return {**_listed(_numbers(2, 3)), "minItems": 3}  # three numbers on a body in space
         case "circle":
             return _object(CIRCLE_KEYS)
         case "body":

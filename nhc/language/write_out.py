@@ -56,7 +56,7 @@ class _Writer:
         for body in self.bodies:
             self._place(body, gravity)
         for text, node in self.reader.entries(
-            "points", "a mapping of points by name", "write `name: {on: body, at: [a, 0]}`"
+            "points", "a mapping of points by name", "write `name: {parent: body, at: [a, 0]}`"
         ):
             self._point(text, node)
         if bodies and not self.energies and self.root.get("T") is None and not self.bag.has_errors:
@@ -91,7 +91,7 @@ class _Writer:
                 name = known[name].on
             if name in path:
                 cycle = " on ".join([*path[path.index(name) :], name])
-                help = "put one of them in space: leave out its `on`"
+                help = "put one of them in space: leave out its `parent`"
                 self.bag.error("E0318", f"bodies stand on one another: {cycle}", known[name].name.span, help=(help,))
                 done.update(path)
                 continue
@@ -111,11 +111,11 @@ class _Writer:
         self.bag.error("E0302", f"unknown body `{name}`", place, help=(help,))
 
     def _place_of(self, name: str, span: Span) -> Span:
-        """Where a name stands as the value of `on` or `of`."""
+        """Where a name stands as the value of `parent` or `of`."""
         for key in ("bodies", "points"):
             table = self.root.get(key)
             for _, node in table.entries if isinstance(table, Table) else ():
-                for word in ("on", "of"):
+                for word in ("parent", "of"):
                     value = node.get(word) if isinstance(node, Table) else None
                     if isinstance(value, Text) and fold(value.value) == name:
                         return value.span
@@ -138,13 +138,13 @@ class _Writer:
     def _point(self, name: Text, node: Node) -> None:
         what = f"point `{name.value}`"
         table = self.reader.shapes.table(
-            node, f"a mapping for {what}", f"write `{name.value}: {{on: body, at: [a, 0]}}`"
+            node, f"a mapping for {what}", f"write `{name.value}: {{parent: body, at: [a, 0]}}`"
         )
         if table is None:
             return
         self.reader.shapes.check_keys(table, POINT_KEYS, what, name.span)
         self.reader.shapes.line(table.get("about"))
-        at, on = self.reader.vector(table.get("at"), name.span.start), self.reader.name_under(table, "on")
+        at, on = self.reader.vector(table.get("at"), name.span.start), self.reader.name_under(table, "parent")
         of = self.reader.name_under(table, "of") or on
         for body in dict.fromkeys((on, of)):
             if body and body not in self.declared:
@@ -186,7 +186,7 @@ class _Writer:
             return node
         items: list[Node] = []
         for item in node.items:
-            on = self.reader.name_under(item, "on") if isinstance(item, Table) else ""
+            on = self.reader.name_under(item, "parent") if isinstance(item, Table) else ""
             if isinstance(item, Table) and on and on in self.frames:
                 made = put_into_space(item, self.frames[on], self.reader)
                 items += [made] if not self.bag.has_errors else []  # what is wrong is said once

@@ -182,7 +182,7 @@ def hinged(axes: str, count: int, centre: str = "[0, 0, l/2]") -> str:
     lines = ["nhc: 1", "system: arm", f"coordinates: [{', '.join(f'q{k}' for k in range(count))}]"]
     lines += ["parameters: {m: 1, A: 0.1, B: 0.2, C: 0.3, l: 1, a: 0.3, g: 9.81}", "bodies:"]
     for k in range(count):
-        place = f"on: b{k - 1}, at: [0, 0, l], " if k else ""
+        place = f"parent: b{k - 1}, at: [0, 0, l], " if k else ""
         lines.append(
             f"  b{k}: {{{place}turns: [{axes[k % len(axes)]}: q{k}], mass: m, centre: {centre}, inertia: [A, B, C]}}"
         )

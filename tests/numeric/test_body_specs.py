@@ -120,7 +120,7 @@ def chain(count: int, axis: str) -> str:
     first = "at: [x, 0], mass: M" if axis == "z" else "turns: [z: x], inertia: M"
     lines.append(f"  base: {{{first}}}")
     for k in range(count):
-        place = "on: base" if k == 0 else f"on: b{k - 1}, at: [l, 0, 0]"
+        place = "parent: base" if k == 0 else f"parent: b{k - 1}, at: [l, 0, 0]"
         lines.append(f"  b{k}: {{{place}, turns: [{axis}: q{k}], mass: m, centre: [l/2, 0, 0], inertia: [A, B, C]}}")
     return "\n".join([*lines, "gravity: [g, 0, -g]"]) + "\n"
 

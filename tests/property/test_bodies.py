@@ -145,7 +145,7 @@ def test_trees_of_bodies(seed: int) -> None:
         centre = chance.choice(PLACES)
         inertia = chance.choice(("A", "[A, B, C]", "[A, B, A]", "{xx: A, yy: B, zz: C, xz: D, xy: -D, yz: 0.2}"))
         shown = ", ".join(f"{axis}: {angle}" for axis, angle in turns)
-        bodies += f"  {name}: {{{f'on: {on}, ' if on else ''}at: {listed(at)}, turns: [{shown}], mass: m, "
+        bodies += f"  {name}: {{{f'parent: {on}, ' if on else ''}at: {listed(at)}, turns: [{shown}], mass: m, "
         bodies += f"centre: {listed(centre)}, inertia: {inertia}}}\n"
         reference.add(name, on, at, reference.turned(turns))
         known.append(name)
@@ -161,7 +161,7 @@ def test_trees_of_bodies(seed: int) -> None:
     bodies += "points:\n"
     for k in range(3):
         on, of, at = chance.choice(known), chance.choice(known[1:]), chance.choice(PLACES)
-        bodies += f"  s{k}: {{{f'on: {on}, ' if on else ''}of: {of}, at: {listed(at)}}}\n"
+        bodies += f"  s{k}: {{{f'parent: {on}, ' if on else ''}of: {of}, at: {listed(at)}}}\n"
         place = reference.origin[on](0) + reference.matrix[on](0) * reference.vector(at, mpmath.mpf(0))
         moved = reference.matter(of, place)
         outputs += [f"s{k}_{x}" for x in "xyz"] + [f"s{k}_v{x}" for x in "xyz"]
@@ -204,9 +204,9 @@ def test_rotations(frame: str, nested: bool) -> None:
     on = "base" if nested else ""
     reference.add("top", on, ["a", "0", "b"], matrix)
     bodies = "bodies:\n  base: {at: [x, y, z], turns: [z: p, y: q], mass: m}\n"
-    place = "on: base, " if nested else ""
+    place = "parent: base, " if nested else ""
     bodies += f"  top: {{{place}at: [a, 0, b], rotation: R, mass: m, centre: [0, c, 0], inertia: [A, B, C]}}\n"
-    bodies += "points: {s: {on: top, at: [a, b, c]}, k: {on: base, of: top, at: [r, 0, b]}}\n"
+    bodies += "points: {s: {parent: top, at: [a, b, c]}, k: {parent: base, of: top, at: [r, 0, b]}}\n"
     bodies += "T: " + " + ".join(f"{n}'^2" for n in COORDINATES) + "\n"
     omega = reference.omega("top")
     middle = rate(
@@ -234,8 +234,8 @@ def test_forces_do_the_work_of_their_points(seed: int) -> None:
     mpmath.mp.dps = 60
     _, q, v = draw(100 + seed, COORDINATES)
     keys = (
-        "bodies: {one: {at: [x, y, z], turns: [z: p, x: q], mass: m}, two: {on: one, turns: [y: r + t], inertia: A}}\n"
-        "points: {s: {on: two, at: [a, b, c*x]}, k: {on: one, of: two, at: [0, a, y]}}\n"
+        "bodies: {one: {at: [x, y, z], turns: [z: p, x: q], mass: m}, two: {parent: one, turns: [y: r + t], inertia: A}}\n"
+        "points: {s: {parent: two, at: [a, b, c*x]}, k: {parent: one, of: two, at: [0, a, y]}}\n"
         "forces: {s_x: 2, s_z: -a, k_v2: 3, two_w3: b, x: 5}\n"
         "T: " + " + ".join(f"{n}'^2" for n in COORDINATES) + "\n"
     )

@@ -62,8 +62,8 @@ def test_a_body_in_the_plane_is_written_as_by_hand() -> None:
 def test_turns_about_one_axis_add_up_from_body_to_body() -> None:
     """What does not move stays apart: the axes before it are where the body before has its mass."""
     chain = (
-        "bodies: {a: {turns: [x: k, y: x], mass: m}, b: {on: a, at: [1, 0, 0], turns: [y: z, y: phi], mass: m}, "
-        "c: {on: b, turns: [y: k], mass: m, centre: [1, 0, 0]}, d: {on: c, at: [1, 0, 0], turns: [y: x]}}\n"
+        "bodies: {a: {turns: [x: k, y: x], mass: m}, b: {parent: a, at: [1, 0, 0], turns: [y: z, y: phi], mass: m}, "
+        "c: {parent: b, turns: [y: k], mass: m, centre: [1, 0, 0]}, d: {parent: c, at: [1, 0, 0], turns: [y: x]}}\n"
     )
     shown = "outputs: {o1: a_angle, o2: b_angle, o3: c_angle, o4: d_angle, o5: b_x1, o6: d_w2}\n"
     made = {d.name: unparse(d.value) for d in spec(chain, shown, "T: x'^2 + z'^2 + phi'^2\n").definitions}
@@ -76,10 +76,10 @@ def test_turns_about_one_axis_add_up_from_body_to_body() -> None:
 
 
 DRAWN = """draw:
-  - {on: rod, point: [a, 0], name: tip}
-  - {on: rod, line: [[0, 0], [a, 1]]}
-  - {on: rod, circle: {centre: [a, 0], radius: 1}}
-  - {on: rod, body: {shape: [[0, 0], [1, 0], [0, 1]]}}
+  - {parent: rod, point: [a, 0], name: tip}
+  - {parent: rod, line: [[0, 0], [a, 1]]}
+  - {parent: rod, circle: {centre: [a, 0], radius: 1}}
+  - {parent: rod, body: {shape: [[0, 0], [1, 0], [0, 1]]}}
 """
 
 
@@ -103,7 +103,7 @@ def test_shapes_on_a_body_in_space_move_with_all_of_its_axes() -> None:
 
 
 def test_a_round_body_is_written_without_its_spin() -> None:
-    wheel = "bodies: {f: {turns: [z: x]}, w: {on: f, turns: [y: phi], inertia: [I, k, I]}}\n"
+    wheel = "bodies: {f: {turns: [z: x]}, w: {parent: f, turns: [y: phi], inertia: [I, k, I]}}\n"
     made = {d.name: unparse(d.value) for d in spec(wheel, "T: z'^2/2\n").definitions}
     assert made["w_T"] == "k/2*phi'^2 + I/2*f_w3^2"
 
@@ -126,9 +126,7 @@ def test_a_spec_that_extends_another_changes_its_bodies(tmp_path: Path) -> None:
     [("at: [x, 0, zz]", "zz"), ("turns: [y: phi + qq]", "qq"), ("mass: m*mm", "mm"), ("centre: [a, 1/0, 0]", "0")],
 )
 def test_mistakes_are_marked_where_they_stand(part: str, place: str) -> None:
-    text = (
-        f"{HEAD}bodies:\n  rod: {{on: base, mass: m, inertia: I, {part}}}\n  base: {{at: [x, 0, z], turns: [x: phi]}}\n"
-    )
+    text = f"{HEAD}bodies:\n  rod: {{parent: base, mass: m, inertia: I, {part}}}\n  base: {{at: [x, 0, z], turns: [x: phi]}}\n"
     text = text.replace("mass: m, inertia: I, mass", "inertia: I, mass")
     with pytest.raises(SpecError) as caught:
         resolve(decode(Source("s.yaml", text)))
@@ -140,8 +138,8 @@ def test_mistakes_are_marked_where_they_stand(part: str, place: str) -> None:
 def test_a_derivation_tells_of_the_bodies() -> None:
     text = (
         "nhc: 1\nsystem: s\ncoordinates: [x, phi]\nrotation: [R]\nparameters: {m: 2, I: 0.3, a: 0.5}\n"
-        "bodies: {cart: {at: [x, 0], mass: m, about: It runs on rails.}, rod: {on: cart, at: [0, a, -a], turns: [y: phi, x: a], "
-        "mass: m, centre: [a, 0], inertia: I}, top: {on: rod, rotation: R, inertia: [I, 2*I, a]}, "
+        "bodies: {cart: {at: [x, 0], mass: m, about: It runs on rails.}, rod: {parent: cart, at: [0, a, -a], "
+        "turns: [y: phi, x: a], mass: m, centre: [a, 0], inertia: I}, top: {parent: rod, rotation: R, inertia: [I, 2*I, a]}, "
         "skew: {turns: [z: phi], inertia: {xx: I, zz: I, xz: -a}}}\n"
     )
     shown = " ".join(derive(Source("s.yaml", text)).split())

@@ -183,7 +183,7 @@ def test_the_schema_is_made_of_the_table() -> None:
         assert validator.is_valid({"nhc": 1, "system": "s", "rotation": rotation, "T": "a^2"})
     body = {"at": ["x", 0], "turns": [{"z": "x"}, {"x": 1}], "mass": 1, "inertia": [1, 2, "a"]}
     heavy = {"nhc": 1, "system": "s", "coordinates": ["x"], "bodies": {"b": body}, "gravity": [0, -9.81]}
-    assert validator.is_valid({**heavy, "points": {"p": {"on": "b", "at": [0, 0, 1], "of": "b"}}})
+    assert validator.is_valid({**heavy, "points": {"p": {"parent": "b", "at": [0, 0, 1], "of": "b"}}})
     for wrong in (
         {"turns": {"z": "x"}},
         {"turns": [{"z": 1, "x": 2}]},
