@@ -25,6 +25,7 @@ from nhc.mechanics.turns import Vector, add_vectors, cross, scale_vector
 from nhc.records import identity_record, record
 
 ZERO: Vector = (0, 0, 0)
+_FEW_ANGLES = 6  # by which the parts of one vector turn at its end, and those of what its turn leaves
 _DEEP = 60  # turns on one another that are followed at once: those of bodies nearer to the root are known
 
 
@@ -166,6 +167,8 @@ class Frames:
         g = self.graph
         rows = [[list_factors(g, term) for term in list_terms(g, x)] for x in vector]
         angles = {g.a[f] for row in rows for term in row for f in term if g.op[f] in ("sin", "cos")}
+        if len(angles) > _FEW_ANGLES:
+            return None  # a sum of vectors, which is taken apart before it comes back
         for angle in sorted((a for a in angles if g.deps[a] & self.moving), reverse=True):
             x, y, z = (self._split(row, angle) for row in rows)
             across, along, still = zip(x, y, z, strict=True)

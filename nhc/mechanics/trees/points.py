@@ -233,7 +233,7 @@ class Points:
         paths = []
         for place in places:
             arms, loose = self._arms(place)
-            path = sorted(arms, key=lambda arm: arm[0].depth)
+            path = sorted(reversed(arms), key=lambda arm: arm[0].depth)  # peeled from the end
             paths.append(((None, loose), *path) if any(loose) else tuple(path))
         return _share(self.frames, paths)
 
@@ -262,21 +262,31 @@ class Points:
 
     def _peel(self, vector: Vector) -> tuple[list[tuple[Frame, Vector]], Vector]:
         """Parts that are fixed on axes, and the rest: each part has all the terms in which one angle or rotation stands."""
-        g, found = self.graph, list[tuple[Frame, Vector]]()
-        rows = [[(term, self._turners(term)) for term in list_terms(g, x)] for x in vector]
-        turners = set[tuple[int, Node]]().union(*(own for row in rows for _, own in row))
-        waiting = sorted(turners, reverse=True)
+        g, found, gone = self.graph, list[tuple[Frame, Vector]](), set[tuple[int, int]]()
+        rows = [list_terms(g, x) for x in vector]
+        turned: dict[tuple[int, Node], list[tuple[int, int]]] = {}
+        for axis, row in enumerate(rows):
+            for k, term in enumerate(row):
+                for turner in self._turners(term):
+                    turned.setdefault(turner, []).append((axis, k))
+
+        def total(places: Iterable[tuple[int, int]]) -> Vector:
+            kept: tuple[list[Node], list[Node], list[Node]] = ([], [], [])
+            for axis, k in places:
+                if (axis, k) not in gone:
+                    kept[axis].append(rows[axis][k])
+            return g.sum(kept[0]), g.sum(kept[1]), g.sum(kept[2])
+
+        waiting = sorted(turned, reverse=True)
         while waiting:
             turner = waiting.pop(0)
-            x, y, z = (g.sum([term for term, own in row if turner in own]) for row in rows)
-            frame = self.frames.of((x, y, z)) if x or y or z else None
+            own = total(turned[turner])
+            frame = self.frames.of(own) if any(own) else None
             if frame is not None:
-                found.append((frame, (x, y, z)))
-                rows = [[(term, own) for term, own in row if turner not in own] for row in rows]
-                turners.discard(turner)
-                waiting = sorted(turners, reverse=True)
-        x, y, z = (g.sum([term for term, _ in row]) for row in rows)
-        return found, (x, y, z)
+                found.append((frame, own))
+                gone.update(turned.pop(turner))
+                waiting = sorted(turned, reverse=True)
+        return found, total((axis, k) for axis, row in enumerate(rows) for k in range(len(row)))
 
     def _turners(self, term: Node) -> frozenset[tuple[int, Node]]:
         """The angles and the rotations that stand in a product, each as a number and a node."""
