@@ -53,6 +53,22 @@ class Steady:
     turns: tuple[Matrix, ...] = field(default=(), compare=False)
 
 
+class Locked(NotSteady):
+    """The coordinates are singular at the motion ``steady`` that was found: rates and slopes there are worth nothing.
+
+    ``regularity`` says how nearly: in [0, 1], and next to nothing.
+    """
+
+    def __init__(self, steady: Steady, regularity: float) -> None:
+        message = (
+            f"the coordinates are singular at the steady motion that is found (conditioning {regularity:.2g}), as angles are in a "
+            "gimbal lock"
+        )
+        advice = "give the orientation as a `rotation`, take other angles, or look near another motion"
+        super().__init__(message, math.inf, steady.y, advice)
+        self.steady, self.regularity = steady, regularity
+
+
 def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold] = ()) -> Steady:
     """The steady motion near the guess: damped Gauss-Newton (Levenberg) steps of least norm.
 
@@ -84,7 +100,7 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
         raise failed[0] from None
     best = min(found, key=lambda one: one[0])[1]  # of equally near ones that with fewer turns
     check_frame(model, best.y, "at the steady motion")
-    check_coordinates(model, best.y, guess)
+    check_coordinates(model, best, guess)
     return best
 
 
@@ -107,22 +123,15 @@ def check_frame(model: SteadyModel, y: Sequence[float], where: str) -> None:
         raise SingularFrame(f"the coframe is singular {where} (conditioning {sound:.2g})", float("inf"))
 
 
-def check_coordinates(model: SteadyModel, y: Sequence[float], guess: Sequence[float]) -> None:
-    """Nothing where the coordinates are regular at the state y, to which a search from the guess led.
+def check_coordinates(model: SteadyModel, steady: Steady, guess: Sequence[float]) -> None:
+    """Nothing where the coordinates are regular at a steady motion, to which a search from the guess led.
 
     Raises:
-        NotSteady: they are not (Euler's angles in their lock, a sphere's azimuth at its pole): rates and slopes there are worth
-            nothing.
+        Locked: they are not (Euler's angles in their lock, a sphere's azimuth at its pole).
     """
-    regularity = min(model.regularity(y), model.presence(y, guess))
+    regularity = min(model.regularity(steady.y), model.presence(steady.y, guess))
     if regularity <= SINGULAR:
-        raise NotSteady(
-            f"the coordinates are singular at the steady motion that is found (conditioning {regularity:.2g}), as angles are in a "
-            "gimbal lock",
-            math.inf,
-            y,
-            "give the orientation as a `rotation`, take other angles, or look near another motion",
-        )
+        raise Locked(steady, regularity)
 
 
 def check_smooth(model: SteadyModel, steady: Steady) -> None:

@@ -15,6 +15,7 @@ from types import FrameType, SimpleNamespace
 
 import mpmath  # noqa: F401 - what an input may import for the first time must not look as if the input did it
 
+import nhc.language.write_out  # noqa: F401 - few specs need it
 from nhc.diagnostics import Bag, Source, Span, SpecError, render_concise, render_text, to_json
 from nhc.language import decode, read, unparse
 from nhc.language.parser import parse_equation, parse_expression

@@ -22,7 +22,7 @@ from nhc.records import record
 from nhc.study.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearize import Linearisation, linearise_at
 from nhc.study.motion import branch_of, nearest_of, read_holds, steady_model
-from nhc.study.steady import NotSteady, SingularFrame, Steady, check_smooth, find_steady
+from nhc.study.steady import Locked, NotSteady, SingularFrame, Steady, check_smooth, find_steady
 from nhc.study.sweep import Sweep, sweep
 
 SweepRange = tuple[str, float, float, int]
@@ -32,8 +32,8 @@ SweepRange = tuple[str, float, float, int]
 class Motion:
     """``place`` says from where it was found; ``swept`` is None where nothing was asked.
 
-    ``regularity`` in [0, 1]: of the mass matrix there; below ``SINGULAR`` the coordinates themselves fail (gimbal lock) and
-    the eigenvalues say nothing of the motion.
+    ``regularity`` in [0, 1]: of the mass matrix there, and of what inertia is left; below ``SINGULAR`` the coordinates
+    themselves fail (gimbal lock) and the eigenvalues say nothing of the motion.
     """
 
     formulation: Formulation
@@ -90,8 +90,7 @@ def _motion(
     guess = state_of(model.flow, better.frame, start)
     held = tuple(Hold(text, node, model.value(guess, node)) for text, node in search.hidden)
     holds = tuple(hold for text in search.holds for hold in read_holds(model, text, guess))
-    steady, holds, place = _find(model, guess, (holds, held), beside)
-    regularity = model.regularity(steady.y)
+    steady, holds, place, regularity = _find(model, guess, (holds, held), beside)
     if regularity > SINGULAR:
         check_smooth(model, steady)
     made = linearise_at(model, steady)
@@ -115,8 +114,8 @@ def _find(
     guess: Sequence[float],
     holds: tuple[tuple[Hold, ...], tuple[Hold, ...]],
     beside: Sequence[tuple[float, Start]],
-) -> tuple[Steady, tuple[Hold, ...], str]:
-    """The steady motion, what was held for it, and from where it was found."""
+) -> tuple[Steady, tuple[Hold, ...], str, float]:
+    """The steady motion, what was held for it, from where it was found, and how regular the coordinates are there."""
     asked, hidden = holds
     guesses = [("the start", tuple(guess))]
     forms = kept_forms(model.flow.system, model.frame)
@@ -126,7 +125,10 @@ def _find(
     for place, y in guesses:
         for kept in ((*asked, *hidden), asked) if hidden else (asked,):
             try:
-                return find_steady(model, y, kept), kept, place
+                found = find_steady(model, y, kept)
+                return found, kept, place, model.regularity(found.y)
+            except Locked as error:
+                return error.steady, kept, place, error.regularity
             except NotSteady as error:
                 first = first or error
     assert first is not None
