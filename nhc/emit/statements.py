@@ -67,21 +67,7 @@ def walk(expression: Expr) -> list[Expr]:
 
 def iterate_refs(expression: Expr) -> list[str]:
     """The names that an expression uses, with repetitions."""
-    found: list[str] = []
-    stack: list[Expr] = [expression]
-    while stack:
-        node = stack.pop()
-        if isinstance(node, Ref):
-            found.append(node.name)
-        elif isinstance(node, Binary):
-            stack += (node.left, node.right)
-        elif isinstance(node, Negate):
-            stack.append(node.operand)
-        elif isinstance(node, Power):
-            stack.append(node.base)
-        elif isinstance(node, Call):
-            stack += node.arguments
-    return found
+    return [node.name for node in walk(expression) if isinstance(node, Ref)]
 
 
 def collect_refs(statement: Statement) -> frozenset[str]:
