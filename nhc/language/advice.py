@@ -44,6 +44,16 @@ SCENE_KEYS: dict[str, tuple[str, str]] = {
     word: (key, f"write `{key}`") for key, words in _SCENE_WORDS.items() for word in words
 }
 
+# key of a body or point as others call it -> this language's key
+_BODY_KEYS: dict[str, str] = {
+    **dict.fromkeys(("on", "base", "frame", "relative_to", "attached_to", "reference"), "parent"),
+    **dict.fromkeys(("position", "origin", "offset", "location", "place", "pos"), "at"),
+    **dict.fromkeys(("angles", "orientation", "turn", "joints", "joint", "rotate"), "turns"),
+    **dict.fromkeys(("center", "com", "cog", "centre_of_mass", "center_of_mass"), "centre"),
+    **dict.fromkeys(("moment", "moments", "moment_of_inertia", "i", "j"), "inertia"),
+    **dict.fromkeys(("m", "weight"), "mass"),
+}
+
 # formulation as others call it -> this language's word
 METHODS: dict[str, str] = {
     **dict.fromkeys(
@@ -79,6 +89,12 @@ def meant_key(name: str, present: Collection[str]) -> tuple[str, str]:
     if key in present:
         return "", ""
     return key, advice or (f"write `{key}`" if key else "")
+
+
+def meant_body_key(name: str, present: Collection[str]) -> tuple[str, str]:
+    """The key of a body or point that a word stands for elsewhere, and what to do about it, as :func:`meant_key`."""
+    key = _BODY_KEYS.get(name.casefold().replace("-", "_").replace(" ", "_"), "")
+    return ("", "") if not key or key in present else (key, f"write `{key}`")
 
 
 def meant_rate(name: str, known: Collection[str]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from nhc.diagnostics import nearest
 from nhc.records import record
 
+from .advice import meant_body_key
 from .keys import BODY_KEYS, INERTIA_KEYS
 from .kinematics import AXES, Inertia, Turn, Turning
 from .names import fold, is_name
@@ -86,7 +87,7 @@ class BodyReader:
         table = self.shapes.table(node, f"a mapping for {what}", f"write `{name.value}: {{mass: m, at: [x, y]}}`")
         if table is None:
             return None
-        self.shapes.check_keys(table, BODY_KEYS, what, name.span)
+        self.shapes.check_keys(table, BODY_KEYS, what, name.span, meant_body_key)
         about = self.shapes.line(table.get("about"))
         here = name.span.start
         at, turns = self.vector(table.get("at"), here), self._turns(table, name)

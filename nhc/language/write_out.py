@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from nhc.diagnostics import Bag, Span, nearest, quote
 
 from . import kinematics, pieces
+from .advice import meant_body_key
 from .bodies import Body, BodyReader
 from .draw_on import put_into_space
 from .extend import Plain
@@ -142,7 +143,7 @@ class _Writer:
         )
         if table is None:
             return
-        self.reader.shapes.check_keys(table, POINT_KEYS, what, name.span)
+        self.reader.shapes.check_keys(table, POINT_KEYS, what, name.span, meant_body_key)
         self.reader.shapes.line(table.get("about"))
         at, on = self.reader.vector(table.get("at"), name.span.start), self.reader.name_under(table, "parent")
         of = self.reader.name_under(table, "of") or on

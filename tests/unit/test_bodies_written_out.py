@@ -151,3 +151,19 @@ def test_a_derivation_tells_of_the_bodies() -> None:
         "- `skew` in space, turned by phi about z; inertia matrix I at xx, I at zz, -a at xz.",
     ):
         assert said in shown
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("on: base", "parent"),
+        ("com: [a, 0]", "centre"),
+        ("position: [x, 0]", "at"),
+        ("joint: [y: phi]", "turns"),
+        ("I: m", "inertia"),
+    ],
+)
+def test_keys_of_bodies_as_others_call_them(written: str, meant: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        spec(f"bodies: {{base: {{mass: m}}, rod: {{mass: m, {written}}}}}\n")
+    assert [found.help for found in caught.value.diagnostics] == [(f"write `{meant}`",)]
