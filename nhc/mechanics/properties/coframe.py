@@ -37,7 +37,7 @@ def _is_zero_as_given(system: System, node: Node) -> bool:
     return abs(value) < _ROUNDING
 
 
-def warn_of_coframe(system: System, formulation: Formulation, bag: Bag) -> None:
+def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag) -> None:
     """Quasi-velocities that lose rank somewhere (W0408), or digits everywhere (W0425)."""
     if formulation.frame is None or not system.quasi:
         return

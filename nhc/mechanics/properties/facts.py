@@ -13,7 +13,7 @@ from nhc.algebra.solving.linear import degrees
 from nhc.diagnostics import Bag, several
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.frame import coordinate_frame, describe_added
-from nhc.mechanics.properties.coframe import never_vanishes, warn_of_coframe
+from nhc.mechanics.properties.coframe import never_vanishes, warn_of_quasi_velocities
 from nhc.mechanics.properties.conserved import Integral, find_conserved
 from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals
@@ -58,7 +58,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     if lower:
         integrals = _constraints(system, formulation, facts, torn, bag)
         _dependent(system, formulation, facts, bag)
-    warn_of_coframe(system, formulation, bag)
+    warn_of_quasi_velocities(system, formulation, bag)
     cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
     facts.say("cyclic", cyclic, f"cyclic coordinates: {_list_marked(cyclic) or 'none'}")
     if explain:
