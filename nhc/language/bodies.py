@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from nhc.diagnostics import nearest
 from nhc.records import record
 
 from .advice import meant_body_key
 from .keys import BODY_KEYS, INERTIA_KEYS
 from .kinematics import AXES, Inertia, Turn, Turning
-from .names import fold, is_name
+from .names import fold
 from .nodes import Items, Node, Table, Text
 from .parser import parse_expression
 from .pieces import Piece, Triple, each, piece_of, write
+from .rotation import entry_names, foretell_rotations
+from .scope import check_name
 from .shape import Shapes
 from .spec import Body as Told
-from .syntax import Prime, walk
+from .syntax import Name, Prime, walk
 from .yaml_reader import is_empty
 
 MOST_TURNS = 6
@@ -24,16 +28,21 @@ _ENTRIES = tuple(key.name for key in INERTIA_KEYS)
 
 @record
 class Body:
-    """``mass`` and ``inertia`` are None where the body has none; ``on`` is empty in space."""
+    """``mass`` and ``inertia`` are None where the body has none, ``parent`` in space."""
 
     name: Text
-    on: str
+    parent: Text | None
     at: Triple
     turns: tuple[Turn, ...] | Turning
     mass: Piece | None
     centre: Triple
     inertia: Inertia | None
     about: str
+
+    @property
+    def on(self) -> str:
+        """The body that it stands on; empty in space."""
+        return fold(self.parent.value) if self.parent is not None else ""
 
     @property
     def told(self) -> Told:
@@ -64,23 +73,20 @@ def _shown(piece: Piece) -> str:
 
 
 class BodyReader:
-    """Reads the entries of ``bodies`` and ``points``; what is wrong with them goes into the bag."""
+    """Reads the entries of ``bodies`` and ``points``; what is wrong with them goes into the bag.
 
-    def __init__(self, root: Table, shapes: Shapes) -> None:
-        self.root, self.shapes, self.bag = root, shapes, shapes.bag
+    ``moving`` are names of velocities, which have no place there.
+    """
+
+    def __init__(self, root: Table, shapes: Shapes, moving: Collection[str]) -> None:
+        self.root, self.shapes, self.bag, self.moving = root, shapes, shapes.bag, moving
 
     def entries(self, key: str, wanted: str, help: str) -> tuple[tuple[Text, Node], ...]:
         node = self.root.get(key)
         table = self.shapes.table(node, wanted, help) if node is not None else None
         if table is not None and not table.entries:
             self.bag.error("E0301", f"`{key}` is empty", table.span, help=(help,))
-        return tuple((t, n) for t, n in table.entries if self._is_name(t)) if table is not None else ()
-
-    def _is_name(self, text: Text) -> bool:
-        if not is_name(text.value):
-            help = "a name is made of letters, digits and `_`, and starts with no digit"
-            self.bag.error("E0307", f"`{text.value[:40]}` is not a name", text.span, help=(help,))
-        return is_name(text.value)
+        return tuple((t, n) for t, n in table.entries if check_name(t, self.bag)) if table is not None else ()
 
     def body(self, name: Text, node: Node) -> Body | None:
         what = f"body `{name.value}`"
@@ -106,10 +112,10 @@ class BodyReader:
             about,
         )
 
-    def name_under(self, table: Table, key: str) -> str:
+    def name_under(self, table: Table, key: str) -> Text | None:
+        """The name of a body."""
         node = table.get(key)
-        text = self.shapes.text(node, "the name of a body") if node is not None else None
-        return fold(text.value) if text is not None else ""
+        return self.shapes.text(node, "the name of a body") if node is not None else None
 
     def piece(self, node: Node | None, what: str) -> Piece | None:
         """An expression of positions; None where there is none, or a wrong one."""
@@ -118,7 +124,7 @@ class BodyReader:
         if tree is None or text is None:
             return None
         for part in walk(tree):
-            if isinstance(part, Prime):
+            if isinstance(part, Prime) or (isinstance(part, Name) and part.name in self.moving):
                 help = "bodies are said by positions; velocities belong into `constraints`, `forces` or `T`"
                 self.bag.error("E0414", f"a velocity in {what}", part.span, help=(help,))
                 return None
@@ -177,33 +183,20 @@ class BodyReader:
         return Turn(AXES.index(axis.value), angle) if angle is not None else None
 
     def _rotation(self, text: Text) -> Turning | None:
-        """The names that a rotation of the spec brings; mistakes in its declaration are reported where it is decoded."""
-        node = self.root.get("rotation")
-        declared: dict[str, Node | None] = {}
-        if isinstance(node, Table):
-            declared = {fold(key.value): value for key, value in node.entries}
-        elif isinstance(node, Items):
-            declared = {fold(item.value): None for item in node.items if isinstance(item, Text)}
-        name, here = fold(text.value), text.span.start
+        """The names that a rotation of the spec brings."""
+        declared, name, here = foretell_rotations(self.root.get("rotation")), fold(text.value), text.span.start
         if name not in declared:
             near = nearest(name, declared)
             help = f"did you mean `{near}`?" if near else f"declare it: `rotation: [{text.value}]`"
             self.bag.error("E0302", f"unknown rotation `{text.value}`", text.span, help=(help,))
             return None
-        table = declared[name]
-        frame = table.get("frame") if isinstance(table, Table) else None
-        given = table.get("velocities") if isinstance(table, Table) else None
-        on_body = not (isinstance(frame, Text) and frame.value == "space")
-        spoken = (
-            [fold(item.value) for item in given.items if isinstance(item, Text)] if isinstance(given, Items) else []
-        )
-        if len(spoken) != 3:
-            spoken = [f"{name}_w{k}" for k in ("123" if on_body else AXES)]
+        spoken, on_body = declared[name]
+        entries = [write(entry, here) for entry in entry_names(name)]
 
-        def row(x: str) -> Triple:
-            return each(lambda k: write(f"{name}_{x}{k + 1}", here))
+        def row(x: int) -> Triple:
+            return each(lambda k: entries[3 * x + k])
 
-        return Turning(name, (row("x"), row("y"), row("z")), each(lambda k: write(spoken[k], here)), on_body)
+        return Turning(name, (row(0), row(1), row(2)), each(lambda k: write(spoken[k], here)), on_body)
 
     def _inertia(self, node: Node | None, name: Text) -> Inertia | None:
         here = name.span.start

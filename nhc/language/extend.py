@@ -87,7 +87,7 @@ def _merge_roots(base: Table, own: Table) -> Table:
     if any(own.get(key) is not None for key in _POTENTIALS):
         base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value not in _POTENTIALS))
     base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value != KEY))
-    return _merge(base, own, _coordinates(base, own))
+    return _merge(base, own, coordinate_names(base, own))
 
 
 @record
@@ -142,7 +142,7 @@ def _spell(name: str, rates: frozenset[str]) -> str:
     return f"{name[:-3]}'" if name.endswith("dot") and name not in rates and name[:-3] in rates else name
 
 
-def _coordinates(*tables: Table) -> frozenset[str]:
+def coordinate_names(*tables: Table) -> frozenset[str]:
     """The coordinates that specs declare, as a list or as a mapping."""
     names: set[str] = set()
     for table in tables:

@@ -13,7 +13,7 @@ from fractions import Fraction
 from nhc.diagnostics import Span
 from nhc.records import record
 
-from .names import FUNCTIONS, fold
+from .names import FUNCTIONS, continues_name, fold, starts_name
 from .nodes import Text
 from .shape import literal
 from .syntax import Binary, Name, Negate, Number, Syntax
@@ -93,7 +93,22 @@ def piece_of(text: Text, tree: Syntax) -> Piece:
 
 def names_in_text(text: str) -> set[str]:
     """The names in an expression, without those of functions; read off its letters, which is quick."""
-    return {fold(word) for word in _WORD.findall(text)} - FUNCTIONS.keys()
+    words = _WORD.findall(text) if text.isascii() else _words_of(text)
+    return {fold(word) for word in words} - FUNCTIONS.keys()
+
+
+def _words_of(text: str) -> list[str]:
+    """The same where a name may hold combining marks, which are no letters to a regular expression."""
+    found, start = list[str](), -1
+    for k, character in enumerate(f"{text} "):
+        if not continues_name(character):
+            word = text[start:k] if start >= 0 else ""
+            if word and starts_name(word[0]) and text[start - 1 : start] != ".":
+                found.append(word)
+            start = -1
+        elif start < 0:
+            start = k
+    return found
 
 
 def _binding(tree: Syntax, text: str) -> int:

@@ -61,16 +61,45 @@ def decode_rotation(text: Text, value: Node | None, shapes: Shapes, scope: Scope
         scope.open = True
         return None
     frame = _frame(table.get("frame") if table is not None else None, shapes)
-    letters = ("1", "2", "3") if frame == "body" else ("x", "y", "z")
     coordinates = _names(table, "quaternion", [f"{name}_{k}" for k in range(4)], "coordinate", text, shapes, scope)
-    velocities = _names(table, "velocities", [f"{name}_w{k}" for k in letters], "quasi", text, shapes, scope)
-    made = [f"{name}_{row}{column}" for row in "xyz" for column in "123"]
+    velocities = _names(table, "velocities", velocity_names(name, frame), "quasi", text, shapes, scope)
+    made = entry_names(name)
     taken = [scope.declare(Text(entry, text.span, False), "entry") for entry in made]
     if coordinates is None or velocities is None or None in taken:
         scope.open = True
         return None
     about = shapes.line(table.get("about")) if table is not None else ""
     return Rotation(name, text.span, frame, tuple(coordinates), tuple(velocities), tuple(made), about)
+
+
+def velocity_names(name: str, frame: str) -> list[str]:
+    """The components of the angular velocity where the spec does not name them."""
+    return [f"{name}_w{k}" for k in ("123" if frame == "body" else "xyz")]
+
+
+def entry_names(name: str) -> list[str]:
+    """The entries of the matrix, row by row."""
+    return [f"{name}_{row}{column}" for row in "xyz" for column in "123"]
+
+
+def foretell_rotations(node: Node | None) -> dict[str, tuple[list[str], bool]]:
+    """The names of each rotation's angular velocity, and whether it is on the body's axes, before anything is declared.
+
+    Mistakes are passed over: they are reported where rotations are decoded.
+    """
+    entries: list[tuple[Text, Node | None]] = []
+    if isinstance(node, Table):
+        entries = list(node.entries)
+    elif isinstance(node, Items):
+        entries = [(item, None) for item in node.items if isinstance(item, Text)]
+    found: dict[str, tuple[list[str], bool]] = {}
+    for text, value in entries:
+        name, table = fold(text.value), value if isinstance(value, Table) else None
+        frame, given = (table.get("frame"), table.get("velocities")) if table is not None else (None, None)
+        on_body = not (isinstance(frame, Text) and frame.value == "space")
+        names = [fold(item.value) for item in given.items if isinstance(item, Text)] if isinstance(given, Items) else []
+        found[name] = names if len(names) == 3 else velocity_names(name, "body" if on_body else "space"), on_body
+    return found
 
 
 def _frame(node: Node | None, shapes: Shapes) -> str:

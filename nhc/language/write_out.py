@@ -6,7 +6,7 @@ rest of nhc knows energies, definitions and constraints only.  Of the names that
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from nhc.diagnostics import Bag, Span, nearest, quote
 
@@ -14,13 +14,14 @@ from . import kinematics, pieces
 from .advice import meant_body_key
 from .bodies import Body, BodyReader
 from .draw_on import put_into_space
-from .extend import Plain
+from .extend import Plain, coordinate_names
 from .keys import BODILY, POINT_KEYS
 from .kinematics import AXES, Frame, Ledger
-from .names import PI, fold
+from .names import DOT, PI, fold
 from .nodes import Items, Node, Table, Text
 from .parser import parse_expression
 from .pieces import Piece, Triple, add, each, multiply, piece_of
+from .rotation import foretell_rotations
 from .shape import Shapes
 from .yaml_reader import is_empty
 
@@ -34,7 +35,7 @@ def write_out(root: Table, bag: Bag) -> Plain:
 class _Writer:
     def __init__(self, root: Table, bag: Bag) -> None:
         self.root, self.bag = root, bag
-        self.reader = BodyReader(root, Shapes(bag))
+        self.reader = BodyReader(root, Shapes(bag), _velocities(root))
         self.ledger = Ledger(_constants(root))
         self.declared: frozenset[str] = frozenset()
         self.frames: dict[str, Frame] = {"": kinematics.space()}
@@ -96,31 +97,22 @@ class _Writer:
                 self.bag.error("E0318", f"bodies stand on one another: {cycle}", known[name].name.span, help=(help,))
                 done.update(path)
                 continue
-            if name and name not in self.declared and name not in done:
-                self._unknown_body(name, known[path[-1]].name.span)
+            parent = known[path[-1]].parent if path else None
+            if parent is not None and name not in self.declared:
+                self._unknown_body(parent)
             for name in reversed(path):
                 done.add(name)
                 if known[name].on in ("", *placed):
                     placed.add(name)
                     yield known[name]
 
-    def _unknown_body(self, name: str, span: Span) -> None:
-        near, names = nearest(name, sorted(self.declared)), quote(sorted(self.declared))
+    def _unknown_body(self, text: Text) -> None:
+        message = f"unknown body `{text.value}`"
+        if self.bag.again("E0302", message, text.span):
+            return
+        near, names = nearest(fold(text.value), sorted(self.declared)), quote(sorted(self.declared))
         help = f"the bodies are {names}" if self.declared else "declare it under `bodies`"
-        help = f"did you mean `{near}`?" if near else help
-        place = self._place_of(name, span)
-        self.bag.error("E0302", f"unknown body `{name}`", place, help=(help,))
-
-    def _place_of(self, name: str, span: Span) -> Span:
-        """Where a name stands as the value of `parent` or `of`."""
-        for key in ("bodies", "points"):
-            table = self.root.get(key)
-            for _, node in table.entries if isinstance(table, Table) else ():
-                for word in ("parent", "of"):
-                    value = node.get(word) if isinstance(node, Table) else None
-                    if isinstance(value, Text) and fold(value.value) == name:
-                        return value.span
-        return span
+        self.bag.error("E0302", message, text.span, help=(f"did you mean `{near}`?" if near else help,))
 
     def _place(self, body: Body, gravity: Triple | None) -> None:
         name, ledger, here = body.name, self.ledger, body.name.span.start
@@ -145,11 +137,13 @@ class _Writer:
             return
         self.reader.shapes.check_keys(table, POINT_KEYS, what, name.span, meant_body_key)
         self.reader.shapes.line(table.get("about"))
-        at, on = self.reader.vector(table.get("at"), name.span.start), self.reader.name_under(table, "parent")
-        of = self.reader.name_under(table, "of") or on
-        for body in dict.fromkeys((on, of)):
-            if body and body not in self.declared:
-                self._unknown_body(body, name.span)
+        at = self.reader.vector(table.get("at"), name.span.start)
+        parent, matter = self.reader.name_under(table, "parent"), self.reader.name_under(table, "of")
+        for text in (parent, matter):
+            if text is not None and fold(text.value) not in self.declared:
+                self._unknown_body(text)
+        on = fold(parent.value) if parent is not None else ""
+        of = fold(matter.value) if matter is not None else on
         if at is not None and on in self.frames and of in self.frames:
             folded = Text(fold(name.value), name.span, True)
             kinematics.place_point(folded, self.frames[on], self.frames[of] if of else None, at, self.ledger)
@@ -187,7 +181,8 @@ class _Writer:
             return node
         items: list[Node] = []
         for item in node.items:
-            on = self.reader.name_under(item, "parent") if isinstance(item, Table) else ""
+            parent = self.reader.name_under(item, "parent") if isinstance(item, Table) else None
+            on = fold(parent.value) if parent is not None else ""
             if isinstance(item, Table) and on and on in self.frames:
                 made = put_into_space(item, self.frames[on], self.reader)
                 items += [made] if not self.bag.has_errors else []  # what is wrong is said once
@@ -241,12 +236,30 @@ def _constants(root: Table) -> set[str]:
         found |= {fold(text.value) for text, _ in node.entries}
     elif isinstance(node, Items):
         found |= {fold(item.value) for item in node.items if isinstance(item, Text)}
-    define = root.get("define")
+    return _closure(root, found, lambda words, known: words <= known)
+
+
+def _velocities(root: Table) -> set[str]:
+    """The names of quasi-velocities, of rotations' angular velocities, and of definitions that hold any velocity."""
+    found = {DOT, *(f"{name}dot" for name in coordinate_names(root))}
+    for key in ("quasi_velocities", "define"):
+        node = root.get(key)
+        for text, value in node.entries if isinstance(node, Table) else ():
+            if key == "quasi_velocities" or (isinstance(value, Text) and "'" in value.value):
+                found.add(fold(text.value))
+    for names, _ in foretell_rotations(root.get("rotation")).values():
+        found.update(names)
+    return _closure(root, found, lambda words, known: not words.isdisjoint(known))
+
+
+def _closure(root: Table, start: set[str], takes: Callable[[set[str], set[str]], bool]) -> set[str]:
+    """Names with those of definitions whose words take them in, and so on."""
+    define, found = root.get("define"), set(start)
     waiting = {
         fold(text.value): set(_words([value])) for text, value in (define.entries if isinstance(define, Table) else ())
     }
     while True:
-        more = {name for name, words in waiting.items() if words <= found} - found
+        more = {name for name, words in waiting.items() if takes(words, found)} - found
         if not more:
             return found
         found |= more

@@ -167,3 +167,11 @@ def test_keys_of_bodies_as_others_call_them(written: str, meant: str) -> None:
     with pytest.raises(SpecError) as caught:
         spec(f"bodies: {{base: {{mass: m}}, rod: {{mass: m, {written}}}}}\n")
     assert [found.help for found in caught.value.diagnostics] == [(f"write `{meant}`",)]
+
+
+def test_a_name_with_a_combining_mark_is_no_other_name() -> None:
+    """x with a circumflex, which no letter stands for, moves; the parameter x does not."""
+    text = "nhc: 1\nsystem: s\ncoordinates: [x\u0302]\nparameters: {x: 2, m: 3, l: 0.5}\n"
+    rod = "bodies: {b: {turns: [z: x\u0302], mass: m, centre: [l, 0]}}\n"
+    by_hand = "T: m*l^2/2*x\u0302'^2\n"
+    assert same(decode(Source("s.yaml", text + rod)), decode(Source("s.yaml", text + by_hand)))

@@ -18,9 +18,8 @@ from nhc.mechanics.regular.trials import ordinary_points, trial_points
 from nhc.mechanics.system import Form, System
 
 _ROUNDING = 1e-12
-_CLEAR = (
-    1e-5  # of a form's length, as far as the constraints and the other forms leave it; the mass matrix has its square
-)
+_CLEAR = 1e-5
+"""Of a form's length, as far as the constraints and the other forms leave it; the mass matrix has its square."""
 
 
 def never_vanishes(system: System, node: Node | None) -> bool:
