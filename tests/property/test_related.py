@@ -118,3 +118,13 @@ def test_random_angles_keep_their_values(angles: list[tuple[int, int, int]], fun
     assert evaluate(g, made, values) == pytest.approx(evaluate(g, roots, values), abs=1e-13)
     assert count_calls(g, made) <= count_calls(g, roots)
     assert all(math.isfinite(x) for x in evaluate(g, made, values))
+
+
+def test_second_functions_of_angles_at_hand_cost_less_than_both_of_another() -> None:
+    """sin x, sin y and both of x - y, as gravity and inertia of two rods need them."""
+    g = Graph()
+    x, y, _ = symbols(g)
+    roots = [g.function("sin", x), g.function("sin", y), *turn(g, [g.sub(x, y)])]
+    made = relate_angles(g, roots)
+    called = {g.kids[node][0] for node in reachable(g, made) if g.op[node] in ("sin", "cos")}
+    assert called == {x, y} and are_equal(g, made, roots)
