@@ -20,7 +20,7 @@ from nhc.pipeline import Options, check, derive, emit
 from tests.support import STRICT, python_model
 
 COMPILERS = [c for c in ("gcc", "clang", "clang-14") if shutil.which(c)][:2]
-HANG = 60.0  # seconds; what takes longer hangs
+HANG = 60.0  # seconds of the processor, so that a busy machine is no hang; what takes longer hangs
 
 C_WORDS = (
     *(
@@ -450,14 +450,14 @@ def test_control_characters_are_refused(about: str) -> None:
 
 
 def timed(label: str, seconds: float, started: float) -> None:
-    elapsed = time.perf_counter() - started
+    elapsed = time.process_time() - started
     print(f"{label}: {elapsed:.2f} s", file=sys.stderr)
     assert elapsed < seconds, label
 
 
 def test_very_long_names(tmp_path: Path) -> None:
     long = {key: key * 1000 for key in "abcdefgh"}
-    started = time.perf_counter()
+    started = time.process_time()
     carry_through(make(**long), tmp_path)
     timed("names of 1000 characters", HANG, started)
 
@@ -468,7 +468,7 @@ def test_three_hundred_coordinates() -> None:
     energy = " + ".join(f"{a}'^2/2" for a in names)
     springs = " + ".join(f"({a} - {b})^2/2" for a, b in itertools.pairwise(names))
     text = f"nhc: 1\nsystem: chain\ncoordinates: [{', '.join(names)}]\nT: {energy}\nV: {springs}\n"
-    started = time.perf_counter()
+    started = time.process_time()
     (module,) = emit(Source("chain.yaml", text), "python", Options(only=("rhs",))).values()
     model = python_model(module, "chain")
     y = [0.01 * k * k for k in range(300)] + [0.0] * 300
@@ -483,7 +483,7 @@ def test_a_spec_of_900_kilobytes(tmp_path: Path) -> None:
     head = "nhc: 1\nsystem: large\ncoordinates: [x]\ndefine:\n"
     text = head + "\n".join(lines) + f'\nT: "x\'^2/2"\nV: {last}\n'
     assert 900_000 < len(text) < 1 << 20
-    started = time.perf_counter()
+    started = time.process_time()
     compile_all(emit(Source("large.yaml", text), "c", Options(only=("rhs", "energy"))), tmp_path)
     timed("a spec of 900 kB", HANG, started)
 
@@ -497,7 +497,7 @@ def test_an_expression_of_90000_characters(piece: str, tmp_path: Path) -> None:
         body, k = body + piece.format(k=k), k + 1
     text = f'nhc: 1\nsystem: long\ncoordinates: [x]\nT: "x\'^2/2"\nU: {body}1\n'
     source = Source("long.yaml", text)
-    started = time.perf_counter()
+    started = time.process_time()
     check(source)
     (module,) = emit(source, "python", Options(only=("rhs", "energy"))).values()
     python_model(module, "long").rhs(0.0, [0.4, 0.0])
@@ -516,7 +516,7 @@ def test_deep_nesting(nest: str, depth: int, tmp_path: Path) -> None:
             break
     text = f'nhc: 1\nsystem: deep\ncoordinates: [x]\nT: "x\'^2/2"\nforces: {{x: "{body}"}}\n'
     source = Source("deep.yaml", text)
-    started = time.perf_counter()
+    started = time.process_time()
     try:
         check(source)
         (module,) = emit(source, "python", Options(only=("rhs",))).values()
