@@ -92,7 +92,7 @@ def differentiate_rates(planner: PlannerBase) -> Slopes:
     g, y = planner.graph, planner.y_nodes
     if not planner.equations.definite:
         return _solve_densely(planner)
-    direct = planner.route.tree is not None
+    direct = planner.route.direct
     rates = planner.known(planner.equations.motion.rates) if direct else make_residual(planner, *planner._dense())
     backward = sweep_rows(planner, rates, direct)
     kept = [rates[k] for k in planner.kept_w]

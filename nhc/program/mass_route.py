@@ -2,44 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
+from nhc.mechanics.detour import Detour, find_detour
 from nhc.mechanics.system import Form
 from nhc.mechanics.trees.choice import CHAINED, FEW, tree_of, work
 from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.program.held_tree import held_tree
-from nhc.program.plan import Factors, factor, solve_factored
+from nhc.program.plan import factor, solve_factored
 from nhc.records import fresh, structure
+
+Pairs = list[tuple[Node, Node]]
+Solver = Callable[[Sequence[Node]], list[Node]]
 
 
 @structure
 class MassRoute:
-    """``values`` of the rates; (pivot, scale) pairs that must not vanish; a tree's results get ``put_in`` put into them.
+    """``values`` of the rates; (pivot, scale) pairs that must not vanish; ``solve(right)`` is x with mass @ x = right.
 
-    ``held``: those of the reactions' matrix of a held tree, which tell how many digits are left.
+    ``direct``: the rates are so short that they are differentiated themselves.  ``held``: pairs of the reactions' matrix of a
+    held tree, which tell how many digits are left.  ``chained``: each pivot waits for the one before it.
     """
 
-    graph: Graph
-    equations: Equations
     values: list[Node]
-    pivots: list[tuple[Node, Node]]
-    tree: Elimination | None = None
-    put_in: Mapping[Node, Node] = fresh(factory=dict)
-    held: list[tuple[Node, Node]] = fresh(factory=list)
-    _factors: Factors | None = None
-
-    def solve(self, right: Sequence[Node]) -> list[Node]:
-        """x with mass @ x = right."""
-        if self.tree is not None:
-            return substitute(self.graph, self.tree.solve(right), self.put_in)
-        if self._factors is None:
-            self._factors = factor(self.graph, self.equations.mass)
-        return solve_factored(self.graph, self._factors, right)
+    pivots: Pairs
+    solve: Solver
+    direct: bool = False
+    chained: bool = False
+    held: Pairs = fresh(factory=list)
 
 
 def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]) -> MassRoute:
@@ -47,34 +42,48 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
 
     ``kept`` are the forms whose values the velocities w are.
     """
-    g, size = equations.system.graph, len(equations.motion.w)
+    g, size, found = equations.system.graph, len(equations.motion.w), list[MassRoute]()
     if full.tree is not None:
-        return _along(equations, full.tree.rates, full.tree.pivots, put_in, full.tree)
-    found = [_dense(equations)]
-    tree = _other_tree(full)
-    if tree is not None:
-        found.append(_along(equations, tree.rates, tree.pivots, put_in, tree))
-    held = held_tree(full, kept)
-    if held is not None:
-        way = _along(equations, held.rates, [*held.pivots, *held.held], put_in)
-        way.pivots, way.held = way.pivots[: len(held.pivots)], way.pivots[len(held.pivots) :]
-        found.append(way)
+        found.append(_along(equations, full.tree, put_in))
+    else:
+        found.append(_dense(equations))
+        tree = _other_tree(full)
+        if tree is not None:
+            found.append(_along(equations, tree, put_in))
+        held = held_tree(full, kept)
+        if held is not None:
+            values, pivots = substitute(g, held.rates, put_in), _in_pairs(g, held.pivots, put_in)
+            found.append(MassRoute(values, pivots, found[0].solve, chained=True, held=_in_pairs(g, held.held, put_in)))
+    detour = find_detour(full)
+    if detour is not None:
+        found.append(_by(detour, equations, put_in))
     if len(found) == 1:
         return found[0]
-    return min(found, key=lambda way: work(g, way.values) + (0 if way is found[0] else CHAINED * size))
+    return min(found, key=lambda way: work(g, way.values) + CHAINED * size * way.chained)
 
 
-def _along(
-    equations: Equations,
-    rates: Sequence[Node],
-    pivots: Sequence[tuple[Node, Node]],
-    put_in: Mapping[Node, Node],
-    tree: Elimination | None = None,
-) -> MassRoute:
+def _along(equations: Equations, tree: Elimination, put_in: Mapping[Node, Node]) -> MassRoute:
     g = equations.system.graph
-    flat = substitute(g, [node for pair in pivots for node in pair], put_in)
-    values = substitute(g, rates, put_in)
-    return MassRoute(g, equations, values, list(zip(flat[::2], flat[1::2], strict=True)), tree, put_in)
+    values, pivots = substitute(g, tree.rates, put_in), _in_pairs(g, tree.pivots, put_in)
+    return MassRoute(values, pivots, lambda right: substitute(g, tree.solve(right), put_in), direct=True, chained=True)
+
+
+def _by(detour: Detour, equations: Equations, put_in: Mapping[Node, Node]) -> MassRoute:
+    g = equations.system.graph
+    inner = mass_route(detour.equations, detour.equations, {}, detour.frame.forms)
+    rates = detour.accelerations(detour.put_in(inner.values))
+
+    def solve(right: Sequence[Node]) -> list[Node]:
+        return substitute(g, detour.turn_back(detour.put_in(inner.solve(detour.forces(right)))), put_in)
+
+    values = substitute(g, shorten(g, rates), put_in)
+    pivots = [*detour.guards, *_in_pairs(g, inner.pivots, detour.values)]
+    return MassRoute(values, _in_pairs(g, pivots, put_in), solve, True, inner.chained)
+
+
+def _in_pairs(g: Graph, pairs: Pairs, put_in: Mapping[Node, Node]) -> Pairs:
+    flat = substitute(g, [node for pair in pairs for node in pair], put_in)
+    return list(zip(flat[::2], flat[1::2], strict=True))
 
 
 def _other_tree(equations: Equations) -> Elimination | None:
@@ -91,4 +100,4 @@ def _dense(equations: Equations) -> MassRoute:
     factors = factor(g, equations.mass)
     values = shorten(g, solve_factored(g, factors, equations.force))
     pivots = [(pivot, equations.mass[k][k]) for k, pivot in zip(factors.order, factors.pivots, strict=True)]
-    return MassRoute(g, equations, values, pivots, None, {}, _factors=factors)
+    return MassRoute(values, pivots, lambda right: solve_factored(g, factors, right))
