@@ -115,7 +115,7 @@ def solve_block(
         row = []
         for k in range(size):
             replaced = [[*r[:k], column[i], *r[k + 1 :]] for i, r in enumerate(block)]
-            row.append(graph.div(determinant_of(graph, replaced), determinant))
+            row.append(_cancel(graph, graph.div(determinant_of(graph, replaced), determinant)))
         solved.append(row)
     return solved, guards
 
@@ -238,6 +238,16 @@ def determinant_of(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
         term = graph.mul(entry, determinant_of(graph, minor))
         total = graph.sub(total, term) if j % 2 else graph.add(total, term)
     return total
+
+
+def _cancel(graph: Graph, quotient: Node) -> Node:
+    """The quotient without its divisor where this is a factor of all that is divided; else as it is, with what it shares."""
+    (short,) = shorten(graph, [quotient])
+    return short if _divisions(graph, short) < _divisions(graph, quotient) else quotient
+
+
+def _divisions(graph: Graph, node: Node) -> int:
+    return sum(graph.op[part] == POW and graph.b[part] < 0 for part in reachable(graph, [node]))
 
 
 def _eliminate(
