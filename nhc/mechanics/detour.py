@@ -16,7 +16,7 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import Frame, coordinate_form, make_frame, velocity_symbol
-from nhc.mechanics.kinetic import Kinetic, kinetic_structure
+from nhc.mechanics.kinetic import Kinetic, kinetic_structure, rates_of_positions, velocity_forms
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import along
 from nhc.records import record
@@ -68,6 +68,8 @@ def find_detour(equations: Equations) -> Detour | None:
     if system.l or system.rotations or equations.motion.w != system.v or not 1 < system.n <= _MOST:
         return None
     if "detours" in system.graph.off:
+        return None
+    if rates_of_positions(system).issuperset(velocity_forms(system)):
         return None
     kinetic = kinetic_structure(system)
     forms = _choose_forms(system, kinetic)

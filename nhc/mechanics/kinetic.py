@@ -60,14 +60,12 @@ class Kinetic:
         """Whether the exterior derivative of form k vanishes identically: rates are known to be exact, others are tested."""
         if k not in self._exact:
             atom = self.atoms[k]
-            self._exact[k] = atom in self._rates or atom in self.system.v or _is_exact(self.system, self.form(k))
+            self._exact[k] = atom in self._rates or _is_exact(self.system, self.form(k))
         return self._exact[k]
 
     @cached_property
     def _rates(self) -> set[Node]:
-        """Rates of the spec's positions, without factors that do not move."""
-        g, p = self.system.graph, self.system.graph.mask(self.system.p)
-        return {_without_constants(g, rate, p) for rate in g.rate_of} | set(g.rate_of)
+        return rates_of_positions(self.system)
 
     def is_positive(self) -> bool:
         """Whether T is positive as a quadratic form of its velocity forms, with the parameters' values in the spec and its scenes:
@@ -92,6 +90,23 @@ class Kinetic:
         except (ArithmeticError, ValueError):
             return False
         return all(sign > 0 for sign in pivot_signs([[found[h] for h in row] for row in self.hessian]))
+
+
+def rates_of_positions(system: System) -> set[Node]:
+    """Rates of the coordinates and of the spec's positions, these also without factors that do not move."""
+    g, p = system.graph, system.graph.mask(system.p)
+    return {_without_constants(g, rate, p) for rate in g.rate_of}.union(g.rate_of, system.v)
+
+
+def velocity_forms(system: System) -> list[Node]:
+    """The largest subexpressions of T that are affine in the velocities, without their factors; none where T is no polynomial in
+    the velocities.
+    """
+    g = system.graph
+    degree = degrees(g, system.v)
+    if degree[system.T] == 99:
+        return []
+    return list_atoms(g, system.T, degree, lambda node: _without_factor(g, node, degree))
 
 
 def list_atoms(graph: Graph, root: Node, degree: Sequence[int], strip: Callable[[Node], Node]) -> list[Node]:
@@ -161,10 +176,7 @@ def _is_positive(graph: Graph, node: Node, values: dict[Node, float]) -> bool:
 def kinetic_structure(system: System) -> Kinetic:
     """T's velocity forms; where T is no polynomial in the velocities they are the velocities themselves."""
     g = system.graph
-    degree = degrees(g, system.v)
-    atoms = (
-        [] if degree[system.T] == 99 else list_atoms(g, system.T, degree, lambda node: _without_factor(g, node, degree))
-    )
+    atoms = velocity_forms(system)
     mask = g.mask(system.v)
     u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
     tau = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))[0] if atoms else system.T
