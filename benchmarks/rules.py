@@ -24,7 +24,7 @@ from nhc.program.model import build_program
 PAGE = ROOT / "docs" / "rewriting.md"
 SYSTEMS = (
     *("sleigh", "disk", "trailers5", "snake5", "pendulum5", "bicycle"),
-    *("snakeboard", "smooth_tippe_top", "voronec_particle", "atoms3", "ball_arm3"),
+    *("snakeboard", "smooth_tippe_top", "voronec_particle", "atoms3", "ball_arm3", "satellite3"),
 )
 
 

@@ -18,8 +18,8 @@ Section = tuple[str, list[str] | str]
 
 
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
-    """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``
-    or ``ball_arm<N>``.
+    """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
+    ``ball_arm<N>`` or ``satellite<N>``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -283,6 +283,34 @@ def _ball_arm(count: int, _: bool) -> str:
     )
 
 
+def _satellite(count: int, _: bool) -> str:
+    """A body by three angles, without an axis of symmetry, and wheels that are driven on its axes."""
+    names = [f"w{k}" for k in range(1, count + 1)]
+    wheels = []
+    for k, name in enumerate(names):
+        axis, inertia = "xyz"[k % 3], ", ".join("J" if i == k % 3 else "K" for i in range(3))
+        wheels.append(f"{name}: {{parent: base, turns: [{axis}: q{name}], inertia: [{inertia}]}}")
+    angles = ["yaw", "pitch", "roll"]
+    return _assemble(
+        f"satellite{count}",
+        [
+            ("coordinates", f"[{', '.join([*angles, *(f'q{name}' for name in names)])}]"),
+            ("parameters", "{A: 0.4, B: 0.5, C: 0.6, D: 0.01, E: 0.02, F: 0.03, J: 0.01, K: 0.006, torque: 0.01}"),
+            (
+                "bodies",
+                [
+                    "base:",
+                    "  turns: [z: yaw, y: pitch, x: roll]",
+                    "  inertia: {xx: A, yy: B, zz: C, xy: D, xz: E, yz: F}",
+                    *wheels,
+                ],
+            ),
+            ("forces", [f"q{name}: torque" for name in names]),
+            _scene("roll': 0.3, pitch': 0.1"),
+        ],
+    )
+
+
 def _bicycle(_: int, __: bool) -> str:
     given = "quasi_velocities:\n  u_roll: roll'\n  u_steer: steer'\n  u_rear: thR'\n"
     text = (ROOT / "specs" / "bicycle.yaml").read_text(encoding="utf-8")
@@ -297,5 +325,6 @@ _FAMILIES = {
     "pendulum": _pendulum,
     "atoms": _atoms,
     "ball_arm": _ball_arm,
+    "satellite": _satellite,
     "bicycle": _bicycle,
 }

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import count, substitute, tangent
+from nhc.algebra.calculus import count, tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Graph, Node
@@ -38,22 +38,11 @@ class Detour:
     def graph(self) -> Graph:
         return self.frame.graph
 
-    def put_in(self, nodes: Sequence[Node]) -> list[Node]:
-        """Nodes over (q, u) as functions of (q, q')."""
-        return substitute(self.graph, nodes, self.values)
-
     def accelerations(self, rates: Sequence[Node]) -> list[Node]:
-        """q'' from the rates of u."""
+        """q'' = W^-1 (u' - W' q') from the rates of u."""
         g = self.graph
-        return self.turn_back([g.sub(rate, own) for rate, own in zip(rates, self.drift, strict=True)])
-
-    def turn_back(self, values: Sequence[Node]) -> list[Node]:
-        """W^-1 of them."""
-        return tangent(self.graph, self.frame.kinematics, dict(zip(self.frame.omega, values, strict=True)))
-
-    def forces(self, right: Sequence[Node]) -> list[Node]:
-        """W^-T of generalized forces: those on u."""
-        return [self.graph.dot(e, right) for e in self.frame.vectors]
+        changed = [g.sub(rate, own) for rate, own in zip(rates, self.drift, strict=True)]
+        return tangent(g, self.frame.kinematics, dict(zip(self.frame.omega, changed, strict=True)))
 
     @property
     def guards(self) -> list[tuple[Node, Node]]:

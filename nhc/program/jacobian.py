@@ -13,6 +13,7 @@ from dataclasses import replace
 from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.shorten import shorten
+from nhc.program.mass_route import Solver
 from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target
 from nhc.program.planner import PlannerBase
 from nhc.records import record
@@ -92,23 +93,25 @@ def differentiate_rates(planner: PlannerBase) -> Slopes:
     g, y = planner.graph, planner.y_nodes
     if not planner.equations.definite:
         return _solve_densely(planner)
-    direct = planner.route.direct
-    rates = planner.known(planner.equations.motion.rates) if direct else make_residual(planner, *planner._dense())
-    backward = sweep_rows(planner, rates, direct)
+    solve = planner.route.solve
+    rates = (
+        planner.known(planner.equations.motion.rates) if solve is None else make_residual(planner, *planner._dense())
+    )
+    backward = sweep_rows(planner, rates, solve)
     kept = [rates[k] for k in planner.kept_w]
     if len(kept) * _cost(g, backward) > LONGEST:
-        sparse = _write_sparse(g, kept, y, backward) if direct else None
+        sparse = _write_sparse(g, kept, y, backward) if solve is None else None
         if sparse is not None:
             return Slopes(tuple(map(tuple, sparse)))
         active = sum(1 for symbol in y if any(g.deps[node] & g.deps[symbol] for node in rates))
         if 2 * len(backward.offsets) <= active:  # a pass by columns takes about as long as one by rows
             return Slopes((), (backward,))
-        forward = sweep_columns(planner, rates, direct)
+        forward = sweep_columns(planner, rates, solve)
         return Slopes((), min(((backward,), forward), key=lambda sweeps: _passes(g, sweeps)))
-    if direct:
+    if solve is None:
         return Slopes(tuple(map(tuple, differentiate(g, kept, y))))
     slopes = zip(*(gradient(g, node, y) for node in rates), strict=True)
-    solved = [planner.route.solve(planner.known(column)) for column in slopes]
+    solved = [solve(planner.known(column)) for column in slopes]
     flat = shorten(g, [node for column in solved for node in column])
     size = len(rates)
     return Slopes(tuple(tuple(flat[j * size + k] for j in range(len(y))) for k in planner.kept_w))
@@ -156,15 +159,15 @@ def _sweep_densely(
     return Slopes((), (SweepPlan(about, tuple(seeds), offsets, _targets(g, slopes, range(len(y)))),), (solve,))
 
 
-def sweep_rows(planner: PlannerBase, nodes: Sequence[Node], direct: bool) -> SweepPlan:
-    """A pass for each rate, the pull-back to y of its row: of the rates themselves if ``direct``, else of the residual.
+def sweep_rows(planner: PlannerBase, nodes: Sequence[Node], solve: Solver | None) -> SweepPlan:
+    """A pass for each rate, the pull-back to y of its row: of the rates themselves without ``solve``, else of the residual.
 
     The residual's weights are a row of the inverse mass matrix.
     """
     g, y = planner.graph, planner.y_nodes
     unit = {k: g.symbol(f"row_{k}", "direction") for k in planner.kept_w}
     seeds = [unit.get(k, g.zero) for k in range(len(nodes))]
-    weights = seeds if direct else planner.route.solve(seeds)
+    weights = seeds if solve is None else solve(seeds)
     slopes = pullback_gradient(g, list(zip(nodes, weights, strict=True)), y)
     targets = _targets(g, planner.known(slopes), range(len(y)))
     first = len(planner.kept_q)
@@ -172,20 +175,20 @@ def sweep_rows(planner: PlannerBase, nodes: Sequence[Node], direct: bool) -> Swe
     return SweepPlan("one rate in each pass: its row of the matrix", tuple(unit.values()), offsets, targets)
 
 
-def sweep_columns(planner: PlannerBase, nodes: Sequence[Node], direct: bool) -> tuple[SweepPlan, ...]:
+def sweep_columns(planner: PlannerBase, nodes: Sequence[Node], solve: Solver | None) -> tuple[SweepPlan, ...]:
     """A pass for each coordinate, and in a sweep of their own one for each velocity: the rates' slopes along it."""
     y, split = planner.y_nodes, len(planner.kept_q)
     coordinates, velocities = range(split), range(split, len(y))
-    found = (_sweep_group(planner, nodes, group, direct) for group in (coordinates, velocities))
+    found = (_sweep_group(planner, nodes, group, solve) for group in (coordinates, velocities))
     return tuple(sweep for sweep in found if sweep.targets)
 
 
-def _sweep_group(planner: PlannerBase, nodes: Sequence[Node], group: Sequence[int], direct: bool) -> SweepPlan:
+def _sweep_group(planner: PlannerBase, nodes: Sequence[Node], group: Sequence[int], solve: Solver | None) -> SweepPlan:
     g, y = planner.graph, planner.y_nodes
     active = [j for j in group if any(g.deps[node] & g.deps[y[j]] for node in nodes)]
     seeds = {y[j]: g.symbol(f"along_{j}", "direction") for j in active}
     slopes = planner.known(tangent(g, nodes, seeds))
-    solved = slopes if direct else planner.route.solve(slopes)
+    solved = slopes if solve is None else solve(slopes)
     first = len(planner.kept_q)
     rows = [(first + i) * len(y) for i in range(len(planner.kept_w))]
     targets = _targets(g, [solved[k] for k in planner.kept_w], rows)

@@ -25,14 +25,13 @@ Solver = Callable[[Sequence[Node]], list[Node]]
 class MassRoute:
     """``values`` of the rates; (pivot, scale) pairs that must not vanish; ``solve(right)`` is x with mass @ x = right.
 
-    ``direct``: the rates are so short that they are differentiated themselves.  ``held``: pairs of the reactions' matrix of a
-    held tree, which tell how many digits are left.  ``chained``: each pivot waits for the one before it.
+    Without ``solve`` the rates are so short that they are differentiated themselves.  ``held``: pairs of the reactions' matrix
+    of a held tree, which tell how many digits are left.  ``chained``: each pivot waits for the one before it.
     """
 
     values: list[Node]
     pivots: Pairs
-    solve: Solver
-    direct: bool = False
+    solve: Solver | None = None
     chained: bool = False
     held: Pairs = fresh(factory=list)
 
@@ -65,20 +64,15 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
 def _along(equations: Equations, tree: Elimination, put_in: Mapping[Node, Node]) -> MassRoute:
     g = equations.system.graph
     values, pivots = substitute(g, tree.rates, put_in), _in_pairs(g, tree.pivots, put_in)
-    return MassRoute(values, pivots, lambda right: substitute(g, tree.solve(right), put_in), direct=True, chained=True)
+    return MassRoute(values, pivots, chained=True)
 
 
 def _by(detour: Detour, equations: Equations, put_in: Mapping[Node, Node]) -> MassRoute:
     g = equations.system.graph
     inner = mass_route(detour.equations, detour.equations, {}, detour.frame.forms)
-    rates = detour.accelerations(detour.put_in(inner.values))
-
-    def solve(right: Sequence[Node]) -> list[Node]:
-        return substitute(g, detour.turn_back(detour.put_in(inner.solve(detour.forces(right)))), put_in)
-
-    values = substitute(g, shorten(g, rates), put_in)
+    values = shorten(g, detour.accelerations(substitute(g, inner.values, detour.values)))
     pivots = [*detour.guards, *_in_pairs(g, inner.pivots, detour.values)]
-    return MassRoute(values, _in_pairs(g, pivots, put_in), solve, True, inner.chained)
+    return MassRoute(substitute(g, values, put_in), _in_pairs(g, pivots, put_in), chained=inner.chained)
 
 
 def _in_pairs(g: Graph, pairs: Pairs, put_in: Mapping[Node, Node]) -> Pairs:

@@ -109,15 +109,14 @@ class PlannerBase:
         # determinants of the coframe are in it, squared: it is lost before they are
         if any(not self._is_constant(value) for value, _ in self.equations.guards):
             what += ", or the velocities that are kept are"
+        g = self.graph
+        sizes = [(g.a[pivot] if g.op[pivot] == NEG else pivot, pivot, scale) for pivot, scale in pivots]
+        # what is held against itself is refused at zero only
         return [
-            GuardPlan(pivot, self._mass_scale(pivot, scale), tolerance, SINGULAR_MASS, what)
-            for pivot, scale in pivots
-            if not self._constant_positive(pivot)
+            GuardPlan(size, g.zero if pivot == scale else scale, tolerance, SINGULAR_MASS, what)
+            for size, pivot, scale in sizes
+            if not self._constant_positive(size)
         ]
-
-    def _mass_scale(self, pivot: Node, entry: Node) -> Node:
-        """The diagonal entry that a pivot came from; zero where they are the same (then only zero is refused)."""
-        return self.graph.zero if pivot == entry else entry
 
     def _constant_positive(self, pivot: Node) -> bool:
         """A number, or a parameter standing alone: no guard is worth its cost."""

@@ -59,6 +59,11 @@ RULES = (
         "program/mass_route.py",
     ),
     Rule(
+        "detours",
+        "Lagrange's equations are solved for the rates of T's own angular velocities, and these turned back",
+        "mechanics/detour.py",
+    ),
+    Rule(
         "order of pivots",
         "L D L^T takes rows with few entries first, where fewer entries arise on the way",
         "program/plan.py",

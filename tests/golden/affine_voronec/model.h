@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:1d98555ceeda3a0e)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:7e97c3ab7b192b4a)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -26,7 +26,7 @@
  * residuals: 5 +-, 10 *, 0 /, 3 calls
  * reactions: 73 +-, 148 *, 2 /, 4 calls
  * energy: 18 +-, 37 *, 0 /, 4 calls
- * jacobian: 204 +-, 388 *, 2 /, 4 calls
+ * jacobian: 204 +-, 387 *, 2 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Calls: t is the time, y has AFFINE_VORONEC_NY entries and p AFFINE_VORONEC_NP;

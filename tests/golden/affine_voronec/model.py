@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:7180a896eaedebba).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:5924a5ab7120ce4b).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -26,7 +26,7 @@ state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 5 +-, 10 *, 0 /, 3 calls
 reactions: 73 +-, 148 *, 2 /, 4 calls
 energy: 18 +-, 37 *, 0 /, 4 calls
-jacobian: 204 +-, 388 *, 2 /, 4 calls
+jacobian: 204 +-, 387 *, 2 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -143,7 +143,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z27 = x * z22
         z28 = z2 * x_dot * x_dot
         s1 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24))
-        s2 = 0.4 - 0.8 * (s_t * s_t) + (z26 + z27) * (0.3 + 0.5 * y_dot)
+        s2 = 0.4 - 0.8 * (s_t * s_t) + (0.3 + 0.5 * y_dot) * (z26 + z27)
         z29 = s1 + s2
         s3 = 0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 * s_t)))
         z30 = 0.3 * (z7 * z29) - s3
@@ -699,7 +699,7 @@ def jacobian(
         s31 = c_z * z73 + (z120 + 0.3 * z6 + 0.5 * (z12 * z27))
         z123 = y_dot * z8 - (s31 + 0.5 * (z15 * z76))
         s32 = 0.2 + (0.5 * (c_z * z85) + (z61 + 0.25 * (z16 * z27)))
-        z124 = 0.5 * (y_dot * (z2 * z56)) - (z15 * z89 + s32)
+        z124 = 0.5 * (z56 * z83) - (z15 * z89 + s32)
         z125 = z53 * (z124 - 0.5 * (z20 * z123))
         J: list[float] = [
             0.0,

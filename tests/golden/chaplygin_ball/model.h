@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:9235282a69a408e5)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:3f10ab25ab194efb)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -33,14 +33,14 @@
  * out[2] = K3 [kg*m^2/s]
  *
  * Operations:
- * rhs: 23 +-, 53 *, 4 /, 6 calls
- * velocities: 5 +-, 16 *, 1 /, 6 calls
- * accelerations: 40 +-, 86 *, 4 /, 6 calls
+ * rhs: 23 +-, 49 *, 4 /, 6 calls
+ * velocities: 5 +-, 12 *, 1 /, 6 calls
+ * accelerations: 37 +-, 77 *, 4 /, 6 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 4 +-, 7 *, 0 /, 3 calls
  * reactions: 26 +-, 57 *, 3 /, 6 calls
  * energy: 11 +-, 22 *, 0 /, 4 calls
- * jacobian: 73 +-, 180 *, 4 /, 6 calls
+ * jacobian: 73 +-, 178 *, 4 /, 6 calls
  * outputs: 8 +-, 18 *, 0 /, 4 calls
  *
  * Calls: t is the time, y has CHAPLYGIN_BALL_NY entries and p CHAPLYGIN_BALL_NP;

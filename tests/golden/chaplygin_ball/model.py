@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:01eecce0e57f661e).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:aef64002336169a9).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -33,14 +33,14 @@ out[1] = K2 [kg*m^2/s]
 out[2] = K3 [kg*m^2/s]
 
 Operations:
-rhs: 23 +-, 53 *, 4 /, 6 calls
-velocities: 5 +-, 16 *, 1 /, 6 calls
-accelerations: 40 +-, 86 *, 4 /, 6 calls
+rhs: 23 +-, 49 *, 4 /, 6 calls
+velocities: 5 +-, 12 *, 1 /, 6 calls
+accelerations: 37 +-, 77 *, 4 /, 6 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 4 +-, 7 *, 0 /, 3 calls
 reactions: 26 +-, 57 *, 3 /, 6 calls
 energy: 11 +-, 22 *, 0 /, 4 calls
-jacobian: 73 +-, 180 *, 4 /, 6 calls
+jacobian: 73 +-, 178 *, 4 /, 6 calls
 outputs: 8 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -162,34 +162,33 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(z16) > 1e-13 * z9:
             raise _refuse(abs(z16), 1e-13 * z9, 2, "rhs")
         s_phi = math.sin(phi)
-        z17 = 1.0 / s_theta
-        z18 = z17 * (s_theta * c_psi * w1 - s_theta * s_psi * w2)
-        z19 = a * z18
+        z17 = s_psi * w2 - c_psi * w1
+        v2_x = a * z17
         c_phi = math.cos(phi)
-        z20 = z17 * (c_psi * w2 + s_psi * w1)
-        z21 = w3 - c_theta * z20
-        z22 = a * (s_theta * z21)
-        z23 = w2 * w3 * k2
-        z24 = w1 * w3 * k3 - z23 * z7
-        z25 = (w1 * w2 * k4 + z23 * z12 - z15 * z24) / z16
-        z26 = z14 * z24 - z15 * z25
+        z18 = (c_psi * w2 + s_psi * w1) / s_theta
+        z19 = w3 - c_theta * z18
+        z20 = a * (s_theta * z19)
+        z21 = w2 * w3 * k2
+        z22 = w1 * w3 * k3 - z21 * z7
+        z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16
+        z24 = z14 * z22 - z15 * z23
         dydt: list[float] = [
             # x' (I.2.15)
-            s_phi * z19 - c_phi * z22,
+            -(s_phi * v2_x + c_phi * z20),
             # y' (I.2.15)
-            -(c_phi * z19 + s_phi * z22),
+            c_phi * v2_x - s_phi * z20,
             # phi' (I.2.15)
-            z20,
-            # theta' (I.2.15)
             z18,
+            # theta' (I.2.15)
+            -z17,
             # psi' (I.2.15)
-            z21,
+            z19,
             # w1' (I.2.15) 25:4
-            z23 * z6 - z7 * z26 + z12 * z25,
+            z21 * z6 - z7 * z24 + z12 * z23,
             # w2' (I.2.15) 25:4
-            -z26,
+            -z24,
             # w3' (I.2.15) 25:4
-            z25,
+            z23,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -220,27 +219,26 @@ def velocities(
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         s_phi = math.sin(phi)
-        z1 = 1.0 / s_theta
-        c_psi = math.cos(psi)
         s_psi = math.sin(psi)
-        z2 = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2)
-        z3 = a * z2
+        c_psi = math.cos(psi)
+        z1 = s_psi * w2 - c_psi * w1
+        v2_x = a * z1
         c_phi = math.cos(phi)
         c_theta = math.cos(theta)
-        z4 = z1 * (c_psi * w2 + s_psi * w1)
-        z5 = w3 - c_theta * z4
-        z6 = s_theta * (a * z5)
+        z2 = (c_psi * w2 + s_psi * w1) / s_theta
+        z3 = w3 - c_theta * z2
+        z4 = s_theta * (a * z3)
         qdot: list[float] = [
             # x' (I.2.4)
-            s_phi * z3 - c_phi * z6,
+            -(s_phi * v2_x + c_phi * z4),
             # y' (I.2.4)
-            -(c_phi * z3 + s_phi * z6),
+            c_phi * v2_x - s_phi * z4,
             # phi' (I.2.4)
-            z4,
-            # theta' (I.2.4)
             z2,
+            # theta' (I.2.4)
+            -z1,
             # psi' (I.2.4)
-            z5,
+            z3,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -307,49 +305,43 @@ def accelerations(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(z16) > 1e-13 * z9:
             raise _refuse(abs(z16), 1e-13 * z9, 2, "accelerations")
-        z17 = 1.0 / s_theta
-        z18 = s_theta * c_psi
-        z19 = s_theta * s_psi
-        z20 = z18 * w1 - z19 * w2
-        z21 = z17 * z20
-        z22 = a * z21
+        z17 = s_psi * w2 - c_psi * w1
+        v2_x = a * z17
         c_phi = math.cos(phi)
-        z23 = c_psi * w2 + s_psi * w1
-        z24 = z17 * z23
-        z25 = c_phi * z24
+        z18 = 1.0 / s_theta
+        z19 = c_psi * w2 + s_psi * w1
+        z20 = z18 * z19
+        z21 = c_phi * z20
         s_phi = math.sin(phi)
-        z26 = c_theta * z21
-        z27 = z26 * (z17 * z17)
-        z28 = w3 - c_theta * z24
-        z29 = s_psi * z28
-        z30 = w2 * w3 * k2
-        z31 = w1 * w3 * k3 - z30 * z7
-        z32 = (w1 * w2 * k4 + z30 * z12 - z15 * z31) / z16
-        z33 = z14 * z31 - z15 * z32
-        z34 = z30 * z6 - z7 * z33 + z12 * z32
-        z35 = c_psi * z28
-        s1 = w1 * (c_psi * z26 - s_theta * z29) + z18 * z34
-        z36 = s1 - (w2 * (s_psi * z26 + s_theta * z35) - z19 * z33)
-        z37 = z20 * z27 - z17 * z36
-        z38 = a * z37
-        z39 = a * z28
-        z40 = s_theta * z39
-        z41 = s_phi * z24
-        s2 = z17 * (w2 * z29 + c_psi * z33 - (w1 * z35 + s_psi * z34))
-        z42 = z23 * z27 + s2
-        z43 = z32 + (z24 * z20 + c_theta * z42)
-        z44 = z39 * z26 + a * (s_theta * z43)
+        z22 = w3 - c_theta * z20
+        z23 = c_psi * z22
+        z24 = w2 * w3 * k2
+        z25 = w1 * w3 * k3 - z24 * z7
+        z26 = (w1 * w2 * k4 + z24 * z12 - z15 * z25) / z16
+        z27 = z14 * z25 - z15 * z26
+        z28 = s_psi * z22
+        z29 = z24 * z6 - z7 * z27 + z12 * z26
+        z30 = w2 * z23 - s_psi * z27 + (w1 * z28 - c_psi * z29)
+        z31 = a * z30
+        z32 = a * z22
+        z33 = s_theta * z32
+        z34 = s_phi * z20
+        z35 = c_theta * z17
+        s1 = z18 * (w2 * z28 + c_psi * z27 - (w1 * z23 + s_psi * z29))
+        z36 = z18 * z18 * (z19 * z35) - s1
+        z37 = z26 - (z19 * z17 + c_theta * z36)
+        z38 = z32 * z35 - a * (s_theta * z37)
         qddot: list[float] = [
             # x'' (I.2.15)
-            z22 * z25 - s_phi * z38 + (z40 * z41 - c_phi * z44),
+            z33 * z34 + c_phi * z38 - (v2_x * z21 + s_phi * z31),
             # y'' (I.2.15)
-            z22 * z41 + c_phi * z38 - (z40 * z25 + s_phi * z44),
+            -(v2_x * z34 - c_phi * z31 + (z33 * z21 - s_phi * z38)),
             # phi'' (I.2.15)
-            -z42,
+            z36,
             # theta'' (I.2.15)
-            -z37,
+            -z30,
             # psi'' (I.2.15)
-            z43,
+            z37,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -626,26 +618,27 @@ def jacobian(
             raise _refuse(abs(z21), 1e-13 * z12, 2, "jacobian")
         c_phi = math.cos(phi)
         z22 = s_psi * w2 - c_psi * w1
-        z23 = a * z22
+        v2_x = a * z22
         s_phi = math.sin(phi)
+        z23 = 1.0 / s_theta
         z24 = c_psi * w2 + s_psi * w1
-        z25 = 1.0 / s_theta
-        z26 = a * (w3 - z24 * (c_theta * z25))
+        z25 = c_theta * z24
+        z26 = a * (w3 - z23 * z25)
         z27 = s_theta * z26
         z28 = a * s_theta
-        z29 = c_theta * (z25 * z25)
-        z30 = z24 * z29
-        z31 = z24 + c_theta * z30
-        z32 = c_theta * z26 + z28 * z31
-        z33 = a * z24
-        z34 = z29 * (s_theta * z22)
+        z29 = z23 * z23 * z25
+        z30 = z24 + c_theta * z29
+        z31 = c_theta * z26 + z28 * z30
+        z32 = a * z24
+        z33 = z23 * z22
+        z34 = c_theta * z33
         z35 = z28 * z34
         z36 = a * c_psi
-        z37 = s_psi * z25
+        z37 = s_psi * z23
         z38 = c_theta * z37
         z39 = z38 * z28
         z40 = a * s_psi
-        z41 = c_psi * z25
+        z41 = c_psi * z23
         z42 = c_theta * z41
         z43 = z42 * z28
         z44 = 1.0 / z21
@@ -665,7 +658,7 @@ def jacobian(
         s1 = z52 * z53 - 2.0 * (s_theta * (z55 * z53 - z1 * z57))
         z58 = z14 * z51 - c_theta * s1
         z59 = c_psi * z56
-        s2 = 2.0 * (s_theta * (k1 * (z4 * z54) - z53 * z59))
+        s2 = 2.0 * (s_theta * (k1 * (z4 * z54) - z59 * z53))
         z60 = z17 * z51 - c_theta * (k1 * (c_psi * z52) - s2)
         z61 = z60 + z10 * z58
         z62 = c_theta * z54
@@ -696,11 +689,11 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            s_phi * z27 - c_phi * z23,
+            s_phi * z27 - c_phi * v2_x,
             # (I.2.15)
-            -c_phi * z32,
+            -c_phi * z31,
             # (I.2.15)
-            -(s_phi * z33 + c_phi * z35),
+            -(s_phi * z32 + c_phi * z35),
             # (I.2.15)
             s_phi * z36 + c_phi * z39,
             # (I.2.15)
@@ -710,11 +703,11 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            -(s_phi * z23 + c_phi * z27),
+            -(s_phi * v2_x + c_phi * z27),
             # (I.2.15)
-            -s_phi * z32,
+            -s_phi * z31,
             # (I.2.15)
-            c_phi * z33 - s_phi * z35,
+            c_phi * z32 - s_phi * z35,
             # (I.2.15)
             s_phi * z39 - c_phi * z36,
             # (I.2.15)
@@ -725,9 +718,9 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            -z30,
+            -z29,
             # (I.2.15)
-            -z25 * z22,
+            -z33,
             # (I.2.15)
             z37,
             # (I.2.15)
@@ -736,7 +729,6 @@ def jacobian(
             0.0,
             0.0,
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             -z24,
@@ -749,7 +741,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z31,
+            z30,
             # (I.2.15)
             z34,
             # (I.2.15)

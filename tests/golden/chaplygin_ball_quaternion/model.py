@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b21addbe32b5342c).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b1326bd636ce7bda).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -195,9 +195,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # R_1' (I.2.15)
             0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
             # R_2' (I.2.15)
-            (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5,
+            (R_0 * w2 + R_3 * w1 - R_1 * w3) * 0.5,
             # R_3' (I.2.15)
-            0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
+            0.5 * (R_0 * w3 + (R_1 * w2 - R_2 * w1)),
             # w1' (I.2.15) 21:4
             z36 * z21 + 4.0 * (z22 * z39) - 2.0 * (z31 * z38),
             # w2' (I.2.15) 21:4
@@ -252,9 +252,9 @@ def velocities(
             # R_1' (I.2.4)
             0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
             # R_2' (I.2.4)
-            (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5,
+            (R_0 * w2 + R_3 * w1 - R_1 * w3) * 0.5,
             # R_3' (I.2.4)
-            0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
+            0.5 * (R_0 * w3 + (R_1 * w2 - R_2 * w1)),
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -349,17 +349,17 @@ def accelerations(
         z41 = 2.0 * s5 + (2.0 * (w1 * (z14 * w3 - z24 * w2)) + R_x1 * z38)
         s6 = 0.5 * (w3 * (R_x1 * w2 - 2.0 * (z14 * w1))) + z24 * z36
         z42 = a * (2.0 * s6 + z41)
-        z43 = R_0 * w3 - (R_2 * w1 - R_1 * w2)
+        z43 = R_0 * w3 + (R_1 * w2 - R_2 * w1)
         z44 = R_2 * w3 + (R_0 * w1 - R_3 * w2)
-        z45 = R_1 * w3 - (R_3 * w1 + R_0 * w2)
+        z45 = R_1 * w3 - (R_0 * w2 + R_3 * w1)
         s7 = 0.5 * (w1 * z44) + R_1 * z38 - (0.5 * (w2 * z45) + R_2 * z37)
         z46 = 0.5 * (w3 * z43) + R_3 * z36 + s7
         z47 = R_3 * w3 + (R_1 * w1 + R_2 * w2)
         s8 = 0.5 * (w1 * z47) - R_0 * z38 + (0.5 * (w2 * z43) - R_3 * z37)
         z48 = 0.5 * (w3 * z45) - R_2 * z36 + s8
-        s9 = 0.5 * (w1 * z43) + R_3 * z38 - (0.5 * (w2 * z47) + R_0 * z37)
-        z49 = 0.5 * (w3 * z44) + R_1 * z36 - s9
-        s10 = 0.5 * (w1 * z45) - R_2 * z38 + (0.5 * (w2 * z44) - R_1 * z37)
+        s9 = 0.5 * (w2 * z47) + R_0 * z37 - (0.5 * (w1 * z43) + R_3 * z38)
+        z49 = 0.5 * (w3 * z44) + R_1 * z36 + s9
+        s10 = 0.5 * (w2 * z44) - R_1 * z37 + (0.5 * (w1 * z45) - R_2 * z38)
         z50 = 0.5 * (w3 * z47) - R_0 * z36 - s10
         qddot: list[float] = [
             # x'' (I.2.15)
@@ -1071,7 +1071,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z2 = I1 * w1
         z3 = I3 * w3
         z4 = I2 * w2
-        s1 = k1 * (R_2 * w1 - (R_1 * w2 + R_0 * w3))
+        s1 = k1 * (R_2 * w1 - (R_0 * w3 + R_1 * w2))
         z5 = s1 + (R_2 * z2 - (R_0 * z3 + R_1 * z4))
         z6 = R_3 * z2 + (R_0 * z4 - R_1 * z3)
         s2 = R_3 * (k1 * (R_3 * w1 + (R_0 * w2 - R_1 * w3)) + z6)

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:981079f8c1079385)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:856387d5282c3ef1)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -22,14 +22,14 @@
  * out[0] = L_squared [kg^2*m^4/s^2]
  *
  * Operations:
- * rhs: 6 +-, 15 *, 4 /, 4 calls
- * velocities: 3 +-, 9 *, 1 /, 4 calls
- * accelerations: 18 +-, 38 *, 4 /, 4 calls
+ * rhs: 6 +-, 11 *, 4 /, 4 calls
+ * velocities: 3 +-, 5 *, 1 /, 4 calls
+ * accelerations: 15 +-, 29 *, 4 /, 4 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 1 calls
  * energy: 2 +-, 7 *, 0 /, 0 calls
- * jacobian: 6 +-, 21 *, 4 /, 4 calls
+ * jacobian: 6 +-, 20 *, 4 /, 4 calls
  * outputs: 2 +-, 9 *, 0 /, 1 calls
  *
  * Calls: t is the time, y has FREE_RIGID_BODY_NY entries and p FREE_RIGID_BODY_NP;

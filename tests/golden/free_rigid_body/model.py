@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:cc8831b659e66315).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:af565e70882bc364).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -23,14 +23,14 @@ Outputs:
 out[0] = L_squared [kg^2*m^4/s^2]
 
 Operations:
-rhs: 6 +-, 15 *, 4 /, 4 calls
-velocities: 3 +-, 9 *, 1 /, 4 calls
-accelerations: 18 +-, 38 *, 4 /, 4 calls
+rhs: 6 +-, 11 *, 4 /, 4 calls
+velocities: 3 +-, 5 *, 1 /, 4 calls
+accelerations: 15 +-, 29 *, 4 /, 4 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 0 *, 0 /, 1 calls
 energy: 2 +-, 7 *, 0 /, 0 calls
-jacobian: 6 +-, 21 *, 4 /, 4 calls
+jacobian: 6 +-, 20 *, 4 /, 4 calls
 outputs: 2 +-, 9 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -130,16 +130,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
-        z1 = 1.0 / s_theta
-        z2 = (c_psi * w2 + s_psi * w1) * z1
+        z1 = (c_psi * w2 + s_psi * w1) / s_theta
         c_theta = math.cos(theta)
         dydt: list[float] = [
             # phi' (I.2.14)
-            z2,
+            z1,
             # theta' (I.2.14)
-            z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)),
+            c_psi * w1 - s_psi * w2,
             # psi' (I.2.14)
-            w3 - c_theta * z2,
+            w3 - c_theta * z1,
             # w1' (I.2.14) 18:4
             w2 * w3 * k1,
             # w2' (I.2.14) 18:4
@@ -175,16 +174,15 @@ def velocities(
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
-        z1 = 1.0 / s_theta
-        z2 = (c_psi * w2 + s_psi * w1) * z1
+        z1 = (c_psi * w2 + s_psi * w1) / s_theta
         c_theta = math.cos(theta)
         qdot: list[float] = [
             # phi' (I.2.4)
-            z2,
+            z1,
             # theta' (I.2.4)
-            z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)),
+            c_psi * w1 - s_psi * w2,
             # psi' (I.2.4)
-            w3 - c_theta * z2,
+            w3 - c_theta * z1,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -228,33 +226,26 @@ def accelerations(
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
-        c_psi = math.cos(psi)
+        z1 = 1.0 / s_theta
         s_psi = math.sin(psi)
-        z1 = c_psi * w2 + s_psi * w1
-        z2 = 1.0 / s_theta
-        z3 = s_theta * c_psi
-        z4 = s_theta * s_psi
-        z5 = w1 * z3 - w2 * z4
+        c_psi = math.cos(psi)
+        z2 = s_psi * w2 - c_psi * w1
         c_theta = math.cos(theta)
-        z6 = z5 * (c_theta * z2)
-        z7 = z2 * z2 * z6
-        z8 = z1 * z2
-        z9 = w3 - c_theta * z8
-        z10 = s_psi * z9
-        z11 = w1 * w3 * k2
-        z12 = c_psi * z9
-        z13 = w2 * w3 * k1
-        s1 = z2 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13))
-        z14 = z1 * z7 + s1
-        s2 = w1 * (s_theta * z10 - c_psi * z6) - z3 * z13
-        z15 = s2 + (w2 * (s_theta * z12 + s_psi * z6) - z4 * z11)
+        z3 = c_psi * w2 + s_psi * w1
+        z4 = w3 - c_theta * (z3 * z1)
+        z5 = s_psi * z4
+        z6 = w1 * w3 * k2
+        z7 = c_psi * z4
+        z8 = w2 * w3 * k1
+        s1 = z1 * (w2 * z5 + c_psi * z6 - (w1 * z7 + s_psi * z8))
+        z9 = z1 * z1 * (z2 * (c_theta * z3)) - s1
         qddot: list[float] = [
             # phi'' (I.2.14)
-            -z14,
+            z9,
             # theta'' (I.2.14)
-            -(z5 * z7 + z2 * z15),
+            -(w2 * z7 - s_psi * z6 + (w1 * z5 - c_psi * z8)),
             # psi'' (I.2.14)
-            w1 * w2 * k3 + (z8 * z5 + c_theta * z14),
+            w1 * w2 * k3 - (z3 * z2 + c_theta * z9),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -409,32 +400,30 @@ def jacobian(
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
+        z1 = 1.0 / s_theta
+        c_theta = math.cos(theta)
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
-        z1 = c_psi * w2 + s_psi * w1
-        c_theta = math.cos(theta)
-        z2 = 1.0 / s_theta
-        z3 = c_theta * (z2 * z2)
-        z4 = z1 * z3
-        z5 = s_psi * w2 - c_psi * w1
-        z6 = s_psi * z2
-        z7 = c_psi * z2
+        z2 = c_psi * w2 + s_psi * w1
+        z3 = z1 * z1 * (c_theta * z2)
+        z4 = z1 * (s_psi * w2 - c_psi * w1)
+        z5 = s_psi * z1
+        z6 = c_psi * z1
         J: list[float] = [
             0.0,
             # (I.2.14)
+            -z3,
+            # (I.2.14)
             -z4,
             # (I.2.14)
-            -z2 * z5,
+            z5,
             # (I.2.14)
             z6,
-            # (I.2.14)
-            z7,
             0.0,
             0.0,
-            # (I.2.14)
             0.0,
             # (I.2.14)
-            -z1,
+            -z2,
             # (I.2.14)
             c_psi,
             # (I.2.14)
@@ -442,13 +431,13 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.14)
-            z1 + c_theta * z4,
+            z2 + c_theta * z3,
             # (I.2.14)
-            z3 * (s_theta * z5),
+            c_theta * z4,
+            # (I.2.14)
+            -c_theta * z5,
             # (I.2.14)
             -c_theta * z6,
-            # (I.2.14)
-            -c_theta * z7,
             # (I.2.14)
             1.0,
             0.0,

@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:c8a5ad9b19606826)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:5c8922a168614a02)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -23,14 +23,14 @@
  * out[1] = p_psi [kg*m^2/s]
  *
  * Operations:
- * rhs: 8 +-, 20 *, 3 /, 2 calls
+ * rhs: 5 +-, 13 *, 2 /, 2 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
- * accelerations: 9 +-, 20 *, 3 /, 2 calls
+ * accelerations: 5 +-, 13 *, 2 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
- * reactions: 3 +-, 5 *, 1 /, 2 calls
+ * reactions: 0 +-, 2 *, 0 /, 1 calls
  * energy: 4 +-, 10 *, 0 /, 2 calls
- * jacobian: 21 +-, 61 *, 3 /, 2 calls
+ * jacobian: 14 +-, 33 *, 2 /, 2 calls
  * outputs: 2 +-, 6 *, 0 /, 2 calls
  *
  * Calls: t is the time, y has HEAVY_TOP_NY entries and p HEAVY_TOP_NP; heavy_top_parameter_defaults can be p.

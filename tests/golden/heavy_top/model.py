@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:0e9b1896cdce9b22).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:a1aecc3045599eb6).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -23,14 +23,14 @@ out[0] = p_phi [kg*m^2/s]
 out[1] = p_psi [kg*m^2/s]
 
 Operations:
-rhs: 8 +-, 20 *, 3 /, 2 calls
+rhs: 5 +-, 13 *, 2 /, 2 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 9 +-, 20 *, 3 /, 2 calls
+accelerations: 5 +-, 13 *, 2 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
-reactions: 3 +-, 5 *, 1 /, 2 calls
+reactions: 0 +-, 2 *, 0 /, 1 calls
 energy: 4 +-, 10 *, 0 /, 2 calls
-jacobian: 21 +-, 61 *, 3 /, 2 calls
+jacobian: 14 +-, 33 *, 2 /, 2 calls
 outputs: 2 +-, 6 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
@@ -112,28 +112,23 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "rhs")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise _refuse(abs(I3), 0.0, 2, "rhs")
         # from the parameters alone
-        k1 = I1 - I3
-        k2 = 1.0 / I1
+        k1 = 1.0 / I1
+        k2 = I3 * k1
+        k3 = mgl * k1
         # from the state
         s_theta = math.sin(theta)
+        s1 = s_theta * s_theta
+        # the mass matrix is singular
+        if not abs(I1 * s1) > 0.0:
+            raise _refuse(abs(I1 * s1), 0.0, 2, "rhs")
         c_theta = math.cos(theta)
-        z1 = I3 * c_theta
-        z2 = I1 * (s_theta * s_theta) + c_theta * z1
-        # the mass matrix is singular
-        if not abs(z2) > 0.0:
-            raise _refuse(abs(z2), 0.0, 2, "rhs")
-        z3 = 1.0 / z2
-        z4 = z1 * z3
-        z5 = I3 - z1 * z4
-        # the mass matrix is singular
-        if not abs(z5) > 1e-13 * I3:
-            raise _refuse(abs(z5), 1e-13 * I3, 2, "rhs")
-        z6 = theta_dot * s_theta
-        z7 = phi_dot * c_theta * k1
-        z8 = psi_dot * I3
-        z9 = z6 * (2.0 * z7 - z8)
-        z10 = (I3 * (phi_dot * z6) + z9 * z4) / z5
+        z1 = phi_dot * c_theta
+        z2 = (psi_dot + z1) * k2
+        z3 = theta_dot / s_theta * (2.0 * z1 - z2)
         dydt: list[float] = [
             # phi' (II.3)
             phi_dot,
@@ -142,11 +137,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (II.3)
             psi_dot,
             # phi'' (II.3) 16:4
-            -(z9 * z3 + z4 * z10),
+            -z3,
             # theta'' (II.3) 16:4
-            s_theta * (mgl + phi_dot * (z7 - z8)) * k2,
+            s_theta * (k3 + phi_dot * (z1 - z2)),
             # psi'' (II.3) 16:4
-            z10,
+            s_theta * (phi_dot * theta_dot) + c_theta * z3,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -202,36 +197,30 @@ def accelerations(
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "accelerations")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # from the parameters alone
-        k1 = I1 - I3
-        k2 = 1.0 / I1
+        k1 = 1.0 / I1
+        k2 = I3 * k1
+        k3 = mgl * k1
         # from the state
         s_theta = math.sin(theta)
-        z1 = s_theta * s_theta
-        z2 = I1 * z1 + I3 * (1.0 - z1)
+        s1 = s_theta * s_theta
         # the mass matrix is singular
-        if not abs(z2) > 0.0:
-            raise _refuse(abs(z2), 0.0, 2, "accelerations")
+        if not abs(I1 * s1) > 0.0:
+            raise _refuse(abs(I1 * s1), 0.0, 2, "accelerations")
         c_theta = math.cos(theta)
-        z3 = I3 * c_theta
-        z4 = 1.0 / z2
-        z5 = z3 * z4
-        z6 = I3 - z3 * z5
-        # the mass matrix is singular
-        if not abs(z6) > 1e-13 * I3:
-            raise _refuse(abs(z6), 1e-13 * I3, 2, "accelerations")
-        z7 = theta_dot * s_theta
-        z8 = phi_dot * c_theta * k1
-        z9 = psi_dot * I3
-        z10 = z7 * (2.0 * z8 - z9)
-        z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6
+        z1 = phi_dot * c_theta
+        z2 = (psi_dot + z1) * k2
+        z3 = theta_dot / s_theta * (2.0 * z1 - z2)
         qddot: list[float] = [
             # phi'' (II.3)
-            -(z10 * z4 + z5 * z11),
+            -z3,
             # theta'' (II.3)
-            s_theta * (mgl + phi_dot * (z8 - z9)) * k2,
+            s_theta * (k3 + phi_dot * (z1 - z2)),
             # psi'' (II.3)
-            z11,
+            s_theta * (phi_dot * theta_dot) + c_theta * z3,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -299,19 +288,15 @@ def reactions(
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "reactions")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise _refuse(abs(I3), 0.0, 2, "reactions")
         # from the state
         s_theta = math.sin(theta)
-        z1 = s_theta * s_theta
-        z2 = I1 * z1 + I3 * (1.0 - z1)
+        s1 = s_theta * s_theta
         # the mass matrix is singular
-        if not abs(z2) > 0.0:
-            raise _refuse(abs(z2), 0.0, 2, "reactions")
-        c_theta = math.cos(theta)
-        z3 = I3 * c_theta
-        s1 = I3 - z3 * (z3 / z2)
-        # the mass matrix is singular
-        if not abs(s1) > 1e-13 * I3:
-            raise _refuse(abs(s1), 1e-13 * I3, 2, "reactions")
+        if not abs(I1 * s1) > 0.0:
+            raise _refuse(abs(I1 * s1), 0.0, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -366,46 +351,33 @@ def jacobian(
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "jacobian")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # from the parameters alone
-        k1 = I1 - I3
-        k2 = 1.0 / I1
+        k1 = 1.0 / I1
+        k2 = I3 * k1
+        k3 = mgl * k1
+        k4 = 2.0 - k2
         # from the state
         s_theta = math.sin(theta)
-        z1 = s_theta * s_theta
-        z2 = I1 * z1 + I3 * (1.0 - z1)
+        s1 = s_theta * s_theta
         # the mass matrix is singular
-        if not abs(z2) > 0.0:
-            raise _refuse(abs(z2), 0.0, 2, "jacobian")
+        if not abs(I1 * s1) > 0.0:
+            raise _refuse(abs(I1 * s1), 0.0, 2, "jacobian")
+        z1 = 1.0 / s_theta
         c_theta = math.cos(theta)
-        z3 = I3 * c_theta
-        z4 = 1.0 / z2
-        z5 = z3 * z4
-        z6 = I3 - z3 * z5
-        # the mass matrix is singular
-        if not abs(z6) > 1e-13 * I3:
-            raise _refuse(abs(z6), 1e-13 * I3, 2, "jacobian")
-        z7 = theta_dot * s_theta
-        z8 = z7 * k1
-        z9 = 1.0 / z6
-        z10 = I3 * (phi_dot * theta_dot)
-        z11 = phi_dot * c_theta * k1
-        z12 = psi_dot * I3
-        z13 = 2.0 * z11 - z12
-        z14 = z7 * z13
-        z15 = z9 * (s_theta * z10 + z14 * z5)
-        z16 = s_theta * (z14 * z4 + z5 * z15)
-        s1 = c_theta * (theta_dot * z13 - 2.0 * (k1 * z16))
-        z17 = s_theta * (2.0 * (phi_dot * z8) + I3 * z15) - s1
-        z18 = z9 * (c_theta * z10 - I3 * z16 - z5 * z17)
-        z19 = c_theta * z8
-        z20 = I3 * z7
-        z21 = z9 * (z20 + 2.0 * (z5 * z19))
-        z22 = s_theta * z13
-        z23 = phi_dot * s_theta
-        z24 = I3 * z23
-        z25 = z9 * (z24 + z5 * z22)
-        z26 = z20 * (z5 * z9)
-        s2 = c_theta * (mgl + phi_dot * (z11 - z12)) - k1 * (z23 * z23)
+        z2 = phi_dot * c_theta
+        z3 = (psi_dot + z2) * k2
+        z4 = 2.0 * z2 - z3
+        z5 = theta_dot * z1
+        z6 = phi_dot * s_theta
+        z7 = z1 * z1 * (theta_dot * c_theta * z4) + z5 * (z6 * k4)
+        z8 = z5 * (c_theta * k4)
+        z9 = z1 * z4
+        z10 = k2 * z5
+        z11 = z2 - z3
+        z12 = z6 * k2
         J: list[float] = [
             0.0,
             0.0,
@@ -430,36 +402,36 @@ def jacobian(
             1.0,
             0.0,
             # (II.3)
-            z4 * z17 - z5 * z18,
+            z7,
             0.0,
             # (II.3)
-            -(2.0 * (z4 * z19) + z5 * z21),
+            -z8,
             # (II.3)
-            -(z4 * z22 + z5 * z25),
+            -z9,
             # (II.3)
-            z4 * z20 + z5 * z26,
+            z10,
             0.0,
             # (II.3)
-            k2 * s2,
+            c_theta * (k3 + phi_dot * z11) - z6 * (z6 - z12),
             0.0,
             # (II.3)
-            k2 * z22,
+            s_theta * (z11 + phi_dot * (c_theta - c_theta * k2)),
             0.0,
             # (II.3)
-            -k2 * z24,
+            -z12,
             0.0,
             # (II.3)
-            z18,
+            theta_dot * z2 - (theta_dot * z4 + c_theta * z7),
             0.0,
             # (II.3)
-            z21,
+            theta_dot * s_theta + c_theta * z8,
             # (II.3)
-            z25,
+            z6 + c_theta * z9,
             # (II.3)
-            -z26,
+            -c_theta * z10,
         ]
         _finish("jacobian", J)
-        return [J[k3 : k3 + 6] for k3 in range(0, 36, 6)]
+        return [J[k5 : k5 + 6] for k5 in range(0, 36, 6)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

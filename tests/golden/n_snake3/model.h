@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:90c8fe98bf35e37c)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:244c548575283359)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -26,14 +26,14 @@
  * 2: wheel3
  *
  * Operations:
- * rhs: 44 +-, 85 *, 3 /, 6 calls
+ * rhs: 42 +-, 79 *, 3 /, 6 calls
  * velocities: 5 +-, 11 *, 1 /, 6 calls
- * accelerations: 56 +-, 98 *, 3 /, 6 calls
+ * accelerations: 56 +-, 97 *, 3 /, 6 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 11 +-, 15 *, 0 /, 6 calls
- * reactions: 66 +-, 119 *, 3 /, 4 calls
+ * reactions: 66 +-, 118 *, 3 /, 4 calls
  * energy: 27 +-, 40 *, 1 /, 6 calls
- * jacobian: 191 +-, 302 *, 3 /, 6 calls
+ * jacobian: 191 +-, 301 *, 3 /, 6 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Calls: t is the time, y has N_SNAKE3_NY entries and p N_SNAKE3_NP; n_snake3_parameter_defaults can be p.

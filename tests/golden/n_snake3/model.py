@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:f95f35a24e999d78).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:726f6c2e881c3e04).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -27,14 +27,14 @@ Constraints:
 2: wheel3
 
 Operations:
-rhs: 44 +-, 85 *, 3 /, 6 calls
+rhs: 42 +-, 79 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 1 /, 6 calls
-accelerations: 56 +-, 98 *, 3 /, 6 calls
+accelerations: 56 +-, 97 *, 3 /, 6 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 11 +-, 15 *, 0 /, 6 calls
-reactions: 66 +-, 119 *, 3 /, 4 calls
+reactions: 66 +-, 118 *, 3 /, 4 calls
 energy: 27 +-, 40 *, 1 /, 6 calls
-jacobian: 191 +-, 302 *, 3 /, 6 calls
+jacobian: 191 +-, 301 *, 3 /, 6 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -140,42 +140,40 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "rhs")
-        z9 = c1 * s1
-        z10 = a * s1
-        z11 = a * c1
-        z12 = s2 * z10 + c2 * z11
-        z13 = z6 * z12
-        z14 = k2 * z9 - k3 * z13 - z9 * k4 + m * z13
-        z15 = 1.0 / z8
-        z16 = z15 * z14
-        z17 = z5 * k5 + J * z4 + z7 * k5
-        z18 = z14 * z16 - z17
+        z9 = z5 * k5 + J * z4 + z7 * k5
+        z10 = c1 * s1
+        z11 = a * z3
+        z12 = z6 * z11
+        z13 = z10 * k4 - (k2 * z10 - k3 * z12) - m * z12
+        z14 = 1.0 / z8
+        z15 = z14 * z13
+        z16 = z9 - z13 * z15
         # the mass matrix is singular
-        if not abs(-z18) > 1e-13 * z17:
-            raise _refuse(abs(-z18), 1e-13 * z17, 2, "rhs")
+        if not abs(z16) > 1e-13 * z9:
+            raise _refuse(abs(z16), 1e-13 * z9, 2, "rhs")
         c_theta1 = math.cos(theta1)
         s_theta1 = math.sin(theta1)
-        z19 = a * w
-        z20 = v * s1 - c1 * z19
-        z21 = k1 * z20
-        v1_x2 = v * c1 + s1 * z19
-        z22 = s2 * v1_x2 - c2 * z20
-        z23 = w - z21
-        z24 = c1 * z23
-        z25 = s1 * z23
-        z26 = v * z24 + z19 * z25
-        z27 = k1 * (z20 - z22)
-        z28 = c2 * z27
-        z29 = v * z25 - z19 * z24
-        z30 = s2 * z27
-        z31 = v1_x2 * z28 - s2 * z29 + (z20 * z30 - c2 * z26)
-        z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26)
-        s3 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32)
-        z33 = s3 - k * (z1 * (s1 * k1) - z2 * (k1 * (s1 - z6)))
-        s4 = k2 * (c1 * z26) - k3 * (z12 * z31) + k4 * (s1 * z29)
-        z34 = s4 + m * ((c2 * z10 - s2 * z11) * z32)
-        s5 = z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z12))
-        z35 = (s5 - z33 * z16) / z18
+        z17 = a * w
+        z18 = v * s1 - c1 * z17
+        z19 = k1 * z18
+        v1_x2 = v * c1 + s1 * z17
+        z20 = s2 * v1_x2 - c2 * z18
+        z21 = w - z19
+        z22 = c1 * z21
+        z23 = s1 * z21
+        z24 = v * z22 + z17 * z23
+        z25 = k1 * (z18 - z20)
+        z26 = c2 * z25
+        z27 = v * z23 - z17 * z22
+        z28 = s2 * z25
+        z29 = v1_x2 * z26 - s2 * z27 + (z18 * z28 - c2 * z24)
+        z30 = v1_x2 * z28 + c2 * z27 - (z18 * z26 + s2 * z24)
+        s3 = k3 * (s1 * z24 + z6 * z29) - m * (c1 * z27 + z3 * z30)
+        z31 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
+        s4 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11))
+        z32 = s4 - m * (z30 * (a * z6))
+        s5 = k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32 - z15 * z31
+        z33 = s5 / z16
         dydt: list[float] = [
             # x' (I.2.15)
             c_theta1 * v,
@@ -184,13 +182,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta1' (I.2.15)
             w,
             # theta2' (I.2.15)
-            z21,
+            z19,
             # theta3' (I.2.15)
-            k1 * z22,
+            k1 * z20,
             # v' (I.2.15) 22:4
-            -(z33 * z15 + z16 * z35),
+            z15 * z33 - z14 * z31,
             # w' (I.2.15) 22:4
-            -z35,
+            -z33,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -331,8 +329,8 @@ def accelerations(
         z38 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
         s4 = k2 * (c1 * z27) - k3 * (z10 * z36) + k4 * (s1 * z33)
         z39 = s4 + m * (z11 * z37)
-        s5 = z39 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10))
-        z40 = (s5 - z17 * z38) / z18
+        s5 = z39 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z38
+        z40 = s5 / z18
         z41 = z16 * z38 - z17 * z40
         z42 = a * z40
         z43 = z24 - s1 * z41 + (z26 - c1 * z42)
@@ -521,24 +519,23 @@ def reactions(
         z34 = s3 - k * (z1 * z33 - k1 * (z2 * (s1 - z6)))
         s4 = k2 * (c1 * z30) - k3 * (z10 * z32) + k4 * (s1 * z28)
         z35 = s4 + m * (z11 * z31)
-        z36 = k1 * z10
-        s5 = z35 - k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - z17 * z34
-        z37 = s5 / z18
-        z38 = z16 * z34 - z17 * z37
-        z39 = m * (z31 + (z3 * z38 - z11 * z37))
-        z40 = k1 * (k * z2 - J * (k1 * z32 - (k1 * (z6 * z38) - z36 * z37)))
-        z41 = s2 * z39 - c2 * z40
-        s6 = k1 * (k * (z1 - z2) - J * (k1 * z30 - (z33 * z38 + c1 * z37)))
-        z42 = z41 + s6
-        s7 = s1 * (m * (z28 + (c1 * z38 - z8 * z37)) + s2 * z40 + c2 * z39)
-        z43 = c1 * z42 - s7
+        s5 = z35 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z34
+        z36 = s5 / z18
+        z37 = z16 * z34 - z17 * z36
+        z38 = m * (z31 + (z3 * z37 - z11 * z36))
+        z39 = k1 * (k * z2 - J * (k1 * z32 - (k1 * (z6 * z37) - z3 * z36)))
+        z40 = s2 * z38 - c2 * z39
+        s6 = k1 * (k * (z1 - z2) - J * (k1 * z30 - (z33 * z37 + c1 * z36)))
+        z41 = z40 + s6
+        s7 = s1 * (m * (z28 + (c1 * z37 - z8 * z36)) + s2 * z39 + c2 * z38)
+        z42 = c1 * z41 - s7
         lambda_: list[float] = [
             # reaction of wheel1: Q_i gains lambda_1 a_1i (I.4.1) 25:5
-            m * (v * w) - z43,
+            m * (v * w) - z42,
             # reaction of wheel2: Q_i gains lambda_2 a_2i (I.4.1) 26:5
-            m * (z24 * v1_x2) + z41 + z42,
+            m * (z24 * v1_x2) + z40 + z41,
             # reaction of wheel3: Q_i gains lambda_3 a_3i (I.4.1) 27:5
-            k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z40,
+            k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z39,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -666,114 +663,113 @@ def jacobian(
         z21 = s1 * k1
         z22 = v * s1 - c1 * z19
         z23 = k1 * (c2 * v1_x2 + s2 * z22)
-        z24 = k1 * z10
-        z25 = k1 * (z22 - (s2 * v1_x2 - c2 * z22))
-        z26 = c2 * z25
-        z27 = m * z3
-        z28 = s2 * z25
-        z29 = z6 * k3
-        z30 = z22 * z27 + v1_x2 * z29
-        z31 = v1_x2 * z27 - z22 * z29
-        z32 = k1 * (c2 * z30 - s2 * z31)
-        z33 = m * c1 + c2 * z27 + s2 * z29
-        z34 = s1 * k3 + s2 * z27 - c2 * z29
-        z35 = z19 * z33 + v * z34
-        z36 = z19 * z34 - v * z33
-        z37 = c1 * z35 + s1 * z36
-        z38 = z26 * z27 + z28 * z29 + z32 + c2 * z32 - k1 * z37
-        z39 = z28 * z27 - z26 * z29 + s2 * z32
-        z40 = w - k1 * z22
-        z41 = c1 * z40
-        z42 = s1 * z40
-        z43 = v * z41 + z19 * z42
-        z44 = z2 * k7
-        z45 = 1.0 / z18
-        z46 = v * z42 - z19 * z41
-        z47 = v1_x2 * z26 - s2 * z46 + (z22 * z28 - c2 * z43)
-        z48 = v1_x2 * z28 + c2 * z46 - (z22 * z26 + s2 * z43)
-        z49 = k1 * (s1 - z6)
-        s3 = k3 * (s1 * z43 + z6 * z47) - m * (c1 * z46 + z3 * z48)
-        z50 = s3 - k * (z1 * z21 - z2 * z49)
-        z51 = 1.0 + c1
-        z52 = c1 + z24
-        z53 = c1 * k2
-        z54 = z10 * k3
-        z55 = s1 * k4
-        z56 = m * z11
-        s4 = z43 * z53 - z47 * z54 + z46 * z55 + z48 * z56
-        z57 = k * (z1 * z51 - z2 * z52) - s4
-        z58 = z45 * (z50 * z17 + z57)
-        z59 = k6 * z58
-        z60 = z50 * z16 + z17 * z58
-        z61 = k3 * z60
-        z62 = m * z48
-        z63 = m * z58
-        z64 = z11 * z63
-        z65 = m * z60
-        z66 = z3 * z65
-        z67 = z62 + z64 + 2.0 * z66
-        s5 = z40 * z36 + (z43 * k3 + z44 + c1 * z59 - 2.0 * (s1 * z61))
-        z68 = s5 - s2 * z67
-        z69 = z3 * z63
-        z70 = k3 * z58
-        z71 = z6 * z70
-        z72 = z47 * k3
-        z73 = z10 * z70
-        z74 = z6 * z61
-        z75 = z72 - z44 - z73 - 2.0 * z74
-        s6 = v * z38 - (z19 * z39 - z68) - a * (c2 * z69 + s2 * z71)
-        z76 = s6 - c2 * z75
-        s7 = z40 * z35 - (m * z46 - s1 * z59 + 2.0 * (c1 * z65))
-        z77 = z19 * z38 - (s7 - c2 * z67)
-        s8 = s1 * (v * z39 + z77 - a * (s2 * z69 - c2 * z71) - s2 * z75)
-        z78 = k * z21 + c1 * (z1 * k7 - z76) - s8
-        z79 = z22 * z56 + v1_x2 * z54
-        z80 = v1_x2 * z56 - z22 * z54
-        z81 = k1 * (c2 * z79 - s2 * z80)
-        z82 = z55 + c2 * z56 + s2 * z54
-        z83 = z53 - s2 * z56 + c2 * z54
-        z84 = z19 * z82 - v * z83
-        z85 = z19 * z83 + v * z82
-        z86 = c1 * z84 - s1 * z85
-        z87 = z26 * z56 + z28 * z54 + z81 + c2 * z81 - k1 * z86
-        z88 = z28 * z56 - z26 * z54 + s2 * z81
-        z89 = k6 * z60
-        z90 = z11 * z65
-        s9 = z40 * z85 + (z46 * k4 - c1 * z89 + 2.0 * (k5 * (s1 * z58)))
-        z91 = s9 + s2 * z90
-        z92 = z66 + (z62 + 2.0 * z64)
-        z93 = z44 + (z74 - (z72 - 2.0 * z73))
-        z94 = z10 * z61
-        s10 = v * z87 - (z19 * z88 + z91) - a * (c2 * z92 + s2 * z93)
-        z95 = s10 + c2 * z94
-        s11 = k * (z1 - z2) - z43 * k2 + s1 * z89
-        z96 = z40 * z84 + (s11 - 2.0 * (J_2 * (c1 * z58)))
-        s12 = v * z88 + (z19 * z87 - (z96 - c2 * z90))
-        z97 = s12 - a * (s2 * z92 - c2 * z93)
-        z98 = k * z51 + c1 * z95 + s1 * (z97 + s2 * z94)
-        z99 = z45 * (z98 - z17 * z78)
-        s13 = z43 * z27 - z46 * z29 - z25 * z31 + z9 * z69 - s1 * z67
-        z100 = v1_x2 * z32 - s13
-        s14 = z46 * z27 + z43 * z29 - z25 * z30 + z8 * z69 + c1 * z67
-        z101 = z22 * z32 - s14
-        s15 = k * z49 - c2 * (z100 + z8 * z71 - c1 * z75)
-        z102 = s15 - s2 * (z101 - z9 * z71 - s1 * z75)
-        z103 = z78 + z102
-        s16 = z43 * z56 - z46 * z54 - z25 * z80 + z9 * z92 - s1 * z90
-        z104 = v1_x2 * z81 - s16
-        s17 = z46 * z56 + z43 * z54 - z25 * z79 + z8 * z92 + c1 * z90
-        z105 = z22 * z81 - s17
-        s18 = k * z52 + c2 * (z104 + z8 * z93 + c1 * z94)
-        z106 = s18 + s2 * (z105 - z9 * z93 + s1 * z94)
-        z107 = z45 * (z98 + z106 - z17 * z103)
-        z108 = z45 * (z106 - z17 * z102)
-        z109 = z41 * z34 - z42 * z33 + s1 * z38 - c1 * z39
-        s19 = z41 * z83 + z42 * z82 - s1 * z87 + c1 * z88 - z17 * z109
-        z110 = z45 * s19
-        z111 = z37 + a * (z41 * z33 + z42 * z34 - s1 * z39 - c1 * z38)
-        s20 = z86 + a * (z41 * z82 - z42 * z83 - s1 * z88 - c1 * z87)
-        z112 = s20 + z17 * z111
-        z113 = z45 * z112
+        z24 = k1 * (z22 - (s2 * v1_x2 - c2 * z22))
+        z25 = c2 * z24
+        z26 = m * z3
+        z27 = s2 * z24
+        z28 = z6 * k3
+        z29 = z22 * z26 + v1_x2 * z28
+        z30 = v1_x2 * z26 - z22 * z28
+        z31 = k1 * (c2 * z29 - s2 * z30)
+        z32 = m * c1 + c2 * z26 + s2 * z28
+        z33 = s1 * k3 + s2 * z26 - c2 * z28
+        z34 = z19 * z32 + v * z33
+        z35 = z19 * z33 - v * z32
+        z36 = c1 * z34 + s1 * z35
+        z37 = z25 * z26 + z27 * z28 + z31 + c2 * z31 - k1 * z36
+        z38 = z27 * z26 - z25 * z28 + s2 * z31
+        z39 = w - k1 * z22
+        z40 = c1 * z39
+        z41 = s1 * z39
+        z42 = v * z40 + z19 * z41
+        z43 = z2 * k7
+        z44 = 1.0 / z18
+        z45 = v * z41 - z19 * z40
+        z46 = v1_x2 * z25 - s2 * z45 + (z22 * z27 - c2 * z42)
+        z47 = v1_x2 * z27 + c2 * z45 - (z22 * z25 + s2 * z42)
+        z48 = k1 * (s1 - z6)
+        s3 = k3 * (s1 * z42 + z6 * z46) - m * (c1 * z45 + z3 * z47)
+        z49 = s3 - k * (z1 * z21 - z2 * z48)
+        z50 = 1.0 + c1
+        z51 = c1 + z3
+        z52 = c1 * k2
+        z53 = z10 * k3
+        z54 = s1 * k4
+        z55 = m * z11
+        s4 = z42 * z52 - z46 * z53 + z45 * z54 + z47 * z55
+        z56 = k * (z1 * z50 - z2 * z51) - s4
+        z57 = z44 * (z49 * z17 + z56)
+        z58 = k6 * z57
+        z59 = z49 * z16 + z17 * z57
+        z60 = k3 * z59
+        s5 = z39 * z35 + (z42 * k3 + z43 + c1 * z58 - 2.0 * (s1 * z60))
+        z61 = z19 * z38 - s5
+        z62 = m * z57
+        z63 = z3 * z62
+        z64 = k3 * z57
+        z65 = z6 * z64
+        z66 = m * z47
+        z67 = z11 * z62
+        z68 = m * z59
+        z69 = z3 * z68
+        z70 = z66 + z67 + 2.0 * z69
+        s6 = z1 * k7 - (v * z37 - z61 - a * (c2 * z63 + s2 * z65))
+        z71 = s6 + s2 * z70
+        z72 = z46 * k3
+        z73 = z10 * z64
+        z74 = z6 * z60
+        z75 = z72 - z43 - z73 - 2.0 * z74
+        s7 = z39 * z34 - (m * z45 - s1 * z58 + 2.0 * (c1 * z68))
+        z76 = v * z38 + (z19 * z37 - s7)
+        s8 = s1 * (z76 - a * (s2 * z63 - c2 * z65) + c2 * z70 - s2 * z75)
+        z77 = k * z21 + c1 * (z71 + c2 * z75) - s8
+        z78 = z22 * z55 + v1_x2 * z53
+        z79 = v1_x2 * z55 - z22 * z53
+        z80 = k1 * (c2 * z78 - s2 * z79)
+        z81 = z54 + c2 * z55 + s2 * z53
+        z82 = z52 - s2 * z55 + c2 * z53
+        z83 = z19 * z81 - v * z82
+        z84 = z19 * z82 + v * z81
+        z85 = c1 * z83 - s1 * z84
+        z86 = z25 * z55 + z27 * z53 + z80 + c2 * z80 - k1 * z85
+        z87 = z27 * z55 - z25 * z53 + s2 * z80
+        z88 = k6 * z59
+        s9 = z39 * z84 + (z45 * k4 - c1 * z88 + 2.0 * (k5 * (s1 * z57)))
+        z89 = z19 * z87 + s9
+        z90 = z69 + (z66 + 2.0 * z67)
+        z91 = z43 + (z74 - (z72 - 2.0 * z73))
+        z92 = z11 * z68
+        z93 = z10 * z60
+        s10 = v * z86 - z89 - a * (c2 * z90 + s2 * z91) - s2 * z92
+        z94 = s10 + c2 * z93
+        s11 = k * (z1 - z2) - z42 * k2 + s1 * z88
+        z95 = z39 * z83 + (s11 - 2.0 * (J_2 * (c1 * z57)))
+        s12 = v * z87 + (z19 * z86 - z95) - a * (s2 * z90 - c2 * z91)
+        z96 = s12 + c2 * z92
+        z97 = k * z50 + c1 * z94 + s1 * (z96 + s2 * z93)
+        z98 = z44 * (z97 - z17 * z77)
+        s13 = v1_x2 * z31 - (z42 * z26 - z45 * z28 - z24 * z30 + z9 * z63)
+        z99 = s13 + z8 * z65
+        s14 = z22 * z31 - (z45 * z26 + z42 * z28 - z24 * z29 + z8 * z63)
+        z100 = s14 - z9 * z65
+        s15 = k * z48 - c2 * (z99 + s1 * z70 - c1 * z75)
+        z101 = s15 - s2 * (z100 - c1 * z70 - s1 * z75)
+        z102 = z77 + z101
+        s16 = v1_x2 * z80 - (z42 * z55 - z45 * z53 - z24 * z79 + z9 * z90)
+        z103 = s16 + z8 * z91
+        s17 = z22 * z80 - (z45 * z55 + z42 * z53 - z24 * z78 + z8 * z90)
+        z104 = s17 - z9 * z91
+        s18 = k * z51 + c2 * (z103 + s1 * z92 + c1 * z93)
+        z105 = s18 + s2 * (z104 - c1 * z92 + s1 * z93)
+        z106 = z44 * (z97 + z105 - z17 * z102)
+        z107 = z44 * (z105 - z17 * z101)
+        z108 = z40 * z33 - z41 * z32 + s1 * z37 - c1 * z38
+        s19 = z40 * z82 + z41 * z81 - s1 * z86 + c1 * z87 - z17 * z108
+        z109 = z44 * s19
+        z110 = z36 + a * (z40 * z32 + z41 * z33 - s1 * z38 - c1 * z37)
+        s20 = z85 + a * (z40 * z81 - z41 * z82 - s1 * z87 - c1 * z86)
+        z111 = s20 + z17 * z110
+        z112 = z44 * z111
         J: list[float] = [
             0.0,
             0.0,
@@ -823,31 +819,31 @@ def jacobian(
             # (I.2.15)
             k1 * z6,
             # (I.2.15)
-            z24,
+            z3,
             0.0,
             0.0,
             # (I.2.15)
-            z16 * z78 - z17 * z99,
+            z16 * z77 - z17 * z98,
             # (I.2.15)
-            z17 * z107 - z16 * z103,
+            z17 * z106 - z16 * z102,
             # (I.2.15)
-            z16 * z102 - z17 * z108,
+            z16 * z101 - z17 * z107,
             # (I.2.15)
-            z17 * z110 - z16 * z109,
+            z17 * z109 - z16 * z108,
             # (I.2.15)
-            -(z16 * z111 + z17 * z113),
+            -(z16 * z110 + z17 * z112),
             0.0,
             0.0,
             # (I.2.15)
-            -z99,
+            -z98,
             # (I.2.15)
-            z107,
+            z106,
             # (I.2.15)
-            -z108,
+            -z107,
             # (I.2.15)
-            z110,
+            z109,
             # (I.2.15)
-            -z113,
+            -z112,
         ]
         _finish("jacobian", J)
         return [J[k8 : k8 + 7] for k8 in range(0, 49, 7)]

@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:01df0b7d5888c643)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:aea7eed42ba9154f)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,14 +36,14 @@
  * out[0] = spin [rad/s]
  *
  * Operations:
- * rhs: 64 +-, 119 *, 5 /, 7 calls
- * velocities: 15 +-, 42 *, 2 /, 7 calls
- * accelerations: 98 +-, 163 *, 5 /, 7 calls
+ * rhs: 64 +-, 118 *, 5 /, 7 calls
+ * velocities: 15 +-, 40 *, 2 /, 7 calls
+ * accelerations: 97 +-, 161 *, 5 /, 7 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 18 +-, 40 *, 1 /, 7 calls
- * reactions: 86 +-, 155 *, 5 /, 7 calls
+ * reactions: 86 +-, 154 *, 5 /, 7 calls
  * energy: 19 +-, 48 *, 1 /, 7 calls
- * jacobian: 453 +-, 680 *, 5 /, 7 calls
+ * jacobian: 442 +-, 662 *, 5 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *
  * Calls: t is the time, y has RATTLEBACK_NY entries and p RATTLEBACK_NP; rattleback_parameter_defaults can be

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:2611dc8668f84750).
+"""rattleback, emitted by nhc 0.1.0 (nhc:82f957b390e10b17).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -37,14 +37,14 @@ Outputs:
 out[0] = spin [rad/s]
 
 Operations:
-rhs: 64 +-, 119 *, 5 /, 7 calls
-velocities: 15 +-, 42 *, 2 /, 7 calls
-accelerations: 98 +-, 163 *, 5 /, 7 calls
+rhs: 64 +-, 118 *, 5 /, 7 calls
+velocities: 15 +-, 40 *, 2 /, 7 calls
+accelerations: 97 +-, 161 *, 5 /, 7 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 18 +-, 40 *, 1 /, 7 calls
-reactions: 86 +-, 155 *, 5 /, 7 calls
+reactions: 86 +-, 154 *, 5 /, 7 calls
 energy: 19 +-, 48 *, 1 /, 7 calls
-jacobian: 453 +-, 680 *, 5 /, 7 calls
+jacobian: 442 +-, 662 *, 5 /, 7 calls
 outputs: 0 +-, 0 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -186,34 +186,33 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z26 = c_alpha * z23 - mu2 * z25
         c_gamma = math.cos(gamma)
         z27 = s_beta * z24 - c_beta * u1
-        z28 = 1.0 / c_alpha
-        z29 = z1 * w3 + mu3 * w1
-        z30 = z28 * z29
-        z31 = s_beta * w1 - c_beta * w3
-        z32 = z28 * z31
-        z33 = w2 + mu2 * z32
-        z34 = I_c * w3
-        z35 = I_b * w2 + I_d * w1
-        z36 = z30 * z35
-        z37 = z31 * z35
-        z38 = mu2 * z30
-        z39 = s_beta * z38 - mu3 * z33
-        z40 = c_beta * z38 + z1 * z33
-        z41 = (z9 * z39 - z5 * z29 + z3 * z40) * (z2 * (z2 * z2))
-        z42 = z3 * z41 - k3 * (z2 * z40)
-        z43 = k1 * (z2 * z39) - z9 * z41
-        z44 = g * mu2 - (w3 * u1 + w1 * z24 + (w1 * z42 - w3 * z43))
-        z45 = z5 * z41 + k2 * (z2 * z29)
-        z46 = g * mu3 + (w1 * z23 + w2 * u1 - (w2 * z43 - w1 * z45))
-        s2 = s_beta * z36 - (c_beta * z37 + (r3 * z44 + z6 * z46))
-        z47 = w2 * z34 - s2
-        z48 = I_d * w2 + I_a * w1
-        z49 = g * z1 - (w2 * z24 - w3 * z23 + (w2 * z42 - w3 * z45))
-        z50 = w3 * z48 - w1 * z34 + (r3 * z49 + r1 * z46) - z14 * z47
-        s3 = c_beta * z36 + (s_beta * z37 + (z6 * z49 - r1 * z44))
-        z51 = w2 * z48 - s3 - z18 * z47
-        z52 = (z51 + z21 * z50) / z22
-        z53 = z20 * z50 + z21 * z52
+        z28 = c_beta * w1 + s_beta * w3
+        z29 = s_beta * w1 - c_beta * w3
+        z30 = z29 / c_alpha
+        z31 = w2 + mu2 * z30
+        z32 = I_c * w3
+        z33 = I_b * w2 + I_d * w1
+        z34 = z28 * z33
+        z35 = z29 * z33
+        z36 = mu2 * z28
+        z37 = s_beta * z36 - mu3 * z31
+        z38 = c_alpha * z28
+        z39 = c_beta * z36 + z1 * z31
+        z40 = (z9 * z37 - z5 * z38 + z3 * z39) * (z2 * (z2 * z2))
+        z41 = z3 * z40 - k3 * (z2 * z39)
+        z42 = k1 * (z2 * z37) - z9 * z40
+        z43 = g * mu2 - (w3 * u1 + w1 * z24 + (w1 * z41 - w3 * z42))
+        z44 = z5 * z40 + k2 * (z2 * z38)
+        z45 = g * mu3 + (w1 * z23 + w2 * u1 - (w2 * z42 - w1 * z44))
+        s2 = s_beta * z34 - (c_beta * z35 + (r3 * z43 + z6 * z45))
+        z46 = w2 * z32 - s2
+        z47 = I_d * w2 + I_a * w1
+        z48 = g * z1 - (w2 * z24 - w3 * z23 + (w2 * z41 - w3 * z44))
+        z49 = w3 * z47 - w1 * z32 + (r3 * z48 + r1 * z45) - z14 * z46
+        s3 = c_beta * z34 + (s_beta * z35 + (z6 * z48 - r1 * z43))
+        z50 = w2 * z47 - s3 - z18 * z46
+        z51 = (z50 + z21 * z49) / z22
+        z52 = z20 * z49 + z21 * z51
         dydt: list[float] = [
             # x' (I.2.15)
             s_gamma * z26 - c_gamma * z27,
@@ -222,17 +221,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # z' (I.2.15)
             -(mu2 * z23 + c_alpha * z25),
             # alpha' (I.2.15)
-            z30,
+            z28,
             # beta' (I.2.15)
-            z33,
+            z31,
             # gamma' (I.2.15)
-            -z32,
+            -z30,
             # w1' (I.2.15) 41:4
-            z18 * z52 - (z13 * z47 - z14 * z53),
+            z18 * z51 - (z13 * z46 - z14 * z52),
             # w2' (I.2.15) 41:4
-            -z53,
+            -z52,
             # w3' (I.2.15) 41:4
-            z52,
+            z51,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -287,8 +286,7 @@ def velocities(
         z7 = c_alpha * z3 - mu2 * z6
         c_gamma = math.cos(gamma)
         z8 = s_beta * z5 - c_beta * u1
-        z9 = 1.0 / c_alpha
-        z10 = z9 * (s_beta * w1 - c_beta * w3)
+        z9 = (s_beta * w1 - c_beta * w3) / c_alpha
         qdot: list[float] = [
             # x' (I.2.4)
             s_gamma * z7 - c_gamma * z8,
@@ -297,11 +295,11 @@ def velocities(
             # z' (I.2.4)
             -(mu2 * z3 + c_alpha * z6),
             # alpha' (I.2.4)
-            z9 * (z1 * w3 + mu3 * w1),
+            c_beta * w1 + s_beta * w3,
             # beta' (I.2.4)
-            w2 + mu2 * z10,
+            w2 + mu2 * z9,
             # gamma' (I.2.4)
-            -z10,
+            -z9,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -392,26 +390,26 @@ def accelerations(
         z29 = z27 * z28
         z30 = c_gamma * z29
         s_gamma = math.sin(gamma)
-        z31 = z1 * w3 + mu3 * w1
-        z32 = z27 * z31
-        z33 = mu2 * z32
+        z31 = c_beta * w1 + s_beta * w3
+        z32 = mu2 * z31
+        z33 = c_alpha * z31
         z34 = w2 + mu2 * z29
         z35 = c_beta * z34
-        z36 = s_beta * z33 - c_alpha * z35
+        z36 = s_beta * z32 - c_alpha * z35
         z37 = s_beta * z34
-        z38 = c_alpha * z37 + c_beta * z33
-        z39 = z2 * (z2 * z2) * (z5 * z31 - z9 * z36 - z3 * z38)
+        z38 = c_alpha * z37 + c_beta * z32
+        z39 = z2 * (z2 * z2) * (z5 * z33 - z9 * z36 - z3 * z38)
         z40 = z3 * z39 + k3 * (z2 * z38)
         z41 = w1 * z40
         z42 = I_c * w3
         z43 = I_b * w2 + I_d * w1
-        z44 = z32 * z43
+        z44 = z31 * z43
         z45 = z28 * z43
         z46 = k1 * (z2 * z36) + z9 * z39
         z47 = w3 * z46
         z48 = g * mu2 - (w3 * u1 + w1 * z24 - (z41 + z47))
         z49 = w2 * z46
-        z50 = k2 * (z2 * z31) - z5 * z39
+        z50 = k2 * (z2 * z33) - z5 * z39
         z51 = w1 * z50
         z52 = g * mu3 + (w1 * z23 + w2 * u1 - (z49 - z51))
         s2 = s_beta * z44 - (c_beta * z45 + (r3 * z48 + z6 * z52))
@@ -430,27 +428,25 @@ def accelerations(
         z64 = z55 - r3 * z61 + (z56 + z6 * z60)
         z65 = z49 + r1 * z61 - (z51 - z6 * z62)
         z66 = z35 * u1 + s_beta * z64 - (z37 * z24 + c_beta * z65)
-        z67 = z33 * z23 - c_alpha * z63 + (z31 * z25 + mu2 * z66)
+        z67 = z32 * z23 - c_alpha * z63 + (z33 * z25 + mu2 * z66)
         z68 = s_beta * z24 - c_beta * u1
         z69 = s_gamma * z29
         z70 = z35 * z24 - s_beta * z65 + (z37 * u1 - c_beta * z64)
-        z71 = z33 * (z27 * z27)
         s4 = z27 * (w1 * z35 - s_beta * z62 + (w3 * z37 - c_beta * z60))
-        z72 = z28 * z71 + s4
-        s5 = z27 * (w3 * z36 - z1 * z60 + (w1 * z38 + mu3 * z62))
+        z71 = z27 * z27 * (z28 * z32) + s4
         qddot: list[float] = [
             # x'' (I.2.15)
             -(z26 * z30 + s_gamma * z67 + (z68 * z69 + c_gamma * z70)),
             # y'' (I.2.15)
             z68 * z30 - s_gamma * z70 - (z26 * z69 - c_gamma * z67),
             # z'' (I.2.15)
-            z33 * z25 - c_alpha * z66 - (z31 * z23 + mu2 * z63),
+            z32 * z25 - c_alpha * z66 - (z33 * z23 + mu2 * z63),
             # alpha'' (I.2.15)
-            z31 * z71 - s5,
+            w3 * z35 + s_beta * z60 - (w1 * z37 + c_beta * z62),
             # beta'' (I.2.15)
-            z31 * z29 + mu2 * z72 - z61,
+            z29 * z33 + mu2 * z71 - z61,
             # gamma'' (I.2.15)
-            -z72,
+            -z71,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -639,60 +635,59 @@ def reactions(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(z22) > 1e-13 * z16:
             raise _refuse(abs(z22), 1e-13 * z16, 2, "reactions")
+        c_gamma = math.cos(gamma)
         s_gamma = math.sin(gamma)
         z23 = mu2 * s_gamma
-        c_gamma = math.cos(gamma)
-        z24 = c_beta * z23 + s_beta * c_gamma
+        z24 = s_beta * c_gamma + c_beta * z23
         z25 = r3 * w1 - r1 * w3
         u1 = r3 * w2 + z6 * w3
-        z26 = 1.0 / c_alpha
-        z27 = z1 * w3 + mu3 * w1
-        z28 = z26 * z27
-        z29 = mu2 * z28
-        z30 = s_beta * w1 - c_beta * w3
-        z31 = w2 + z30 * (mu2 * z26)
-        z32 = s_beta * z29 - mu3 * z31
-        z33 = c_beta * z29 + z1 * z31
-        z34 = z2 * (z2 * z2) * (z5 * z27 - z9 * z32 - z3 * z33)
-        z35 = k1 * (z2 * z32) + z9 * z34
-        z36 = k2 * (z2 * z27) - z5 * z34
-        z37 = g * mu3 + (w1 * z25 + w2 * u1 - (w2 * z35 - w1 * z36))
-        z38 = c_beta * c_gamma - s_beta * z23
-        z39 = r1 * w2 + z6 * w1
-        z40 = z3 * z34 + k3 * (z2 * z33)
-        z41 = g * z1 - (w2 * z39 - w3 * z25 - (w2 * z40 + w3 * z36))
-        z42 = c_alpha * s_gamma
-        z43 = g * mu2 - (w3 * u1 + w1 * z39 - (w1 * z40 + w3 * z35))
-        z44 = I_d * w2 + I_a * w1
-        z45 = I_b * w2 + I_d * w1
-        z46 = z28 * z45
-        z47 = z30 * z45
-        z48 = I_c * w3
-        s2 = s_beta * z46 - (c_beta * z47 + (r3 * z43 + z6 * z37))
-        z49 = w2 * z48 - s2
-        s3 = c_beta * z46 + (s_beta * z47 + (z6 * z41 - r1 * z43))
-        z50 = w2 * z44 - s3 - z18 * z49
-        z51 = w3 * z44 - w1 * z48 + (r3 * z41 + r1 * z37) - z14 * z49
-        z52 = (z50 + z21 * z51) / z22
-        z53 = z20 * z51 + z21 * z52
-        z54 = z13 * z49 - z14 * z53 - z18 * z52
-        s4 = (r3 * z42 - z6 * z24) * z54 + (r3 * z38 - r1 * z24) * z53
-        z55 = (z6 * z38 - r1 * z42) * z52 - s4
-        z56 = mu2 * c_gamma
-        z57 = c_beta * z56 - s_beta * s_gamma
-        z58 = c_beta * s_gamma + s_beta * z56
-        z59 = c_alpha * c_gamma
-        s5 = (r3 * z59 - z6 * z57) * z54 - (r3 * z58 + r1 * z57) * z53
-        z60 = (z6 * z58 + r1 * z59) * z52 + s5
-        s6 = (mu2 * r3 + mu3 * z6) * z54 + (z1 * r3 + mu3 * r1) * z53
-        z61 = (mu2 * r1 - z1 * z6) * z52 + s6
+        z26 = c_beta * w1 + s_beta * w3
+        z27 = mu2 * z26
+        z28 = s_beta * w1 - c_beta * w3
+        z29 = w2 + z28 * (mu2 / c_alpha)
+        z30 = s_beta * z27 - mu3 * z29
+        z31 = c_alpha * z26
+        z32 = c_beta * z27 + z1 * z29
+        z33 = z2 * (z2 * z2) * (z5 * z31 - z9 * z30 - z3 * z32)
+        z34 = k1 * (z2 * z30) + z9 * z33
+        z35 = k2 * (z2 * z31) - z5 * z33
+        z36 = g * mu3 + (w1 * z25 + w2 * u1 - (w2 * z34 - w1 * z35))
+        z37 = c_beta * c_gamma - s_beta * z23
+        z38 = r1 * w2 + z6 * w1
+        z39 = z3 * z33 + k3 * (z2 * z32)
+        z40 = g * z1 - (w2 * z38 - w3 * z25 - (w2 * z39 + w3 * z35))
+        z41 = c_alpha * s_gamma
+        z42 = g * mu2 - (w3 * u1 + w1 * z38 - (w1 * z39 + w3 * z34))
+        z43 = I_d * w2 + I_a * w1
+        z44 = I_b * w2 + I_d * w1
+        z45 = z26 * z44
+        z46 = z28 * z44
+        z47 = I_c * w3
+        s2 = s_beta * z45 - (c_beta * z46 + (r3 * z42 + z6 * z36))
+        z48 = w2 * z47 - s2
+        s3 = c_beta * z45 + (s_beta * z46 + (z6 * z40 - r1 * z42))
+        z49 = w2 * z43 - s3 - z18 * z48
+        z50 = w3 * z43 - w1 * z47 + (r3 * z40 + r1 * z36) - z14 * z48
+        z51 = (z49 + z21 * z50) / z22
+        z52 = z20 * z50 + z21 * z51
+        z53 = z13 * z48 - z14 * z52 - z18 * z51
+        s4 = (r3 * z41 - z6 * z24) * z53 + (r3 * z37 - r1 * z24) * z52
+        z54 = (z6 * z37 - r1 * z41) * z51 - s4
+        z55 = mu2 * c_gamma
+        z56 = s_beta * s_gamma - c_beta * z55
+        z57 = c_beta * s_gamma + s_beta * z55
+        z58 = c_alpha * c_gamma
+        s5 = (r3 * z58 + z6 * z56) * z53 - (r3 * z57 - r1 * z56) * z52
+        z59 = (z6 * z57 + r1 * z58) * z51 + s5
+        s6 = (mu2 * r3 + mu3 * z6) * z53 + (z1 * r3 + mu3 * r1) * z52
+        z60 = (mu2 * r1 - z1 * z6) * z51 + s6
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 44:5
-            z55 - (z24 * z37 - (z38 * z41 + z42 * z43)),
+            z54 - (z24 * z36 - (z37 * z40 + z41 * z42)),
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 45:5
-            z57 * z37 + (z58 * z41 - z59 * z43) + z60,
+            z59 - (z56 * z36 - (z57 * z40 - z58 * z42)),
             # reaction of roll_z: Q_i gains lambda_3 a_3i (I.4.1) 46:5
-            z61 - (mu3 * z37 + (z1 * z41 + mu2 * z43)),
+            z60 - (mu3 * z36 + (z1 * z40 + mu2 * z42)),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -890,247 +885,240 @@ def jacobian(
         z74 = mu2 * z70 + c_alpha * r1
         z75 = s_beta * w1 - c_beta * w3
         z76 = 1.0 / c_alpha
-        z77 = z76 * z76
+        z77 = z75 * (z76 * z76)
         z78 = mu2 * z77
-        z79 = z75 * z78
-        z80 = z1 * w3 + mu3 * w1
+        z79 = c_beta * w1 + s_beta * w3
+        z80 = z76 * z79
         z81 = s_beta * z76
         z82 = c_beta * z76
         z83 = g * r3
-        z84 = z6 * w2
-        z85 = r3 * w3
-        z86 = z84 - z85
-        z87 = z3 * z24 - z5 * z41 - z9 * z86
-        z88 = z27 * z87
-        z89 = z2 * z88
-        z90 = k2 * z89
-        z91 = z76 * z80
+        z84 = c_alpha * z79
+        z85 = z6 * w2
+        z86 = r3 * w3
+        z87 = z85 - z86
+        z88 = z3 * z24 - z5 * z41 - z9 * z87
+        z89 = z27 * z88
+        z90 = z2 * z89
+        z91 = k2 * z90
         z92 = z76 * z75
         z93 = c_beta * z17
         z94 = z93 + s_beta * z8
-        z95 = z92 * z17
-        z96 = k3 * z89
-        z97 = z95 - (mu3 * z96 - z24 * z32)
-        z98 = k1 * z89
-        z99 = z92 * z8 - (z1 * z98 + z86 * z34)
-        z100 = z92 * z94 - c_beta * z97 - s_beta * z99
-        z101 = z75 * z8 - c_alpha * z99
-        z102 = z75 * z17
-        z103 = z102 - c_alpha * z97
-        z104 = c_beta * z101 - s_beta * z103
-        z105 = mu2 * z91
-        z106 = w2 + mu2 * z92
-        z107 = c_beta * z106
-        z108 = s_beta * z105 - c_alpha * z107
-        z109 = s_beta * z106
-        z110 = c_alpha * z109 + c_beta * z105
-        z111 = z5 * z80 - z9 * z108 - z3 * z110
-        z112 = z2 * z111
-        z113 = z27 * z112
-        z114 = I_c * w3
-        z115 = I_d * w1
-        z116 = I_b * w2 + z115
-        z117 = z91 * z116
-        z118 = z75 * z116
-        z119 = k3 * z110
-        z120 = z2 * z119 + z3 * z113
-        z121 = k1 * z108
-        z122 = z2 * z121 + z9 * z113
-        z123 = g * mu2 - (w3 * u1 + w1 * z42 - (w1 * z120 + w3 * z122))
-        z124 = k2 * z80
-        z125 = z2 * z124 - z5 * z113
-        z126 = g * mu3 + (w1 * z26 + w2 * u1 - (w2 * z122 - w1 * z125))
-        s2 = s_beta * z117 - (c_beta * z118 + (r3 * z123 + z6 * z126))
-        z127 = w2 * z114 - s2
-        z128 = I_d * w2
-        z129 = z128 + I_a * w1
-        z130 = g * z1 - (w2 * z42 - w3 * z26 - (w2 * z120 + w3 * z125))
-        z131 = w3 * z129 - w1 * z114 + (r3 * z130 + r1 * z126) - z14 * z127
-        z132 = 1.0 / z23
-        s3 = c_beta * z117 + (s_beta * z118 + (z6 * z130 - r1 * z123))
-        z133 = w2 * z129 - s3 - z18 * z127
-        z134 = z132 * (z133 + z22 * z131)
-        z135 = z21 * z131 + z22 * z134
-        z136 = z13 * z127 - z14 * z135 - z18 * z134
-        z137 = z6 * z136
-        z138 = r1 * z135
-        z139 = w3 * z86 - (w1 * z24 + (2.0 * z137 - (z126 - z138)))
-        s4 = z83 + (z80 * z90 - z91 * z100 + z92 * z104)
-        z140 = s4 - k2 * (z41 * z113 - z2 * z139)
-        z141 = z27 * z27 * z112
-        z142 = r3 * z136
-        z143 = r1 * z134
-        z144 = w2 * z86 + (w1 * z41 - (2.0 * z142 - (z123 - z143)))
-        s5 = z119 * z24 + z124 * z41 - z121 * z86 + z111 * z88
-        z145 = s5 - z3 * z144 + z5 * z139
-        z146 = w2 * z24
-        z147 = w3 * z41
-        z148 = r3 * z134
-        z149 = z6 * z135
-        z150 = z146 + (z147 + (z148 + z149))
-        z151 = z87 * z141 + 0.5 * (z28 * (z145 - z9 * z150))
-        z152 = z91 * z107 + z92 * z110
-        z153 = z91 * z109 + z92 * z108
-        z154 = z1 * z152 - mu3 * z153
-        z155 = s_beta * z17
-        z156 = z155 - c_beta * z8
-        z157 = z105 * z94 - z108 * z8 - z110 * z17 - mu2 * z104
-        z158 = s_beta * z116
-        z159 = z6 * z125
-        z160 = I_d * w3 - z6 * z26
-        z161 = r3 * z42
-        z162 = r3 * z120
-        z163 = z159 - (z160 + z161 - z162)
-        z164 = z6 * z86 - (r1 * z41 - (I_c * w2 - r3 * u1 + r3 * z122))
-        z165 = z158 + mu2 * z100 - c_beta * z163 - s_beta * z164
-        z166 = g * z6
-        z167 = z76 * z156
-        z168 = mu2 * z90 + z41 * z45 - z76 * z165
-        s6 = z166 - (z110 * z96 + z153 * z167) + w1 * z168
-        z169 = s6 + k3 * (z24 * z113 - z2 * z144)
-        z170 = z169 - 2.0 * (z3 * z151)
-        s7 = z77 * (z154 * z156 - z75 * z157 - z80 * z165)
-        z171 = z109 * z97 - z107 * z99 - s7 + c_beta * z170
-        s8 = z108 * z98 - z152 * z167 - w3 * z168
-        z172 = s8 + k1 * (z86 * z113 + z2 * z150) + 2.0 * (z9 * z151)
-        s9 = c_alpha * (z140 - 2.0 * (z5 * z151))
-        z173 = s9 - mu2 * (z171 - s_beta * z172)
-        z174 = r1 * w1
-        z175 = z85 + z174
-        z176 = z9 * z40 - (z3 * z37 - z5 * z175)
-        z177 = z27 * z176
-        z178 = z2 * z177
-        z179 = k2 * z178
-        z180 = s_beta * z12 - c_beta * z19
-        z181 = k3 * z178
-        z182 = z92 * z19 - (mu3 * z181 + z37 * z32)
-        z183 = k1 * z178
-        z184 = z92 * z12 + (z1 * z183 - z40 * z34)
-        z185 = z92 * z180 + c_beta * z182 - s_beta * z184
-        z186 = z75 * z12 - c_alpha * z184
-        z187 = z75 * z19 - c_alpha * z182
-        z188 = c_beta * z186 + s_beta * z187
-        z189 = w3 * z40
-        z190 = r1 * z136
-        z191 = z189 - (z146 - (z148 - z190))
-        z192 = r3 * z135
-        z193 = z6 * z134
-        z194 = w2 * z40 + (w1 * z175 - (2.0 * z192 - (z130 + z193)))
-        s10 = z40 * z121 - (z37 * z119 + z124 * z175) + z111 * z177
-        z195 = s10 + z3 * z194 - z5 * z191
-        z196 = w2 * z37 + (w3 * z175 + (z137 - (z126 - 2.0 * z138)))
-        z197 = z176 * z141 + 0.5 * (z28 * (z195 + z9 * z196))
-        s11 = z80 * z179 + z91 * z185 - z92 * z188
-        z198 = s11 + k2 * (z175 * z113 - z2 * z191) - 2.0 * (z5 * z197)
-        z199 = c_beta * z12 + s_beta * z19
-        z200 = z105 * z180 - z108 * z12 + z110 * z19 - mu2 * z188
-        z201 = z6 * z37 - (r3 * z175 + (w3 * k6 + r1 * z26 + r1 * z125))
-        s12 = r1 * z175 - (z129 - I_c * w1 + r3 * z26 + r3 * z125)
-        z202 = z6 * z40 - s12
-        z203 = mu2 * z185 + c_beta * z201 - s_beta * z202
-        z204 = g * r1
-        z205 = z76 * z199
-        z206 = mu2 * z179 - z175 * z45 + z76 * z203
-        s13 = z204 + (z153 * z205 + z110 * z181) - w1 * z206
-        z207 = s13 + k3 * (z37 * z113 - z2 * z194)
-        z208 = z207 + 2.0 * (z3 * z197)
-        s14 = z77 * (z154 * z199 + z75 * z200 + z80 * z203)
-        z209 = z109 * z182 + z107 * z184 - s14 - c_beta * z208
-        s15 = z83 - (z152 * z205 - z108 * z183) - w3 * z206
-        z210 = s15 - k1 * (z40 * z113 + z2 * z196)
-        z211 = z210 + 2.0 * (z9 * z197)
-        z212 = c_alpha * z198 - mu2 * (z209 - s_beta * z211) + z14 * z173
-        z213 = z84 - z174
-        z214 = z3 * z213 - z5 * z38 - z9 * z25
-        z215 = z27 * z214
-        z216 = z2 * z215
-        z217 = k2 * z216
-        z218 = z155 + c_beta * z16
-        z219 = k3 * z216
-        z220 = z92 * z16 + (mu3 * z219 - z213 * z32)
-        z221 = k1 * z216
-        z222 = z95 + (z1 * z221 + z25 * z34)
-        z223 = z92 * z218 - c_beta * z220 - s_beta * z222
-        z224 = z102 - c_alpha * z222
-        z225 = z75 * z16 - c_alpha * z220
-        z226 = c_beta * z224 - s_beta * z225
-        z227 = w3 * z25 - (w1 * z213 - (2.0 * z193 + (z130 - z192)))
-        s16 = z204 - (z80 * z217 + z91 * z223 - z92 * z226)
-        z228 = s16 + k2 * (z38 * z113 - z2 * z227)
-        z229 = z189 + (z147 - (z149 - z190))
-        s17 = z119 * z213 + z124 * z38 - z121 * z25 + z111 * z215
-        z230 = s17 - z3 * z229 + z5 * z227
-        z231 = w2 * z213 + (w3 * z38 - (z142 - (z123 - 2.0 * z143)))
-        z232 = z214 * z141 + 0.5 * (z28 * (z230 - z9 * z231))
-        z233 = z93 - s_beta * z16
-        z234 = z105 * z218 - z108 * z17 - z110 * z16 - mu2 * z226
-        z235 = c_beta * z116
-        s18 = r3 * z38 + (z115 - I_a * w2 + r1 * z42 - r1 * z120)
-        z236 = z6 * z213 - s18
-        z237 = r1 * z122
-        z238 = z159 + (z161 - z237)
-        z239 = z235 + mu2 * z223 - c_beta * z236 + s_beta * z238
-        z240 = z76 * z233
-        z241 = mu2 * z217 + z38 * z45 + z76 * z239
-        s19 = z110 * z219 + z153 * z240 - w1 * z241
-        z242 = s19 - k3 * (z213 * z113 - z2 * z229) + 2.0 * (z3 * z232)
-        s20 = z77 * (z154 * z233 + z75 * z234 + z80 * z239)
-        z243 = z109 * z220 - z107 * z222 + s20 + c_beta * z242
-        s21 = z166 - (z108 * z221 - z152 * z240) + w3 * z241
-        z244 = s21 - k1 * (z25 * z113 + z2 * z231)
-        z245 = z244 - 2.0 * (z9 * z232)
-        s22 = c_alpha * (z228 + 2.0 * (z5 * z232))
-        z246 = s22 - mu2 * (z243 - s_beta * z245) - z18 * z173 - z22 * z212
-        z247 = z132 * z246
-        z248 = z21 * z212 - z22 * z247
-        z249 = z76 * z154
-        z250 = z249 * z17
-        z251 = s_beta * z153 + c_beta * z152 - z92 * z105
-        s23 = z250 - (z117 - z251 * z8) + z153 * z94 + z105 * z99
-        z252 = s23 - z106 * z103 + z75 * z163
-        s24 = z109 * z17 - (z235 + z107 * z8) - s_beta * z163
-        z253 = s24 + c_beta * z164 + z76 * z157
-        z254 = z251 * z17
-        s25 = z254 + (z118 - z249 * z8) + z152 * z94 + z105 * z97
-        z255 = s25 + z106 * z101 + z91 * z163
-        s26 = c_beta * (z252 + z91 * z164 - w1 * z253 - c_alpha * z172)
-        s27 = s_beta * (z255 - z75 * z164 + w3 * z253 + c_alpha * z170)
-        z256 = s26 - s27
-        s28 = z251 * z12 - z249 * z19 + z153 * z180 + z105 * z184
-        z257 = s28 + z106 * z187 - z75 * z201
-        s29 = z107 * z12 + z109 * z19 - s_beta * z201 - c_beta * z202
-        z258 = s29 - z76 * z200
-        s30 = z249 * z12 + z251 * z19 - z152 * z180 + z105 * z182
-        z259 = s30 - z106 * z186 + z91 * z201
-        s31 = c_beta * (z257 + z91 * z202 + w1 * z258 + c_alpha * z211)
-        s32 = s_beta * (z259 + z75 * z202 + w3 * z258 - c_alpha * z208)
-        z260 = s31 + s32
-        z261 = z260 - z14 * z256
-        s33 = z118 - z254 - z249 * z16 - z153 * z218 - z105 * z222
-        z262 = s33 + z106 * z225 - z75 * z236
-        s34 = z107 * z17 - z158 - z109 * z16 + s_beta * z236
-        z263 = s34 + c_beta * z238 - z76 * z234
-        s35 = z117 + z250 - z251 * z16 - z152 * z218 - z105 * z220
-        z264 = s35 - z106 * z224 - z91 * z236
-        s36 = c_beta * (z262 + z91 * z238 - w1 * z263 + c_alpha * z245)
-        s37 = s_beta * (z264 - z75 * z238 + w3 * z263 - c_alpha * z242)
-        z265 = s36 - s37
-        z266 = z132 * (z265 + z18 * z256 - z22 * z261)
-        z267 = z21 * z261 - z22 * z266
-        z268 = s_beta * z253 - mu3 * z168
-        z269 = s_beta * z258 - mu3 * z206 + z14 * z268
-        z270 = z132 * (s_beta * z263 - mu3 * z241 + z18 * z268 + z22 * z269)
-        z271 = z21 * z269 + z22 * z270
-        z272 = r3 * z86 - (r1 * z24 + (w3 * k5 - z6 * u1 + z6 * z122 - z104))
-        z273 = z162 + (z160 - z237) + z188 - z14 * z272
-        s38 = z128 + (z129 - I_b * w1) + z6 * z42 - z6 * z120 + z226
-        z274 = r3 * z25 - (r1 * z213 + s38)
-        z275 = z132 * (z274 + z18 * z272 - z22 * z273)
-        z276 = z21 * z273 - z22 * z275
-        z277 = c_beta * z253 + z1 * z168
-        z278 = c_beta * z258 + z1 * z206 + z14 * z277
-        z279 = z132 * (c_beta * z263 + z1 * z241 + z18 * z277 + z22 * z278)
-        z280 = z21 * z278 + z22 * z279
+        z95 = c_beta * z94
+        z96 = k3 * z90
+        z97 = z92 * z95 - (mu3 * z96 - z24 * z32)
+        z98 = s_beta * z94
+        z99 = k1 * z90
+        z100 = z92 * z98 - (z1 * z99 + z87 * z34)
+        z101 = z92 * z94 - c_beta * z97 - s_beta * z100
+        z102 = s_beta * z17
+        z103 = z75 * z8 - z79 * (z17 - z95) - c_alpha * z100
+        z104 = z75 * z17
+        z105 = z104 + z79 * (z8 - z98) - c_alpha * z97
+        z106 = z75 * (z102 - c_beta * z8) + c_beta * z103 - s_beta * z105
+        z107 = mu2 * z79
+        z108 = w2 + mu2 * z92
+        z109 = c_beta * z108
+        z110 = s_beta * z107 - c_alpha * z109
+        z111 = s_beta * z108
+        z112 = c_alpha * z111 + c_beta * z107
+        z113 = z5 * z84 - z9 * z110 - z3 * z112
+        z114 = z2 * z113
+        z115 = z27 * z114
+        z116 = I_c * w3
+        z117 = I_d * w1
+        z118 = I_b * w2 + z117
+        z119 = z79 * z118
+        z120 = z75 * z118
+        z121 = k3 * z112
+        z122 = z2 * z121 + z3 * z115
+        z123 = k1 * z110
+        z124 = z2 * z123 + z9 * z115
+        z125 = g * mu2 - (w3 * u1 + w1 * z42 - (w1 * z122 + w3 * z124))
+        z126 = k2 * z84
+        z127 = z2 * z126 - z5 * z115
+        z128 = g * mu3 + (w1 * z26 + w2 * u1 - (w2 * z124 - w1 * z127))
+        s2 = s_beta * z119 - (c_beta * z120 + (r3 * z125 + z6 * z128))
+        z129 = w2 * z116 - s2
+        z130 = I_d * w2
+        z131 = z130 + I_a * w1
+        z132 = g * z1 - (w2 * z42 - w3 * z26 - (w2 * z122 + w3 * z127))
+        z133 = w3 * z131 - w1 * z116 + (r3 * z132 + r1 * z128) - z14 * z129
+        z134 = 1.0 / z23
+        s3 = c_beta * z119 + (s_beta * z120 + (z6 * z132 - r1 * z125))
+        z135 = w2 * z131 - s3 - z18 * z129
+        z136 = z134 * (z135 + z22 * z133)
+        z137 = z21 * z133 + z22 * z136
+        z138 = z13 * z129 - z14 * z137 - z18 * z136
+        z139 = z6 * z138
+        z140 = r1 * z137
+        z141 = w3 * z87 - (w1 * z24 + (2.0 * z139 - (z128 - z140)))
+        s4 = z83 + (z84 * z91 - z79 * z101 + z92 * z106)
+        z142 = s4 - k2 * (z41 * z115 - z2 * z141)
+        z143 = z27 * z27 * z114
+        z144 = r3 * z138
+        z145 = r1 * z136
+        z146 = w2 * z87 + (w1 * z41 - (2.0 * z144 - (z125 - z145)))
+        s5 = z121 * z24 + z126 * z41 - z123 * z87 + z113 * z89
+        z147 = s5 - z3 * z146 + z5 * z141
+        z148 = w2 * z24
+        z149 = w3 * z41
+        z150 = r3 * z136
+        z151 = z6 * z137
+        z152 = z148 + (z149 + (z150 + z151))
+        z153 = z88 * z143 + 0.5 * (z28 * (z147 - z9 * z152))
+        z154 = mu2 * z91 + z41 * z45
+        z155 = mu2 * z106
+        z156 = g * z6
+        s6 = z156 - z112 * z96 + k3 * (z24 * z115 - z2 * z146)
+        z157 = s6 - 2.0 * (z3 * z153)
+        s7 = z110 * z99 + k1 * (z87 * z115 + z2 * z152)
+        z158 = s7 + 2.0 * (z9 * z153)
+        s8 = z79 * z154 + z111 * z97 - z109 * z100 - z77 * z155
+        z159 = s8 + c_beta * z157 - s_beta * z158
+        z160 = c_alpha * (z142 - 2.0 * (z5 * z153)) - mu2 * z159
+        z161 = r1 * w1
+        z162 = z86 + z161
+        z163 = z9 * z40 - (z3 * z37 - z5 * z162)
+        z164 = z27 * z163
+        z165 = z2 * z164
+        z166 = k2 * z165
+        z167 = s_beta * z12 - c_beta * z19
+        z168 = c_beta * z167
+        z169 = k3 * z165
+        z170 = z92 * z168 + (mu3 * z169 + z37 * z32)
+        z171 = s_beta * z167
+        z172 = k1 * z165
+        z173 = z92 * z171 + (z1 * z172 - z40 * z34)
+        z174 = z92 * z167 - c_beta * z170 - s_beta * z173
+        z175 = z75 * z12 + z79 * (z19 + z168) - c_alpha * z173
+        z176 = z75 * z19 - z79 * (z12 - z171) + c_alpha * z170
+        s9 = z75 * (c_beta * z12 + s_beta * z19) - c_beta * z175
+        z177 = s9 - s_beta * z176
+        z178 = w3 * z40
+        z179 = r1 * z138
+        z180 = z178 - (z148 - (z150 - z179))
+        z181 = r3 * z137
+        z182 = z6 * z136
+        z183 = w2 * z40 + (w1 * z162 - (2.0 * z181 - (z132 + z182)))
+        s10 = z40 * z123 - (z37 * z121 + z126 * z162) + z113 * z164
+        z184 = s10 + z3 * z183 - z5 * z180
+        z185 = w2 * z37 + (w3 * z162 + (z139 - (z128 - 2.0 * z140)))
+        z186 = z163 * z143 + 0.5 * (z28 * (z184 + z9 * z185))
+        s11 = z84 * z166 + z79 * z174 + z92 * z177
+        z187 = s11 + k2 * (z162 * z115 - z2 * z180) - 2.0 * (z5 * z186)
+        z188 = mu2 * z166 - z162 * z45
+        z189 = mu2 * z177
+        z190 = g * r1
+        s12 = z190 + z112 * z169 + k3 * (z37 * z115 - z2 * z183)
+        z191 = s12 + 2.0 * (z3 * z186)
+        s13 = z83 + z110 * z172 - k1 * (z40 * z115 + z2 * z185)
+        z192 = s13 + 2.0 * (z9 * z186)
+        s14 = z79 * z188 - z111 * z170 + z109 * z173 - z77 * z189
+        z193 = s14 - c_beta * z191 - s_beta * z192
+        z194 = c_alpha * z187 - mu2 * z193 + z14 * z160
+        z195 = z85 - z161
+        z196 = z3 * z195 - z5 * z38 - z9 * z25
+        z197 = z27 * z196
+        z198 = z2 * z197
+        z199 = k2 * z198
+        z200 = z102 + c_beta * z16
+        z201 = c_beta * z200
+        z202 = k3 * z198
+        z203 = z92 * z201 + (mu3 * z202 - z195 * z32)
+        z204 = s_beta * z200
+        z205 = k1 * z198
+        z206 = z92 * z204 + (z1 * z205 + z25 * z34)
+        z207 = z92 * z200 - c_beta * z203 - s_beta * z206
+        z208 = z104 - z79 * (z16 - z201) - c_alpha * z206
+        z209 = z75 * z16 + z79 * (z17 - z204) - c_alpha * z203
+        z210 = z75 * (z93 - s_beta * z16) - c_beta * z208 + s_beta * z209
+        z211 = w3 * z25 - (w1 * z195 - (2.0 * z182 + (z132 - z181)))
+        s15 = z190 - (z84 * z199 + z79 * z207 + z92 * z210)
+        z212 = s15 + k2 * (z38 * z115 - z2 * z211)
+        z213 = z178 + (z149 - (z151 - z179))
+        s16 = z121 * z195 + z126 * z38 - z123 * z25 + z113 * z197
+        z214 = s16 - z3 * z213 + z5 * z211
+        z215 = w2 * z195 + (w3 * z38 - (z144 - (z125 - 2.0 * z145)))
+        z216 = z196 * z143 + 0.5 * (z28 * (z214 - z9 * z215))
+        z217 = mu2 * z199 + z38 * z45
+        z218 = mu2 * z210
+        s17 = z112 * z202 - k3 * (z195 * z115 - z2 * z213)
+        z219 = s17 + 2.0 * (z3 * z216)
+        s18 = z156 - z110 * z205 - k1 * (z25 * z115 + z2 * z215)
+        z220 = s18 - 2.0 * (z9 * z216)
+        s19 = z79 * z217 - z111 * z203 + z109 * z206 - z77 * z218
+        z221 = s19 - c_beta * z219 + s_beta * z220
+        s20 = c_alpha * (z212 + 2.0 * (z5 * z216)) + mu2 * z221
+        z222 = z134 * (s20 - z18 * z160 - z22 * z194)
+        z223 = z21 * z194 - z22 * z222
+        z224 = z75 * z108
+        z225 = z224 * z17
+        z226 = z79 * z111 + z92 * z110
+        z227 = z79 * z109 + z92 * z112
+        z228 = s_beta * z226 + c_beta * z227 - z92 * z107
+        z229 = z6 * z127
+        z230 = I_d * w3 - z6 * z26
+        z231 = r3 * z42
+        z232 = r3 * z122
+        z233 = z229 - (z230 + z231 - z232)
+        s21 = z225 - (z119 - z228 * z8) + z226 * z94 + z107 * z100
+        z234 = s21 - z108 * z105 + z75 * z233
+        z235 = z6 * z87 - (r1 * z41 - (I_c * w2 - r3 * u1 + r3 * z124))
+        z236 = c_beta * z118
+        z237 = z236 + s_beta * z233 - c_beta * z235 + z76 * z155
+        s22 = s_beta * z118 - c_alpha * z154 + mu2 * z101 - c_beta * z233
+        z238 = s22 - s_beta * z235
+        z239 = z228 * z17
+        s23 = z239 + (z120 - z224 * z8) + z227 * z94 + z107 * z97
+        z240 = s23 + z108 * z103 + z79 * z233
+        s24 = z234 + z79 * z235 + w1 * z237 - w3 * z238 - c_alpha * z158
+        s25 = z240 - z75 * z235 - w3 * z237 - w1 * z238 + c_alpha * z157
+        z241 = c_beta * s24 - s_beta * s25
+        z242 = z6 * z37 - (r3 * z162 + (w3 * k6 + r1 * z26 + r1 * z127))
+        s26 = z228 * z12 - z224 * z19 + z226 * z167 + z107 * z173
+        z243 = s26 + z108 * z176 - z75 * z242
+        s27 = r1 * z162 - (z131 - I_c * w1 + r3 * z26 + r3 * z127)
+        z244 = z6 * z40 - s27
+        z245 = s_beta * z242 + c_beta * z244 + z76 * z189
+        z246 = c_alpha * z188 + mu2 * z174 + c_beta * z242 - s_beta * z244
+        s28 = z224 * z12 + z228 * z19 - z227 * z167 - z107 * z170
+        z247 = s28 - z108 * z175 + z79 * z242
+        s29 = z243 + z79 * z244 - w1 * z245 - w3 * z246 + c_alpha * z192
+        s30 = z247 + z75 * z244 - w3 * z245 + w1 * z246 - c_alpha * z191
+        z248 = c_beta * s29 + s_beta * s30
+        z249 = z248 - z14 * z241
+        s31 = r3 * z38 + (z117 - I_a * w2 + r1 * z42 - r1 * z122)
+        z250 = z6 * z195 - s31
+        s32 = z120 - z239 - z224 * z16 - z226 * z200 - z107 * z206
+        z251 = s32 + z108 * z209 - z75 * z250
+        z252 = r1 * z124
+        z253 = z229 + (z231 - z252)
+        z254 = s_beta * (z118 - z250) - c_beta * z253 + z76 * z218
+        s33 = z236 + c_alpha * z217 + mu2 * z207 - c_beta * z250
+        z255 = s33 + s_beta * z253
+        s34 = z119 + z225 - z228 * z16 - z227 * z200 - z107 * z203
+        z256 = s34 - z108 * z208 - z79 * z250
+        s35 = z251 + z79 * z253 + w1 * z254 + w3 * z255 + c_alpha * z220
+        s36 = z256 - z75 * z253 - w3 * z254 + w1 * z255 - c_alpha * z219
+        z257 = c_beta * s35 - s_beta * s36
+        z258 = z134 * (z257 + z18 * z241 - z22 * z249)
+        z259 = z21 * z249 - z22 * z258
+        z260 = s_beta * z237 - c_beta * z238
+        z261 = s_beta * z245 + c_beta * z246 + z14 * z260
+        s37 = s_beta * z254 + c_beta * z255 + z18 * z260 + z22 * z261
+        z262 = z134 * s37
+        z263 = z21 * z261 + z22 * z262
+        z264 = r3 * z87 - (r1 * z24 + (w3 * k5 - z6 * u1 + z6 * z124 - z106))
+        z265 = z232 + (z230 - z252) - z177 - z14 * z264
+        s38 = z130 + (z131 - I_b * w1) + z6 * z42 - z6 * z122 - z210
+        z266 = r3 * z25 - (r1 * z195 + s38)
+        z267 = z134 * (z266 + z18 * z264 - z22 * z265)
+        z268 = z21 * z265 - z22 * z267
+        z269 = c_beta * z237 + s_beta * z238
+        z270 = c_beta * z245 - s_beta * z246 + z14 * z269
+        s39 = c_beta * z254 - s_beta * z255 + z18 * z269 + z22 * z270
+        z271 = z134 * s39
+        z272 = z21 * z270 + z22 * z271
         J: list[float] = [
             0.0,
             0.0,
@@ -1179,7 +1167,6 @@ def jacobian(
             0.0,
             0.0,
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             -z75,
@@ -1193,9 +1180,9 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z75 + mu2 * z79,
+            z75 + mu2 * z78,
             # (I.2.15)
-            z80 * z78,
+            mu2 * z80,
             0.0,
             # (I.2.15)
             mu2 * z81,
@@ -1207,9 +1194,9 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            -z79,
+            -z78,
             # (I.2.15)
-            -z76 * (c_beta * w1 + s_beta * w3),
+            -z80,
             0.0,
             # (I.2.15)
             -z81,
@@ -1220,44 +1207,44 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z18 * z247 - (z13 * z173 + z14 * z248),
+            z18 * z222 - (z13 * z160 + z14 * z223),
             # (I.2.15)
-            -(z13 * z256 - z14 * z267 + z18 * z266),
+            -(z13 * z241 - z14 * z259 + z18 * z258),
             0.0,
             # (I.2.15)
-            z13 * z268 + z14 * z271 + z18 * z270,
+            -(z13 * z260 + z14 * z263 + z18 * z262),
             # (I.2.15)
-            -(z13 * z272 - z14 * z276 + z18 * z275),
+            -(z13 * z264 - z14 * z268 + z18 * z267),
             # (I.2.15)
-            -(z13 * z277 + z14 * z280 + z18 * z279),
+            z13 * z269 + z14 * z272 + z18 * z271,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z248,
+            z223,
+            # (I.2.15)
+            -z259,
+            0.0,
+            # (I.2.15)
+            z263,
+            # (I.2.15)
+            -z268,
+            # (I.2.15)
+            -z272,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            z222,
+            # (I.2.15)
+            -z258,
+            0.0,
+            # (I.2.15)
+            -z262,
             # (I.2.15)
             -z267,
-            0.0,
             # (I.2.15)
-            -z271,
-            # (I.2.15)
-            -z276,
-            # (I.2.15)
-            z280,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            z247,
-            # (I.2.15)
-            -z266,
-            0.0,
-            # (I.2.15)
-            z270,
-            # (I.2.15)
-            -z275,
-            # (I.2.15)
-            -z279,
+            z271,
         ]
         _finish("jacobian", J)
         return [J[k7 : k7 + 9] for k7 in range(0, 81, 9)]

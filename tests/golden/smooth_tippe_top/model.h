@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:274c44ee8a2bcf87)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:ae88bb0cd1d8c276)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -32,14 +32,14 @@
  * out[3] = p_y [kg*m/s]
  *
  * Operations:
- * rhs: 20 +-, 44 *, 5 /, 4 calls
+ * rhs: 13 +-, 39 *, 4 /, 4 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
- * accelerations: 23 +-, 53 *, 5 /, 4 calls
+ * accelerations: 15 +-, 46 *, 4 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
- * reactions: 8 +-, 21 *, 1 /, 4 calls
+ * reactions: 5 +-, 19 *, 1 /, 4 calls
  * energy: 11 +-, 25 *, 0 /, 4 calls
- * jacobian: 50 +-, 138 *, 6 /, 4 calls
+ * jacobian: 42 +-, 128 *, 4 /, 4 calls
  * outputs: 7 +-, 18 *, 0 /, 4 calls
  *
  * Calls: t is the time, y has SMOOTH_TIPPE_TOP_NY entries and p SMOOTH_TIPPE_TOP_NP;

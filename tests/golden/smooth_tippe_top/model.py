@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:ee17d7ff3f435e57).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:43f1563e6e0bee0b).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -32,14 +32,14 @@ out[2] = p_x [kg*m/s]
 out[3] = p_y [kg*m/s]
 
 Operations:
-rhs: 20 +-, 44 *, 5 /, 4 calls
+rhs: 13 +-, 39 *, 4 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 23 +-, 53 *, 5 /, 4 calls
+accelerations: 15 +-, 46 *, 4 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
-reactions: 8 +-, 21 *, 1 /, 4 calls
+reactions: 5 +-, 19 *, 1 /, 4 calls
 energy: 11 +-, 25 *, 0 /, 4 calls
-jacobian: 50 +-, 138 *, 6 /, 4 calls
+jacobian: 42 +-, 128 *, 4 /, 4 calls
 outputs: 7 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -143,38 +143,33 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # from the parameters alone
         k1 = m * e
         k2 = 1.0 / m
-        k3 = I1 - I3
-        k4 = 1.0 / I1
-        k5 = I3 * k4
-        k6 = 2.0 - k5
-        k7 = I1 + e * k1
-        k8 = I3 - k7
+        k3 = 1.0 / I1
+        k4 = I1 + e * k1
         # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         # the mass matrix is singular
-        if not abs(I1 * z1) > 1e-13 * (I3 - z1 * k8):
-            raise _refuse(abs(I1 * z1), 1e-13 * (I3 - z1 * k8), 2, "rhs")
+        if not abs(I1 * z1) > 1e-13 * (z1 * k4):
+            raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k4), 2, "rhs")
         c_phi = math.cos(phi)
         c_theta = math.cos(theta)
         z2 = c_theta * k1
         z3 = c_phi * z2
         s_phi = math.sin(phi)
         z4 = s_phi * z2
-        z5 = k2 * (z3 * z3) - (k7 - k2 * (z4 * z4))
+        z5 = k2 * (z3 * z3) - (k4 - k2 * (z4 * z4))
         # the mass matrix is singular
-        if not abs(-z5) > 1e-13 * k7:
-            raise _refuse(abs(-z5), 1e-13 * k7, 2, "rhs")
+        if not abs(-z5) > 1e-13 * k4:
+            raise _refuse(abs(-z5), 1e-13 * k4, 2, "rhs")
         z6 = phi_dot * c_theta
-        z7 = k4 * ((psi_dot + z6) * (theta_dot * I3))
+        omega3 = psi_dot + z6
+        z7 = k3 * (omega3 * (theta_dot * I3))
         z8 = theta_dot * theta_dot
-        z9 = psi_dot * I3
-        s1 = phi_dot * (z9 - z6 * k3) - k1 * (g - e * (c_theta * z8))
+        z9 = I3 * omega3
+        s1 = phi_dot * (z9 - I1 * z6) - k1 * (g - e * (c_theta * z8))
         z10 = s1 / z5
         z11 = s_theta * (z8 + phi_dot * phi_dot - c_theta * z10)
-        z12 = 1.0 / s_theta
-        s2 = phi_dot * (k5 * (s_theta - z12) - (s_theta - 2.0 * z12))
-        z13 = s2 - c_theta * z9 / (I1 * s_theta)
+        z12 = theta_dot / s_theta * (2.0 * z6 - z9 * k3)
         dydt: list[float] = [
             # x' (II.3)
             x_dot,
@@ -191,11 +186,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # y'' (II.3) 24:4
             -e * (s_phi * z7 + c_phi * z11),
             # phi'' (II.3) 24:4
-            (z9 * k4 - z6 * k6) * (theta_dot * z12),
+            -z12,
             # theta'' (II.3) 24:4
             s_theta * z10,
             # psi'' (II.3) 24:4
-            theta_dot * z13,
+            s_theta * (phi_dot * theta_dot) + c_theta * z12,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -266,56 +261,49 @@ def accelerations(
         # from the parameters alone
         k1 = m * e
         k2 = I1 + m * (e * e)
-        k3 = I3 - k2
-        k4 = 1.0 / m
-        k5 = I1 - I3
-        k6 = 1.0 / I1
-        k7 = I3 * k6
-        k8 = 2.0 - k7
+        k3 = 1.0 / m
+        k4 = 1.0 / I1
         # from the state
-        c_theta = math.cos(theta)
-        s_theta = math.sin(theta)
-        z1 = I3 - s_theta * s_theta * k3
-        c_phi = math.cos(phi)
-        z2 = s_theta * k1
-        z3 = c_phi * z2
         s_phi = math.sin(phi)
-        z4 = s_phi * z2
-        s1 = c_theta * c_theta
-        s2 = k4 * (z3 * z3)
-        s3 = I3 * s1 - z1 + s2
-        s4 = -(s3 + k4 * (z4 * z4))
+        s_theta = math.sin(theta)
+        z1 = s_theta * k1
+        z2 = s_phi * z1
+        z3 = k2 * s_theta * s_theta
+        c_phi = math.cos(phi)
+        z4 = c_phi * z1
+        s1 = z3 - k3 * (z4 * z4)
+        s2 = s1 - k3 * (z2 * z2)
         # the mass matrix is singular
-        if not abs(s4) > 1e-13 * z1:
-            raise _refuse(abs(s4), 1e-13 * z1, 2, "accelerations")
+        if not abs(s2) > 1e-13 * z3:
+            raise _refuse(abs(s2), 1e-13 * z3, 2, "accelerations")
+        c_theta = math.cos(theta)
         z5 = c_theta * k1
         z6 = c_phi * z5
         z7 = s_phi * z5
-        z8 = k4 * (z6 * z6) - (k2 - k4 * (z7 * z7))
+        z8 = k3 * (z6 * z6) - (k2 - k3 * (z7 * z7))
         # the mass matrix is singular
         if not abs(-z8) > 1e-13 * k2:
             raise _refuse(abs(-z8), 1e-13 * k2, 2, "accelerations")
         z9 = phi_dot * c_theta
-        z10 = k6 * ((psi_dot + z9) * (theta_dot * I3))
+        omega3 = psi_dot + z9
+        z10 = k4 * (omega3 * (theta_dot * I3))
         z11 = theta_dot * theta_dot
-        z12 = psi_dot * I3
-        s5 = phi_dot * (z12 - z9 * k5) - k1 * (g - e * (c_theta * z11))
-        z13 = s5 / z8
+        z12 = I3 * omega3
+        s3 = phi_dot * (z12 - I1 * z9) - k1 * (g - e * (c_theta * z11))
+        z13 = s3 / z8
         z14 = s_theta * (z11 + phi_dot * phi_dot - c_theta * z13)
-        z15 = 1.0 / s_theta
-        s6 = phi_dot * (k7 * (s_theta - z15) - (s_theta - 2.0 * z15))
-        z16 = s6 - c_theta * z12 / (I1 * s_theta)
+        z15 = theta_dot / s_theta * (2.0 * z9 - z12 * k4)
         qddot: list[float] = [
             # x'' (II.3)
             (s_phi * z14 - c_phi * z10) * e,
             # y'' (II.3)
             -e * (s_phi * z10 + c_phi * z14),
             # phi'' (II.3)
-            (z12 * k6 - z9 * k8) * (theta_dot * z15),
+            -z15,
             # theta'' (II.3)
             s_theta * z13,
             # psi'' (II.3)
-            theta_dot * z16,
+            s_theta * (phi_dot * theta_dot) + c_theta * z15,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -407,32 +395,29 @@ def reactions(
         # from the parameters alone
         k1 = m * e
         k2 = I1 + m * (e * e)
-        k3 = I3 - k2
-        k4 = 1.0 / m
+        k3 = 1.0 / m
         # from the state
-        c_theta = math.cos(theta)
-        s_theta = math.sin(theta)
-        z1 = I3 - s_theta * s_theta * k3
-        c_phi = math.cos(phi)
-        z2 = s_theta * k1
-        z3 = c_phi * z2
         s_phi = math.sin(phi)
-        z4 = s_phi * z2
-        s1 = c_theta * c_theta
-        s2 = k4 * (z3 * z3)
-        s3 = I3 * s1 - z1 + s2
-        s4 = -(s3 + k4 * (z4 * z4))
+        s_theta = math.sin(theta)
+        z1 = s_theta * k1
+        z2 = s_phi * z1
+        z3 = k2 * s_theta * s_theta
+        c_phi = math.cos(phi)
+        z4 = c_phi * z1
+        s1 = z3 - k3 * (z4 * z4)
+        s2 = s1 - k3 * (z2 * z2)
         # the mass matrix is singular
-        if not abs(s4) > 1e-13 * z1:
-            raise _refuse(abs(s4), 1e-13 * z1, 2, "reactions")
+        if not abs(s2) > 1e-13 * z3:
+            raise _refuse(abs(s2), 1e-13 * z3, 2, "reactions")
+        c_theta = math.cos(theta)
         z5 = c_theta * k1
         z6 = c_phi * z5
         z7 = s_phi * z5
-        s5 = k2 - k4 * (z7 * z7)
-        s6 = s5 - k4 * (z6 * z6)
+        s3 = k2 - k3 * (z7 * z7)
+        s4 = s3 - k3 * (z6 * z6)
         # the mass matrix is singular
-        if not abs(s6) > 1e-13 * k2:
-            raise _refuse(abs(s6), 1e-13 * k2, 2, "reactions")
+        if not abs(s4) > 1e-13 * k2:
+            raise _refuse(abs(s4), 1e-13 * k2, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -510,80 +495,75 @@ def jacobian(
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # from the parameters alone
         k1 = m * e
-        k2 = m * e * e
-        k3 = I1 + k2
-        k4 = I3 - k3
-        k5 = 1.0 / m
-        k6 = I1 - I3
-        k7 = 1.0 / I1
-        k8 = I3 * k7
-        k9 = 2.0 - k8
-        k10 = 2.0 * g
-        k11 = e * I3
+        k2 = I1 + m * (e * e)
+        k3 = 1.0 / m
+        k4 = I1 - I3
+        k5 = 1.0 / I1
+        k6 = I3 * k5
         # from the state
-        s_theta = math.sin(theta)
-        z1 = s_theta * s_theta
-        z2 = I1 * z1
-        # the mass matrix is singular
-        if not abs(z2) > 1e-13 * (I3 - z1 * k4):
-            raise _refuse(abs(z2), 1e-13 * (I3 - z1 * k4), 2, "jacobian")
         c_phi = math.cos(phi)
-        c_theta = math.cos(theta)
-        z3 = c_theta * k1
-        z4 = c_phi * z3
+        s_theta = math.sin(theta)
+        z1 = s_theta * k1
+        z2 = c_phi * z1
+        z3 = z2 * k3
+        z4 = k2 * s_theta * s_theta
         s_phi = math.sin(phi)
-        z5 = s_phi * z3
-        z6 = k5 * (z4 * z4) - (k3 - k5 * (z5 * z5))
+        z5 = s_phi * z1
+        s1 = k3 * (z5 * z5)
+        s2 = -(z2 * z3 - z4 + s1)
         # the mass matrix is singular
-        if not abs(-z6) > 1e-13 * k3:
-            raise _refuse(abs(-z6), 1e-13 * k3, 2, "jacobian")
-        z7 = theta_dot * I3
-        z8 = s_phi * z7
-        z9 = phi_dot * c_theta
-        z10 = (psi_dot + z9) * k7
-        z11 = s_theta * c_phi
-        z12 = theta_dot * theta_dot
-        z13 = z12 + phi_dot * phi_dot
-        z14 = psi_dot * I3
-        z15 = z9 * k6
-        z16 = z14 - z15
-        z17 = c_theta * z12
-        z18 = k1 * (g - e * z17)
-        z19 = phi_dot * z16 - z18
-        z20 = 1.0 / z6
-        z21 = c_theta * z20
-        z22 = z19 * z21
-        z23 = z13 - z22
-        z24 = theta_dot * s_theta
-        z25 = phi_dot * I3
-        z26 = k7 * (z24 * z25)
-        z27 = c_theta * c_theta
-        s1 = 2.0 * (z20 * (phi_dot * (z27 * z16) - z27 * z18))
-        z28 = k1 * (k10 - e * (3.0 * z17 - s1))
-        s2 = z20 * (z19 - z1 * (phi_dot * (2.0 * z14 - 3.0 * z15) - z28))
-        z29 = c_theta * z13 - s2
-        z30 = c_phi * z7
-        z31 = c_theta * k7
-        z32 = s_theta * s_phi
-        z33 = z27 * z20
-        z34 = c_theta * z14
-        z35 = 2.0 * (phi_dot * (1.0 + k6 * z33)) - z34 * z20
-        z36 = I3 * z10
-        z37 = s_phi * z24
-        z38 = 1.0 - k2 * z33
-        z39 = s_theta * k11
-        z40 = c_phi * z24
-        z41 = 1.0 / z2
-        z42 = phi_dot * z21
+        if not abs(s2) > 1e-13 * z4:
+            raise _refuse(abs(s2), 1e-13 * z4, 2, "jacobian")
+        c_theta = math.cos(theta)
+        z6 = c_theta * k1
+        z7 = c_phi * z6
+        z8 = s_phi * z6
+        z9 = k3 * z8
+        z10 = k3 * (z7 * z7) - (k2 - z8 * z9)
+        # the mass matrix is singular
+        if not abs(-z10) > 1e-13 * k2:
+            raise _refuse(abs(-z10), 1e-13 * k2, 2, "jacobian")
+        z11 = theta_dot * I3
+        z12 = s_phi * z11
+        z13 = phi_dot * c_theta
+        omega3 = psi_dot + z13
+        z14 = omega3 * k5
+        z15 = s_theta * c_phi
+        z16 = theta_dot * theta_dot
+        z17 = e * z16
+        z18 = I3 * omega3
+        z19 = phi_dot * I1
+        z20 = z18 - c_theta * z19
+        z21 = k1 * (g - c_theta * z17) - phi_dot * z20
+        z22 = 1.0 / z10
+        z23 = c_theta * z22
+        z24 = z16 + phi_dot * phi_dot + z21 * z23
+        z25 = c_phi * z11
+        z26 = phi_dot * s_theta
+        z27 = z26 * k5
+        z28 = c_theta * z24
+        z29 = s_theta * s_phi
+        z30 = s_theta * z22
+        z31 = z22 * z22 * (z3 * z7 + z5 * z9)
+        z32 = I3 * z26
+        z33 = phi_dot * (z32 - s_theta * z19) + z1 * z17
+        z34 = z21 * (z30 - 2.0 * (c_theta * z31)) - z23 * z33
+        z35 = c_theta * k5
+        z36 = z13 * k4 - z20
+        z37 = 2.0 * phi_dot + z23 * z36
+        z38 = I3 * z14
+        z39 = e * (theta_dot * z6)
+        z40 = theta_dot - z23 * z39
+        z41 = phi_dot * I3
+        z42 = z41 * z23
         z43 = 1.0 / s_theta
-        z44 = z43 * z43
-        z45 = 1.0 / (I1 * s_theta)
-        z46 = z7 * z45
-        s3 = k1 * (g * c_theta - e * (z12 - 2.0 * (z1 * (z12 - z22))))
-        z47 = phi_dot * (z34 - k6 * (phi_dot * (1.0 - 2.0 * z1))) - s3
-        z48 = s_theta * z20
-        z49 = k8 * (s_theta - z43) - (s_theta - 2.0 * z43)
-        s4 = z9 * (k8 * (1.0 + z44) - (1.0 + 2.0 * z44)) + z14 * z41
+        z44 = theta_dot * z43
+        z45 = 2.0 * z13 - z18 * k5
+        s3 = z43 * z43 * (theta_dot * c_theta * z45)
+        z46 = z44 * (2.0 * z26 - k5 * z32) + s3
+        z47 = z44 * (2.0 * c_theta - I3 * z35)
+        z48 = z43 * z45
+        z49 = z44 * k6
         J: list[float] = [
             0.0,
             0.0,
@@ -643,78 +623,78 @@ def jacobian(
             0.0,
             0.0,
             # (II.3)
-            e * (z8 * z10 + z11 * z23),
+            e * (z12 * z14 + z15 * z24),
             # (II.3)
-            e * (c_phi * z26 + s_phi * z29),
-            0.0,
-            0.0,
-            0.0,
-            # (II.3)
-            (z32 * z35 - z30 * z31) * e,
-            # (II.3)
-            (2.0 * (z37 * z38) - c_phi * z36) * e,
-            # (II.3)
-            -z39 * (z40 * z41 + s_phi * z42),
-            0.0,
-            0.0,
-            # (II.3)
-            (z32 * z23 - z30 * z10) * e,
-            # (II.3)
-            e * (s_phi * z26 - c_phi * z29),
+            e * (z25 * z27 + (s_phi * z28 - z29 * z34)),
             0.0,
             0.0,
             0.0,
             # (II.3)
-            -e * (z8 * z31 + z11 * z35),
+            (z29 * z37 - z25 * z35) * e,
             # (II.3)
-            -e * (s_phi * z36 + 2.0 * (z40 * z38)),
+            (2.0 * (z29 * z40) - c_phi * z38) * e,
             # (II.3)
-            (c_phi * z42 - z37 * z41) * z39,
-            0.0,
-            0.0,
-            0.0,
-            # (II.3)
-            theta_dot * z44 * (phi_dot * k9 - k7 * z34),
-            0.0,
+            -e * (z25 * k5 + z29 * z42),
             0.0,
             0.0,
             # (II.3)
-            -k9 * (theta_dot * c_theta * z43),
+            (z29 * z24 - z25 * z14) * e,
             # (II.3)
-            (z14 * k7 - z9 * k9) * z43,
+            e * (z12 * z27 - (c_phi * z28 - z15 * z34)),
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            -e * (z12 * z35 + z15 * z37),
+            # (II.3)
+            -e * (s_phi * z38 + 2.0 * (z15 * z40)),
+            # (II.3)
+            (z15 * z42 - k5 * z12) * e,
+            0.0,
+            0.0,
+            0.0,
             # (II.3)
             z46,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            z20 * z47,
+            -z47,
+            # (II.3)
+            -z48,
+            # (II.3)
+            z49,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            (z14 - 2.0 * z15) * z48,
-            # (II.3)
-            2.0 * (k2 * (z24 * z21)),
-            # (II.3)
-            z25 * z48,
+            -(z21 * (z23 + 2.0 * (s_theta * z31)) + z30 * z33),
             0.0,
             0.0,
             0.0,
             # (II.3)
-            theta_dot * s4,
+            -z30 * z36,
+            # (II.3)
+            2.0 * (z30 * z39),
+            # (II.3)
+            z41 * z30,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            theta_dot * z49,
+            theta_dot * z13 - (theta_dot * z45 + c_theta * z46),
+            0.0,
+            0.0,
+            0.0,
             # (II.3)
-            phi_dot * z49 - z34 * z45,
+            theta_dot * s_theta + c_theta * z47,
             # (II.3)
-            -c_theta * z46,
+            z26 + c_theta * z48,
+            # (II.3)
+            -c_theta * z49,
         ]
         _finish("jacobian", J)
-        return [J[k12 : k12 + 10] for k12 in range(0, 100, 10)]
+        return [J[k7 : k7 + 10] for k7 in range(0, 100, 10)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

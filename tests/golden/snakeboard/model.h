@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:b34db763b1ab51c0)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:4237651a2fd95117)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -41,7 +41,7 @@
  * velocities: 18 +-, 34 *, 1 /, 7 calls
  * accelerations: 62 +-, 117 *, 4 /, 9 calls
  * state: 10 +-, 17 *, 0 /, 6 calls
- * residuals: 6 +-, 7 *, 0 /, 6 calls
+ * residuals: 9 +-, 15 *, 0 /, 6 calls
  * reactions: 82 +-, 155 *, 4 /, 9 calls
  * energy: 24 +-, 42 *, 1 /, 6 calls
  * jacobian: 165 +-, 299 *, 2 /, 9 calls

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:cb2e40a31fef7f68).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:949252666c04ed12).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -44,7 +44,7 @@ rhs: 52 +-, 106 *, 4 /, 9 calls
 velocities: 18 +-, 34 *, 1 /, 7 calls
 accelerations: 62 +-, 117 *, 4 /, 9 calls
 state: 10 +-, 17 *, 0 /, 6 calls
-residuals: 6 +-, 7 *, 0 /, 6 calls
+residuals: 9 +-, 15 *, 0 /, 6 calls
 reactions: 82 +-, 155 *, 4 /, 9 calls
 energy: 24 +-, 42 *, 1 /, 6 calls
 jacobian: 165 +-, 299 *, 2 /, 9 calls
@@ -196,7 +196,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(z21) > 1e-13 * z21:
             raise _refuse(abs(z21), 1e-13 * z21, 2, "rhs")
         z22 = v * z7
-        z23 = z13 * z22
+        z23 = z22 * z13
         z24 = p_b_dot * c_p_b
         z25 = p_f_dot * c_p_f
         z26 = s_p_f * z25
@@ -231,9 +231,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z49 = J_w * z44
         dydt: list[float] = [
             # x' (I.2.15)
-            z19 * z22,
+            z22 * z19,
             # y' (I.2.15)
-            z17 * z22,
+            z22 * z17,
             # theta' (I.2.15)
             -z23,
             # psi' (I.2.15)
@@ -294,23 +294,23 @@ def velocities(
         # the coframe is singular
         if not abs(z4) > 1e-12 * (k4 * s3):
             raise _refuse(abs(z4), 1e-12 * (k4 * s3), 1, "velocities")
-        z5 = theta + p_b
-        c1 = math.cos(z5)
-        z6 = l * c_p_f
-        z7 = l * c_p_b
-        s1 = math.sin(z5)
-        z8 = c1 * c_p_f - s1 * s_p_f
-        z9 = s1 * c_p_f + c1 * s_p_f
-        z10 = c_p_b * z8 + s_p_b * z9
-        z11 = v / z4
-        z12 = c_p_b * z9 - s_p_b * z8
+        z5 = v / z4
+        z6 = theta + p_b
+        c1 = math.cos(z6)
+        z7 = l * c_p_f
+        z8 = l * c_p_b
+        s1 = math.sin(z6)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
         qdot: list[float] = [
             # x' (I.2.4)
-            (c1 * z6 + z7 * z10) * z11,
+            z5 * (c1 * z7 + z8 * z11),
             # y' (I.2.4)
-            (s1 * z6 + z7 * z12) * z11,
+            z5 * (s1 * z7 + z8 * z12),
             # theta' (I.2.4)
-            (c1 * z12 - s1 * z10) * z11,
+            (c1 * z12 - s1 * z11) * z5,
             # psi' (I.2.4)
             psi_dot,
             # p_b' (I.2.4)
@@ -536,15 +536,18 @@ def residuals(
         c1 = math.cos(z1)
         c_p_b = math.cos(p_b)
         z2 = theta_dot * l
-        z3 = theta + p_f
-        s2 = math.sin(z3)
-        c2 = math.cos(z3)
         c_p_f = math.cos(p_f)
+        s_p_f = math.sin(p_f)
+        z3 = s1 * c_p_f + c1 * s_p_f
+        s_p_b = math.sin(p_b)
+        z4 = c1 * c_p_f - s1 * s_p_f
+        s2 = x_dot * (c_p_b * z3 - s_p_b * z4)
+        z5 = s2 - y_dot * (c_p_b * z4 + s_p_b * z3) - c_p_f * z2
         r: list[float] = [
             # back = 0 (I.1.1) 28:5
             -(x_dot * s1 - y_dot * c1 + c_p_b * z2),
             # front = 0 (I.1.1) 29:5
-            c_p_f * z2 - (x_dot * s2 - y_dot * c2),
+            -z5,
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -722,27 +725,27 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         k1 = l * l
         k2 = 1.0 - k1
         # from the state
-        z1 = theta + p_b
-        c1 = math.cos(z1)
-        c_p_f = math.cos(p_f)
-        z2 = l * c_p_f
-        c_p_b = math.cos(p_b)
-        z3 = l * c_p_b
-        s1 = math.sin(z1)
-        s_p_f = math.sin(p_f)
-        z4 = c1 * c_p_f - s1 * s_p_f
         s_p_b = math.sin(p_b)
-        z5 = s1 * c_p_f + c1 * s_p_f
-        z6 = c_p_b * z4 + s_p_b * z5
-        z7 = s_p_f * s_p_f
-        z8 = 2.0 * z7
-        s2 = s_p_b * (1.0 - z8 - k1 * (3.0 - z8))
-        z9 = s_p_b * (s2 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
-        z10 = v / (z9 + (z7 + k1 * (4.0 - 3.0 * z7)))
-        z11 = (c1 * z2 + z3 * z6) * z10
-        z12 = c_p_b * z5 - s_p_b * z4
-        z13 = (s1 * z2 + z3 * z12) * z10
-        z14 = (s1 * z6 - c1 * z12) * z10
+        s_p_f = math.sin(p_f)
+        z1 = s_p_f * s_p_f
+        z2 = 2.0 * z1
+        c_p_b = math.cos(p_b)
+        c_p_f = math.cos(p_f)
+        s2 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
+        z3 = s_p_b * (s2 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
+        z4 = v / (z3 + (z1 + k1 * (4.0 - 3.0 * z1)))
+        z5 = theta + p_b
+        c1 = math.cos(z5)
+        z6 = l * c_p_f
+        z7 = l * c_p_b
+        s1 = math.sin(z5)
+        z8 = c1 * c_p_f - s1 * s_p_f
+        z9 = s1 * c_p_f + c1 * s_p_f
+        z10 = c_p_b * z8 + s_p_b * z9
+        z11 = z4 * (c1 * z6 + z7 * z10)
+        z12 = c_p_b * z9 - s_p_b * z8
+        z13 = z4 * (s1 * z6 + z7 * z12)
+        z14 = z4 * (s1 * z10 - c1 * z12)
         z15 = psi_dot - z14
         z16 = p_b_dot - z14
         z17 = p_f_dot - z14
@@ -882,7 +885,7 @@ def jacobian(
         z72 = z3 * z64 - 4.0 * (s_p_b * z68) - s4
         z73 = z5 * z64 + s_p_b * z72 + (2.0 * z66 - 6.0 * z67)
         z74 = z30 * z73
-        z75 = z13 * z27
+        z75 = z27 * z13
         z76 = p_b_dot - z75
         z77 = c1 * z76
         z78 = p_f_dot - z75
@@ -976,7 +979,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            -z19 * z27,
+            -z27 * z19,
             0.0,
             # (I.2.15)
             -z37,
@@ -990,7 +993,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z23 * z27,
+            z27 * z23,
             0.0,
             # (I.2.15)
             z49,

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:74479458d3786bd1)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:a613bb1bc21a3a39)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -26,14 +26,14 @@
  * out[0] = M3 [kg*m^2/s]
  *
  * Operations:
- * rhs: 3 +-, 15 *, 3 /, 4 calls
- * velocities: 2 +-, 9 *, 1 /, 4 calls
- * accelerations: 14 +-, 38 *, 3 /, 4 calls
+ * rhs: 3 +-, 11 *, 3 /, 4 calls
+ * velocities: 2 +-, 5 *, 1 /, 4 calls
+ * accelerations: 11 +-, 30 *, 3 /, 4 calls
  * state: 2 +-, 5 *, 0 /, 3 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
  * reactions: 4 +-, 8 *, 2 /, 1 calls
  * energy: 1 +-, 5 *, 0 /, 0 calls
- * jacobian: 6 +-, 23 *, 3 /, 4 calls
+ * jacobian: 6 +-, 22 *, 3 /, 4 calls
  * outputs: 1 +-, 2 *, 0 /, 1 calls
  *
  * Calls: t is the time, y has SUSLOV_NY entries and p SUSLOV_NP; suslov_parameter_defaults can be p.

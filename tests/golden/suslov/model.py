@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:454d3ddfecac8b22).
+"""suslov, emitted by nhc 0.1.0 (nhc:b659df88889597e2).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -26,14 +26,14 @@ Outputs:
 out[0] = M3 [kg*m^2/s]
 
 Operations:
-rhs: 3 +-, 15 *, 3 /, 4 calls
-velocities: 2 +-, 9 *, 1 /, 4 calls
-accelerations: 14 +-, 38 *, 3 /, 4 calls
+rhs: 3 +-, 11 *, 3 /, 4 calls
+velocities: 2 +-, 5 *, 1 /, 4 calls
+accelerations: 11 +-, 30 *, 3 /, 4 calls
 state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
 reactions: 4 +-, 8 *, 2 /, 1 calls
 energy: 1 +-, 5 *, 0 /, 0 calls
-jacobian: 6 +-, 23 *, 3 /, 4 calls
+jacobian: 6 +-, 22 *, 3 /, 4 calls
 outputs: 1 +-, 2 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -129,21 +129,20 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
-        z1 = 1.0 / s_theta
-        z2 = (c_psi * w2 + s_psi * w1) * z1
+        z1 = (c_psi * w2 + s_psi * w1) / s_theta
         c_theta = math.cos(theta)
-        z3 = I13 * w1 + I23 * w2
+        z2 = I13 * w1 + I23 * w2
         dydt: list[float] = [
             # phi' (I.2.15)
-            z2,
+            z1,
             # theta' (I.2.15)
-            z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2),
+            c_psi * w1 - s_psi * w2,
             # psi' (I.2.15)
-            -c_theta * z2,
+            -c_theta * z1,
             # w1' (I.2.15) 20:4
-            w2 * z3 * k1,
+            w2 * z2 * k1,
             # w2' (I.2.15) 20:4
-            w1 * z3 * k2,
+            w1 * z2 * k2,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -172,16 +171,15 @@ def velocities(
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
-        z1 = 1.0 / s_theta
-        z2 = (c_psi * w2 + s_psi * w1) * z1
+        z1 = (c_psi * w2 + s_psi * w1) / s_theta
         c_theta = math.cos(theta)
         qdot: list[float] = [
             # phi' (I.2.4)
-            z2,
+            z1,
             # theta' (I.2.4)
-            z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2),
+            c_psi * w1 - s_psi * w2,
             # psi' (I.2.4)
-            -c_theta * z2,
+            -c_theta * z1,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -225,30 +223,24 @@ def accelerations(
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
         c_theta = math.cos(theta)
-        z2 = 1.0 / s_theta
-        z3 = s_theta * c_psi
-        z4 = s_theta * s_psi
-        z5 = z3 * w1 - z4 * w2
-        z6 = c_theta * (z2 * z5)
-        z7 = z6 * (z2 * z2)
-        z8 = z1 * z2
-        z9 = c_theta * z8
-        z10 = s_psi * z9
-        z11 = I13 * w1 + I23 * w2
-        z12 = w1 * z11 * k2
-        z13 = c_psi * z9
-        z14 = w2 * z11 * k1
-        s1 = z2 * (w2 * z10 + c_psi * z12 - (w1 * z13 + s_psi * z14))
-        z15 = z1 * z7 - s1
-        s2 = w1 * (c_psi * z6 + s_theta * z10) - z3 * z14
-        z16 = s2 - (w2 * (s_psi * z6 - s_theta * z13) + z4 * z12)
+        z2 = s_psi * w2 - c_psi * w1
+        z3 = 1.0 / s_theta
+        z4 = z1 * z3
+        z5 = c_theta * z4
+        z6 = s_psi * z5
+        z7 = I13 * w1 + I23 * w2
+        z8 = w1 * z7 * k2
+        z9 = c_psi * z5
+        z10 = w2 * z7 * k1
+        s1 = z3 * (w2 * z6 + c_psi * z8 - (w1 * z9 + s_psi * z10))
+        z11 = z1 * (c_theta * z2 * (z3 * z3)) + s1
         qddot: list[float] = [
             # phi'' (I.2.15)
-            -z15,
+            z11,
             # theta'' (I.2.15)
-            z2 * z16 - z5 * z7,
+            w2 * z9 - s_psi * z8 + (w1 * z6 - c_psi * z10),
             # psi'' (I.2.15)
-            z8 * z5 + c_theta * z15,
+            -(z4 * (s_theta * z2) + c_theta * z11),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -412,59 +404,57 @@ def jacobian(
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
+        z1 = 1.0 / s_theta
+        c_theta = math.cos(theta)
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
-        z1 = c_psi * w2 + s_psi * w1
-        c_theta = math.cos(theta)
-        z2 = 1.0 / s_theta
-        z3 = c_theta * (z2 * z2)
-        z4 = z1 * z3
-        z5 = c_psi * w1 - s_psi * w2
-        z6 = s_psi * z2
-        z7 = c_psi * z2
-        z8 = I23 * w2
-        z9 = I13 * w1
-        z10 = z9 + z8
+        z2 = c_psi * w2 + s_psi * w1
+        z3 = z1 * z1 * (c_theta * z2)
+        z4 = z1 * (s_psi * w2 - c_psi * w1)
+        z5 = s_psi * z1
+        z6 = c_psi * z1
+        z7 = I23 * w2
+        z8 = I13 * w1
+        z9 = z8 + z7
         J: list[float] = [
             0.0,
             # (I.2.15)
+            -z3,
+            # (I.2.15)
             -z4,
             # (I.2.15)
-            z2 * z5,
+            z5,
             # (I.2.15)
             z6,
-            # (I.2.15)
-            z7,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -z1,
+            -z2,
             # (I.2.15)
             c_psi,
             # (I.2.15)
             -s_psi,
             0.0,
             # (I.2.15)
-            z1 + c_theta * z4,
+            z2 + c_theta * z3,
             # (I.2.15)
-            -z3 * (s_theta * z5),
+            c_theta * z4,
+            # (I.2.15)
+            -c_theta * z5,
             # (I.2.15)
             -c_theta * z6,
-            # (I.2.15)
-            -c_theta * z7,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
             w2 * k3,
             # (I.2.15)
-            -k1 * (z8 + z10),
+            -k1 * (z7 + z9),
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            k2 * (z9 + z10),
+            k2 * (z8 + z9),
             # (I.2.15)
             w1 * k4,
         ]

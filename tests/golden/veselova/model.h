@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:60fa51b8ab576752)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:e5fb156aa82ad292)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,15 +25,15 @@
  * out[1] = L_y [kg*m^2/s]
  *
  * Operations:
- * rhs: 23 +-, 46 *, 3 /, 6 calls
- * velocities: 2 +-, 9 *, 1 /, 4 calls
- * accelerations: 34 +-, 70 *, 3 /, 6 calls
+ * rhs: 22 +-, 41 *, 3 /, 6 calls
+ * velocities: 2 +-, 5 *, 1 /, 4 calls
+ * accelerations: 30 +-, 59 *, 3 /, 6 calls
  * state: 2 +-, 5 *, 0 /, 3 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
- * reactions: 36 +-, 76 *, 3 /, 6 calls
- * energy: 7 +-, 22 *, 1 /, 6 calls
+ * reactions: 35 +-, 71 *, 3 /, 6 calls
+ * energy: 7 +-, 18 *, 1 /, 6 calls
  * jacobian: 96 +-, 196 *, 3 /, 6 calls
- * outputs: 10 +-, 28 *, 1 /, 6 calls
+ * outputs: 10 +-, 24 *, 1 /, 6 calls
  *
  * Calls: t is the time, y has VESELOVA_NY entries and p VESELOVA_NP; veselova_parameter_defaults can be p.
  *     veselova_state makes y from coordinates and velocities.

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:648f0abf9e1a64bb).
+"""veselova, emitted by nhc 0.1.0 (nhc:ae8f7ffa4744a073).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -25,15 +25,15 @@ out[0] = L_x [kg*m^2/s]
 out[1] = L_y [kg*m^2/s]
 
 Operations:
-rhs: 23 +-, 46 *, 3 /, 6 calls
-velocities: 2 +-, 9 *, 1 /, 4 calls
-accelerations: 34 +-, 70 *, 3 /, 6 calls
+rhs: 22 +-, 41 *, 3 /, 6 calls
+velocities: 2 +-, 5 *, 1 /, 4 calls
+accelerations: 30 +-, 59 *, 3 /, 6 calls
 state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
-reactions: 36 +-, 76 *, 3 /, 6 calls
-energy: 7 +-, 22 *, 1 /, 6 calls
+reactions: 35 +-, 71 *, 3 /, 6 calls
+energy: 7 +-, 18 *, 1 /, 6 calls
 jacobian: 96 +-, 196 *, 3 /, 6 calls
-outputs: 10 +-, 28 *, 1 /, 6 calls
+outputs: 10 +-, 24 *, 1 /, 6 calls
 
 A singular point raises SingularModelError.
 Units are in brackets, and nothing is converted.
@@ -146,26 +146,24 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(-z14) > 1e-13 * z13:
             raise _refuse(abs(-z14), 1e-13 * z13, 2, "rhs")
-        z15 = 1.0 / s_theta
-        z16 = s_phi * w_x - c_phi * w_y
-        z17 = z15 * z16
-        z18 = s_theta * w_y
-        z19 = s_theta * w_x
-        s2 = s_psi * (z16 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
-        z20 = k1 * s2 + k2 * (c_theta * z16)
-        z21 = z18 * z20
-        z22 = (z19 * z20 + z21 * z12) / z14
+        z15 = s_phi * w_x - c_phi * w_y
+        z16 = z15 / s_theta
+        z17 = c_phi * w_x + s_phi * w_y
+        s2 = k1 * (s_psi * (c_psi * z17 - z15 * z6))
+        z18 = s_theta * (s2 - k2 * (c_theta * z15))
+        z19 = w_y * z18
+        z20 = (w_x * z18 + z19 * z12) / z14
         dydt: list[float] = [
             # phi' (I.2.15)
-            -c_theta * z17,
+            -c_theta * z16,
             # theta' (I.2.15)
-            z15 * (s_phi * z18 + c_phi * z19),
-            # psi' (I.2.15)
             z17,
+            # psi' (I.2.15)
+            z16,
             # w_x' (I.2.15) 24:4
-            z21 * z11 - z12 * z22,
+            z12 * z20 - z19 * z11,
             # w_y' (I.2.15) 24:4
-            z22,
+            -z20,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -193,17 +191,16 @@ def velocities(
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         c_theta = math.cos(theta)
-        z1 = 1.0 / s_theta
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
-        z2 = z1 * (s_phi * w_x - c_phi * w_y)
+        z1 = (s_phi * w_x - c_phi * w_y) / s_theta
         qdot: list[float] = [
             # phi' (I.2.4)
-            -c_theta * z2,
+            -c_theta * z1,
             # theta' (I.2.4)
-            (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1,
+            c_phi * w_x + s_phi * w_y,
             # psi' (I.2.4)
-            z2,
+            z1,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -246,51 +243,44 @@ def accelerations(
         s1 = I1 * (1.0 - z1 * (2.0 - z4)) - I3 * z4
         z5 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + s1
         c_phi = math.cos(phi)
-        c_psi = math.cos(psi)
         c_theta = math.cos(theta)
-        z6 = s_psi * c_theta
-        z7 = k1 * (c_psi * z6)
-        z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
+        c_psi = math.cos(psi)
+        z6 = c_theta * (s_psi * c_psi) * k1
+        z7 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z6))
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z8) > 0.0:
-            raise _refuse(abs(z8), 0.0, 2, "accelerations")
-        z9 = c_phi * z5 - 2.0 * (s_phi * z7)
-        z10 = z7 + s_phi * z9
-        z11 = 1.0 / z8
-        z12 = z10 * z11
-        z13 = z3 - c_phi * z9
-        z14 = z10 * z12 - z13
+        if not abs(z7) > 0.0:
+            raise _refuse(abs(z7), 0.0, 2, "accelerations")
+        z8 = c_phi * z5 - 2.0 * (s_phi * z6)
+        z9 = z6 + s_phi * z8
+        z10 = 1.0 / z7
+        z11 = z9 * z10
+        z12 = z3 - c_phi * z8
+        z13 = z9 * z11 - z12
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(-z14) > 1e-13 * z13:
-            raise _refuse(abs(-z14), 1e-13 * z13, 2, "accelerations")
-        z15 = s_theta * s_phi
-        z16 = s_theta * c_phi
-        z17 = z15 * w_y + z16 * w_x
-        z18 = 1.0 / s_theta
-        z19 = s_phi * w_x - c_phi * w_y
-        z20 = z18 * z19
-        z21 = z18 * (c_theta * z17)
-        z22 = z18 * z18 * z21
-        z23 = c_theta * z20
-        z24 = c_phi * z23
-        s2 = s_psi * (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
-        z25 = k1 * s2 + k2 * (c_theta * z19)
-        z26 = s_theta * z25
-        z27 = w_y * z26
-        z28 = (w_x * z26 + z12 * z27) / z14
-        z29 = z11 * z27 - z12 * z28
-        z30 = s_phi * z23
-        s3 = z18 * (w_x * z24 - s_phi * z29 + (w_y * z30 + c_phi * z28))
-        z31 = z19 * z22 + s3
-        s4 = w_y * (s_theta * z24 - s_phi * z21) - z15 * z28
-        z32 = s4 - (w_x * (s_theta * z30 + c_phi * z21) + z16 * z29)
+        if not abs(-z13) > 1e-13 * z12:
+            raise _refuse(abs(-z13), 1e-13 * z12, 2, "accelerations")
+        z14 = 1.0 / s_theta
+        z15 = s_phi * w_x - c_phi * w_y
+        z16 = z14 * z15
+        z17 = c_phi * w_x + s_phi * w_y
+        z18 = c_theta * z15
+        z19 = c_theta * z16
+        z20 = c_phi * z19
+        s2 = k2 * z18 - k1 * (s_psi * (c_psi * z17 - s_psi * z18))
+        z21 = s_theta * s2
+        z22 = w_y * z21
+        z23 = (w_x * z21 + z22 * z11) / z13
+        z24 = z22 * z10 - z11 * z23
+        z25 = s_phi * z19
+        s3 = z14 * (w_x * z20 - s_phi * z24 + (w_y * z25 + c_phi * z23))
+        z26 = z14 * z14 * (z17 * z18) + s3
         qddot: list[float] = [
             # phi'' (I.2.15)
-            z17 * z20 + c_theta * z31,
+            z16 * (s_theta * z17) + c_theta * z26,
             # theta'' (I.2.15)
-            -(z17 * z22 + z18 * z32),
+            w_x * z25 + c_phi * z24 - (w_y * z20 - s_phi * z23),
             # psi'' (I.2.15)
-            -z31,
+            -z26,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -411,34 +401,29 @@ def reactions(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(-z14) > 1e-13 * z13:
             raise _refuse(abs(-z14), 1e-13 * z13, 2, "reactions")
-        z15 = s_theta * s_psi
-        z16 = 1.0 / s_theta
-        z17 = s_phi * w_x - c_phi * w_y
-        z18 = z16 * z17
-        z19 = c_theta * z18
-        z20 = s_theta * w_y
-        z21 = s_theta * w_x
-        z22 = s_phi * z20 + c_phi * z21
-        z23 = z16 * z22
-        z24 = c_theta * z23
-        z25 = s_theta * c_psi
-        s2 = I1 * ((z15 * z19 - c_psi * z23) * (s_psi * z24 + z25 * z18))
-        s3 = I2 * ((z25 * z19 + s_psi * z23) * (c_psi * z24 - z15 * z18))
-        z26 = s2 + s3
-        z27 = s_psi * k1
-        z28 = c_theta * k2
-        s4 = (z17 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z27
-        z29 = s4 + z17 * z28
-        z30 = z20 * z29
-        z31 = (z21 * z29 + z12 * z30) / z14
-        s5 = (c_psi * c_phi - s_phi * z6) * z27 - s_phi * z28
-        z32 = s5 * (s_theta * (z11 * z30 - z12 * z31))
-        s6 = (c_psi * s_phi + c_phi * z6) * z27 + c_phi * z28
-        s7 = z26 + I3 * ((z18 - c_theta * z19) * z22)
-        z33 = s7 - (z32 + s6 * (s_theta * z31))
+        z15 = s_phi * w_x - c_phi * w_y
+        z16 = z15 / s_theta
+        z17 = c_theta * z16
+        z18 = c_phi * w_x + s_phi * w_y
+        z19 = s_theta * s_psi
+        z20 = c_psi * z18
+        z21 = c_theta * z18
+        z22 = s_theta * c_psi
+        s2 = I2 * ((z22 * z17 + s_psi * z18) * (c_psi * z21 - z19 * z16))
+        z23 = I1 * ((z19 * z17 - z20) * (s_psi * z21 + z22 * z16)) + s2
+        z24 = s_psi * k1
+        z25 = c_theta * k2
+        z26 = s_theta * ((z20 - z15 * z6) * z24 - z15 * z25)
+        z27 = w_y * z26
+        z28 = (w_x * z26 + z12 * z27) / z14
+        s3 = (c_psi * c_phi - s_phi * z6) * z24 - s_phi * z25
+        z29 = s3 * (s_theta * (z11 * z27 - z12 * z28))
+        s4 = (c_psi * s_phi + c_phi * z6) * z24 + c_phi * z25
+        s5 = I3 * ((z16 - c_theta * z17) * (s_theta * z18)) + z23
+        z30 = s5 + (z29 + s4 * (s_theta * z28))
         lambda_: list[float] = [
             # reaction of no_turn: Q_i gains lambda_1 a_1i (I.4.1) 26:5
-            -z33,
+            -z30,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -462,20 +447,19 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     try:
         # from the state
         s_theta = math.sin(theta)
-        z1 = 1.0 / s_theta
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
-        z2 = z1 * (s_phi * w_x - c_phi * w_y)
+        z1 = (s_phi * w_x - c_phi * w_y) / s_theta
         c_theta = math.cos(theta)
-        z3 = c_theta * z2
-        omega3 = z2 - c_theta * z3
+        z2 = c_theta * z1
+        omega3 = z1 - c_theta * z2
         c_psi = math.cos(psi)
-        z4 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1
+        z3 = c_phi * w_x + s_phi * w_y
         s_psi = math.sin(psi)
-        z5 = s_theta * z3
-        z6 = c_psi * z4 - s_psi * z5
-        z7 = s_psi * z4 + c_psi * z5
-        s1 = I3 * (omega3 * omega3) + (I1 * (z6 * z6) + I2 * (z7 * z7))
+        z4 = s_theta * z2
+        z5 = c_psi * z3 - s_psi * z4
+        z6 = s_psi * z3 + c_psi * z4
+        s1 = I3 * (omega3 * omega3) + (I1 * (z5 * z5) + I2 * (z6 * z6))
         value1 = 0.5 * s1
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -546,76 +530,76 @@ def jacobian(
         z23 = s_phi * z18
         z24 = c_phi * z18
         z25 = s_theta * w_y
-        z26 = c_theta * k2
-        z27 = s_psi * c_theta
-        z28 = s_psi * k1
-        z29 = z25 * z28
-        z30 = z25 * z26 + z27 * z29
-        z31 = w_x * z30
-        z32 = c_psi * z29
-        z33 = k1 * (z21 * z27 - c_psi * z19)
-        z34 = z21 * k2
-        z35 = s_psi * z33 + c_theta * z34
-        z36 = s_theta * w_x
-        z37 = z25 * z35
-        z38 = 1.0 / z17
-        z39 = (z35 * z36 + z37 * z15) * z38
+        z26 = s_psi * k1
+        z27 = z25 * z26
+        z28 = c_psi * z27
+        z29 = c_theta * k2
+        z30 = s_psi * c_theta
+        z31 = z25 * z29 + z30 * z27
+        z32 = w_x * z31
+        z33 = 1.0 / z17
+        z34 = k1 * (c_psi * z19 - z21 * z30)
+        z35 = z21 * k2
+        z36 = s_psi * z34 - c_theta * z35
+        z37 = s_theta * w_x
+        z38 = z25 * z36
+        z39 = z33 * (z36 * z37 + z38 * z15)
         z40 = z12 * z39
         z41 = s_phi * z39
         z42 = k1 * z41
-        z43 = z37 * z14 - z15 * z39
+        z43 = z38 * z14 - z15 * z39
         z44 = s_phi * z43
         z45 = z6 * z44
-        z46 = w_x * z32
+        z46 = w_x * z28
         z47 = k1 * z44
-        s2 = z31 - (w_y * z32 + z40 - 2.0 * (z8 * z42) - z10 * z43 - z45)
-        s3 = s_phi * (w_y * z30 + (z46 + z6 * z41 - 2.0 * (z8 * z47)))
-        z48 = c_phi * s2 + s3
-        z49 = z36 * z28
-        z50 = z36 * z26 + z27 * z49
+        s2 = w_y * z28 - (z32 + (z40 - 2.0 * (z8 * z42) - z10 * z43 - z45))
+        s3 = s_phi * (z46 + (w_y * z31 - (z6 * z41 - 2.0 * (z8 * z47))))
+        z48 = c_phi * s2 - s3
+        z49 = z37 * z26
+        z50 = z37 * z29 + z30 * z49
         z51 = c_phi * z39
         z52 = k1 * (z44 - z51)
         z53 = c_psi * z49
-        s4 = c_phi * (w_x * z50 - (z46 - z12 * z43 + 2.0 * (z8 * z52)))
-        z54 = s4 + s_phi * (z31 - (z45 - (w_x * z53 + (z40 + z6 * z51))))
-        z55 = z38 * (z54 + z15 * z48)
-        z56 = z21 * z29
+        s4 = c_phi * (z46 - (w_x * z50 - (z12 * z43 - 2.0 * (z8 * z52))))
+        z54 = s4 - s_phi * (w_x * z53 + (z32 + (z45 - (z40 + z6 * z51))))
+        z55 = z33 * (z54 + z15 * z48)
+        z56 = z21 * z27
         z57 = k1 * z39 - 2.0 * (s_phi * z42) - 2.0 * (c_phi * z47)
         z58 = c_phi * z41 - s_phi * z44
         z59 = I1 * z58
         z60 = I2 * z58
         s5 = 2.0 * (s_theta * (I3 * z58 - z1 * z59 - z2 * z60))
-        s6 = s_theta * (z25 * z34 + s_psi * z56 - z7 * z57)
-        z61 = s6 - c_theta * (w_y * z35 + s5)
+        s6 = s_theta * (z25 * z35 + s_psi * z56 + z7 * z57)
+        z61 = s6 + c_theta * (w_y * z36 + s5)
         z62 = z21 * z49
         z63 = c_phi * z51
         z64 = k1 * z63
         z65 = k1 * z43 - 2.0 * (s_phi * z52)
-        s7 = z34 * z36 + 2.0 * (c_theta * (z1 * z64 + k2 * z63))
-        z66 = s_psi * z62 + s7 + z7 * z65
+        s7 = z35 * z37 - 2.0 * (c_theta * (z1 * z64 + k2 * z63))
+        z66 = s_psi * z62 + s7 - z7 * z65
         z67 = c_phi * z44
         z68 = I1 * z67
         z69 = I2 * z67
         s8 = 2.0 * (s_theta * (I3 * z67 - z1 * z68 - z2 * z69))
-        z70 = s_theta * z66 - c_theta * (w_x * z35 - s8)
-        z71 = z38 * (z70 + z15 * z61)
+        z70 = s_theta * z66 + c_theta * (w_x * z36 - s8)
+        z71 = z33 * (z70 + z15 * z61)
         z72 = c_theta * z57
         s9 = 2.0 * z60 + (I2 * z43 - z5 * z59) - (I1 * z43 + z4 * z60)
         z73 = 2.0 * (s_psi * s9)
-        s10 = c_psi * (z25 * z33 + c_theta * z56 - c_psi * z72 - z73)
-        z74 = s_psi * (z19 * z29 + s_psi * z72) + s10
+        s10 = c_psi * (z25 * z34 - c_theta * z56 - c_psi * z72 - z73)
+        z74 = s_psi * (z19 * z27 - s_psi * z72) - s10
         z75 = c_theta * z65
         s11 = 2.0 * z69 + (z5 * z64 + I2 * z39 - z5 * z68)
         z76 = s11 - (I1 * z39 + z4 * z69)
-        s12 = z33 * z36 + c_theta * z62 + c_psi * z75
+        s12 = z34 * z37 - c_theta * z62 + c_psi * z75
         s13 = c_psi * (s12 + 2.0 * (s_psi * z76))
-        z77 = s_psi * (z19 * z49 - s_psi * z75) + s13
-        z78 = z38 * (z77 + z15 * z74)
-        z79 = c_phi * z32 - s_phi * z30
-        z80 = s_theta * z35
-        z81 = z38 * (z80 - c_phi * z53 + s_phi * z50 - z15 * z79)
-        z82 = z80 - s_phi * z32 - c_phi * z30
-        z83 = z38 * (s_phi * z53 + c_phi * z50 - z15 * z82)
+        z77 = s_psi * (z19 * z49 + s_psi * z75) - s13
+        z78 = z33 * (z77 + z15 * z74)
+        z79 = s_phi * z31 - c_phi * z28
+        z80 = s_theta * z36
+        z81 = z33 * (z80 - s_phi * z50 + c_phi * z53 - z15 * z79)
+        z82 = z80 + c_phi * z31 + s_phi * z28
+        z83 = z33 * (c_phi * z50 + s_phi * z53 + z15 * z82)
         J: list[float] = [
             # (I.2.15)
             -c_theta * z20,
@@ -628,7 +612,6 @@ def jacobian(
             c_theta * z24,
             # (I.2.15)
             -z21,
-            # (I.2.15)
             0.0,
             0.0,
             # (I.2.15)
@@ -645,23 +628,23 @@ def jacobian(
             # (I.2.15)
             -z24,
             # (I.2.15)
-            z14 * z48 - z15 * z55,
+            z15 * z55 - z14 * z48,
             # (I.2.15)
             z15 * z71 - z14 * z61,
             # (I.2.15)
             z14 * z74 - z15 * z78,
             # (I.2.15)
-            -(z14 * z79 + z15 * z81),
+            z14 * z79 + z15 * z81,
             # (I.2.15)
-            z14 * z82 + z15 * z83,
+            z15 * z83 - z14 * z82,
             # (I.2.15)
-            z55,
+            -z55,
             # (I.2.15)
             -z71,
             # (I.2.15)
             z78,
             # (I.2.15)
-            z81,
+            -z81,
             # (I.2.15)
             -z83,
         ]
@@ -694,23 +677,22 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         c_phi = math.cos(phi)
         c_psi = math.cos(psi)
         s_phi = math.sin(phi)
-        z1 = 1.0 / s_theta
-        z2 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1
+        z1 = c_phi * w_x + s_phi * w_y
         s_psi = math.sin(psi)
         c_theta = math.cos(theta)
-        z3 = z1 * (s_phi * w_x - c_phi * w_y)
-        z4 = c_theta * z3
-        z5 = s_theta * z4
-        z6 = I1 * (c_psi * z2 - s_psi * z5)
-        z7 = I2 * (s_psi * z2 + c_psi * z5)
-        z8 = c_psi * z6 + s_psi * z7
-        s1 = I3 * (s_theta * (z3 - c_theta * z4))
-        z9 = c_theta * (s_psi * z6 - c_psi * z7) - s1
+        z2 = (s_phi * w_x - c_phi * w_y) / s_theta
+        z3 = c_theta * z2
+        z4 = s_theta * z3
+        z5 = I1 * (c_psi * z1 - s_psi * z4)
+        z6 = I2 * (s_psi * z1 + c_psi * z4)
+        z7 = c_psi * z5 + s_psi * z6
+        s1 = I3 * (s_theta * (z2 - c_theta * z3))
+        z8 = c_theta * (s_psi * z5 - c_psi * z6) - s1
         out: list[float] = [
             # L_x 32:8
-            c_phi * z8 - s_phi * z9,
+            c_phi * z7 - s_phi * z8,
             # L_y 33:8
-            s_phi * z8 + c_phi * z9,
+            s_phi * z7 + c_phi * z8,
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
