@@ -44,12 +44,6 @@ class Detour:
         changed = [g.sub(rate, own) for rate, own in zip(rates, self.drift, strict=True)]
         return tangent(g, self.frame.kinematics, dict(zip(self.frame.omega, changed, strict=True)))
 
-    @property
-    def guards(self) -> list[tuple[Node, Node]]:
-        """Squared, as they stand in the determinant of the mass matrix of q', and what they are measured by."""
-        g = self.graph
-        return [(g.power(value, 2), g.power(scale, 2)) for value, scale in self.frame.guards]
-
 
 def find_detour(equations: Equations) -> Detour | None:
     """By T's forms that are no rates of positions; None where there are none, or the system is not free, or is large."""

@@ -26,7 +26,8 @@ class MassRoute:
     """``values`` of the rates; (pivot, scale) pairs that must not vanish; ``solve(right)`` is x with mass @ x = right.
 
     Without ``solve`` the rates are so short that they are differentiated themselves.  ``held``: pairs of the reactions' matrix
-    of a held tree, which tell how many digits are left.  ``chained``: each pivot waits for the one before it.
+    of a held tree, which tell how many digits are left; ``turned``: of the coframe of a detour, whose determinants stand squared
+    in that of the mass matrix.  ``chained``: each pivot waits for the one before it.
     """
 
     values: list[Node]
@@ -34,6 +35,7 @@ class MassRoute:
     solve: Solver | None = None
     chained: bool = False
     held: Pairs = fresh(factory=list)
+    turned: Pairs = fresh(factory=list)
 
 
 def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]) -> MassRoute:
@@ -71,11 +73,12 @@ def _by(detour: Detour, equations: Equations, put_in: Mapping[Node, Node]) -> Ma
     g = equations.system.graph
     inner = mass_route(detour.equations, detour.equations, {}, detour.frame.forms)
     values = shorten(g, detour.accelerations(substitute(g, inner.values, detour.values)))
-    pivots = [*detour.guards, *_in_pairs(g, inner.pivots, detour.values)]
-    return MassRoute(substitute(g, values, put_in), _in_pairs(g, pivots, put_in), chained=inner.chained)
+    pivots = _in_pairs(g, _in_pairs(g, inner.pivots, detour.values), put_in)
+    turned = _in_pairs(g, detour.frame.guards, put_in)
+    return MassRoute(substitute(g, values, put_in), pivots, chained=inner.chained, turned=turned)
 
 
-def _in_pairs(g: Graph, pairs: Pairs, put_in: Mapping[Node, Node]) -> Pairs:
+def _in_pairs(g: Graph, pairs: Sequence[tuple[Node, Node]], put_in: Mapping[Node, Node]) -> Pairs:
     flat = substitute(g, [node for pair in pairs for node in pair], put_in)
     return list(zip(flat[::2], flat[1::2], strict=True))
 

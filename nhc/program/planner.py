@@ -22,7 +22,8 @@ from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
 MASS_LOST = "the mass matrix is singular"
-_FRAME_DIGITS, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 12, 1e-13, 1e-13
+_FRAME_DIGITS, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 12.0, 1e-13, 1e-13
+_TURNED_DIGITS = 6.5  # of a determinant that stands squared in that of the mass matrix
 _HELD_TOLERANCE = 1e-10  # six digits are left
 T_ARGUMENT = Argument("t", -1)
 
@@ -35,6 +36,7 @@ class PlannerBase:
     formulation: Formulation
     solved: dict[Node, Node] = field(default_factory=dict)
     mass_guards: tuple[GuardPlan, ...] = ()
+    turned_guards: tuple[GuardPlan, ...] = ()
     solves: tuple[SolvePlan, ...] = ()
 
     def __post_init__(self) -> None:
@@ -95,9 +97,11 @@ class PlannerBase:
             kept = frame.forms[self.system.l :] if frame is not None else ()
             self.route = mass_route(equations, self.full_equations, self.put_in, kept)
             self.solved = dict(zip(rates, self.route.values, strict=True))
+            self.turned_guards = self._guard_determinants(self.route.turned, _TURNED_DIGITS, SINGULAR_MASS, MASS_LOST)
             self.mass_guards = (
                 *self._guard_pivots(self.route.pivots, _MASS_TOLERANCE),
                 *self._guard_pivots(self.route.held, _HELD_TOLERANCE),
+                *self.turned_guards,
             )
             return
         matrix, right = self._dense()
@@ -145,14 +149,18 @@ class PlannerBase:
         if self.formulation.dependent is not None:
             names = ", ".join(f"{self.system.q_names[i]}'" for i in self.formulation.dependent.dependent)
             what = f"the constraints cannot be solved for {names}"
-        g = self.graph
-        once = dict[Node, GuardPlan]()
-        for value, scale in self.equations.guards:
+        return self._guard_determinants(self.equations.guards, _FRAME_DIGITS, SINGULAR_FRAME, what)
+
+    def _guard_determinants(
+        self, pairs: Sequence[tuple[Node, Node]], digits: float, status: int, what: str
+    ) -> tuple[GuardPlan, ...]:
+        g, once = self.graph, dict[Node, GuardPlan]()
+        for value, scale in pairs:
             size = g.a[value] if g.op[value] == NEG else value
             # a constant determinant is only held against zero: its scale would be work for nothing
             limit = g.zero if self._is_constant(value) else scale
-            tolerance = float(f"1e-{_FRAME_DIGITS + usual_digits(self.system, size, limit)}")
-            once.setdefault(size, GuardPlan(size, limit, tolerance, SINGULAR_FRAME, what))
+            tolerance = float(f"{10.0 ** -(digits + usual_digits(self.system, size, limit)):.2g}")
+            once.setdefault(size, GuardPlan(size, limit, tolerance, status, what))
         return tuple(once.values())
 
     def _is_constant(self, node: Node) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import MUL, Node
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import bordered_system
@@ -77,7 +77,17 @@ class ScenePlanner(Planner):
         wanted = [self.solved[self.equations.motion.rates[k]] for k in self.kept_w if self.solved]
         wanted += self.known([node for node, _ in self._columns()]) if self.solved else []
         seen = set(reachable(self.graph, wanted))
-        self.mass_guards = tuple(guard for guard in self.mass_guards if guard.value in seen)
+        self.mass_guards = tuple(guard for guard in self.mass_guards if seen.issuperset(self._factors(guard.value)))
+        self.turned_guards = tuple(guard for guard in self.turned_guards if guard in self.mass_guards)
+
+    def _factors(self, node: Node) -> list[Node]:
+        """A divisor's, by each of which is divided: those of them that move."""
+        g = self.graph
+        if g.op[node] != MUL:
+            return [node]
+        return [
+            factor for factor in (*self._factors(g.a[node]), *self._factors(g.b[node])) if not self._is_constant(factor)
+        ]
 
     def _dense(self) -> tuple[list[list[Node]], list[Node]]:
         """The fixed equations; a bordered system is made from the full ones first."""

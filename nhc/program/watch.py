@@ -21,6 +21,7 @@ from nhc.mechanics.regular.trials import usual_digits
 from nhc.mechanics.system import System
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
+from nhc.program.plan import GuardPlan
 from nhc.program.planner import MASS_LOST
 from nhc.records import record
 
@@ -97,7 +98,7 @@ def watch_function(
     """
     events = [] if event is None else planner.on_motion([event])
     frames = _frames(planner)
-    determinants = _determinant(planner, known or {})
+    determinants = [*_turned(planner), *_determinant(planner, known or {})]
     measures = [*frames, *determinants, *_pivots(planner, known or {}), *_rank(planner)]
     signs = [m for m in (*frames, *determinants) if m.value not in events]
     nodes, about, kinds = [*events, *(m.value for m in signs)], [""] * len(events), ["event"] * len(events)
@@ -145,12 +146,20 @@ def _distance(planner: Planner, measure: _Measure, level: Fraction) -> Node:
 
 
 def _frames(planner: Planner) -> list[_Measure]:
+    return _guarded(planner, planner.frame_guards(), "frame")
+
+
+def _turned(planner: Planner) -> list[_Measure]:
+    return _guarded(planner, planner.turned_guards, "mass")
+
+
+def _guarded(planner: Planner, guards: Sequence[GuardPlan], kind: str) -> list[_Measure]:
     seen: dict[Node, _Measure] = {}
-    for guard in planner.frame_guards():
+    for guard in guards:
         if not planner._is_constant(guard.value):
             usual = Fraction(1, 10 ** usual_digits(planner.system, guard.value, guard.scale))
             scale = planner.graph.mul(planner.graph.number(usual), guard.scale)
-            seen.setdefault(guard.value, _Measure(guard.value, scale, False, "frame", guard.what))
+            seen.setdefault(guard.value, _Measure(guard.value, scale, False, kind, guard.what))
     return list(seen.values())
 
 
@@ -159,7 +168,7 @@ def _pivots(planner: Planner, known: dict[Node, tuple[float, float]]) -> list[_M
     g, found = planner.graph, []
     ranges = {**intervals(planner.system), **known}
     for guard in planner.mass_guards:
-        if planner._is_constant(guard.value) or count(g, [guard.value]) > _LARGE:
+        if guard in planner.turned_guards or planner._is_constant(guard.value) or count(g, [guard.value]) > _LARGE:
             continue
         if cannot_vanish(g, normalise(g, guard.value, _TERMS), ranges):
             continue

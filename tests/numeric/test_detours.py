@@ -1,0 +1,120 @@
+"""Lagrange's equations by way of T's own angular velocities: the same accelerations, refused at the same places."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import random
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from benchmarks.models import source
+from nhc.algebra.exact.modular import are_zero
+from nhc.algebra.rewriting.rules import WithoutRules
+from nhc.diagnostics import Source
+from nhc.emit import EmitOptions, render
+from nhc.language import decode, read
+from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.detour import find_detour
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.pipeline import Options, emit
+from nhc.program.build import Planner
+from nhc.program.model import build_program
+from tests.support import compile_c, doubles, python_model, spec_path
+
+CRAFT = """nhc: 1
+system: craft
+coordinates: [x, z, yaw, pitch, roll, a]
+parameters: {A: 0.02, B: 0.022, C: 0.04, m: 1.2, M: 0.4, l: 1, g: 9.81, F: 15, tq: 0.02, Om: 0.7}
+define:
+  px: x + l*sin(a)
+  pz: z - l*cos(a)
+  p: roll' - (yaw' + Om*t)*sin(pitch)
+  q: pitch'*cos(roll) + (yaw' + Om*t)*sin(roll)*cos(pitch)
+  r: (yaw' + Om*t)*cos(roll)*cos(pitch) - pitch'*sin(roll)
+T: (m*(x'^2 + z'^2) + A*p^2 + B*q^2 + C*r^2 + M*(px'^2 + pz'^2))/2
+V: g*(m*z + M*pz) + roll^2*a
+forces: {x: F*sin(pitch)*cos(yaw), z: F*cos(roll)*cos(pitch), pitch: -tq*pitch', q: tq*t}
+"""
+"""A body on which a load hangs, seen from a table that turns faster and faster: the forms of T hold the time."""
+
+TWO = """nhc: 1
+system: two
+coordinates: [a, b, c, d]
+parameters: {I: 0.3, J: 0.2, k: 2}
+T: (I*(a' + sin(b)*c')^2 + J*b'^2 + I*c'^2 + J*(d' - cos(b)*a')^2)/2
+V: k*(1 - cos(b)) + k*a*d
+"""
+"""Forms that no three of them belong to a body: each holds a velocity that no other has."""
+
+
+def spec(name: str) -> Source:
+    texts = {"craft": CRAFT, "two": TWO}
+    if name in texts:
+        return Source(f"{name}.yaml", texts[name])
+    return read(str(spec_path(name))) if spec_path(name).exists() else source(name)
+
+
+SYSTEMS = ("craft", "two", "heavy_top", "smooth_tippe_top", "satellite2")
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_the_rates_solve_the_equations_exactly(name: str) -> None:
+    """Of the assembled mass matrix, which knows of no detour; modulo primes."""
+    system = resolve(decode(spec(name)))
+    formulation = formulate(system)
+    planner = Planner(equations_of(system, formulation), formulation)
+    assert find_detour(planner.equations) is not None
+    g, equations = system.graph, planner.equations
+    rates = planner.known(equations.motion.rates)
+    residual = [g.sub(g.dot(row, rates), f) for row, f in zip(equations.mass, equations.force, strict=True)]
+    assert all(are_zero(g, residual))
+
+
+def _module(name: str, rules: tuple[str, ...] = ()) -> ModuleType:
+    made = resolve(decode(spec(name)), WithoutRules(rules))
+    formulation = formulate(made)
+    program = build_program(made, formulation, equations_of(made, formulation), only=("rhs", "jacobian"))
+    return python_model(render(program, "python", EmitOptions())[f"{made.name}.py"], made.name)
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_the_jacobian_is_that_of_the_rates(name: str) -> None:
+    """Against differences of the right-hand side without detours, which are exact to 1e-9 here."""
+    module, plain = _module(name), _module(name, ("detours",))
+    draw, size, h = random.Random(name), len(module.STATE), 1e-4
+    y = [draw.uniform(0.3, 1.1) for _ in range(size)]
+    rows = module.jacobian(0.4, y)
+    assert module.rhs(0.4, y) == pytest.approx(plain.rhs(0.4, y), rel=1e-11, abs=1e-11)
+    for j in range(size):
+        beside = [plain.rhs(0.4, [x + k * h * (i == j) for i, x in enumerate(y)]) for k in (-2, -1, 1, 2)]
+        slopes = [(a - 8 * b + 8 * c - d) / (12 * h) for a, b, c, d in zip(*beside, strict=True)]
+        assert [row[j] for row in rows] == pytest.approx(slopes, rel=1e-7, abs=1e-7)
+
+
+@pytest.mark.parametrize("lean", [0.0, 1e-9, 1e-5])
+def test_a_gimbal_lock_is_refused_where_it_is(lean: float, tmp_path: Path) -> None:
+    """And as near to it as without a detour, in both languages."""
+    y = [0.2, math.pi / 2 - lean, 0.3, 0.1, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8]
+    folder = compile_c(emit(spec("satellite2"), "c", Options(only=("rhs",))), tmp_path, "satellite2")
+    call = ctypes.CDLL(str(folder)).satellite2_rhs
+    out = (ctypes.c_double * len(y))()
+    defaults = [float(x) for x in _module("satellite2").DEFAULTS]
+    status = call(ctypes.c_double(0.0), doubles(y), doubles(defaults), out)
+    for rules in ((), ("detours",)):
+        if lean < 1e-7:
+            assert status == 2
+            with pytest.raises(ArithmeticError, match="the mass matrix is singular"):
+                _module("satellite2", rules).rhs(0.0, y)
+        else:
+            assert status == 0 and all(math.isfinite(x) for x in out)
+            assert _module("satellite2", rules).rhs(0.0, y) == pytest.approx(list(out), rel=1e-4)
+
+
+def test_no_detour_where_every_form_is_the_rate_of_a_position() -> None:
+    for name in ("double_pendulum", "spherical_pendulum", "pendulum5", "free_rigid_body_quaternion", "rolling_disk"):
+        system = resolve(decode(spec(name)))
+        assert find_detour(equations_of(system, formulate(system))) is None
