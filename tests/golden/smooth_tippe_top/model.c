@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:894e2beb59240ae4)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:d12b4fb4f451eabb)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -268,7 +268,7 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[9]) <= DBL_MAX
         && fabs(m) > 0.0
         && fabs(I3) > 0.0
-        && fabs(I1 * z1) > 1e-13 * (z1 * k4)
+        && fabs(-I1 * z1) > 1e-13 * (z1 * k4)
         && fabs(-z5) > 1e-13 * k4)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
@@ -279,8 +279,8 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(I1 * z1) > 1e-13 * (z1 * k4))) {
-            return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-I1 * z1) > 1e-13 * (z1 * k4))) {
+            return smooth_tippe_top_refuse(fabs(-I1 * z1), 1e-13 * (z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z5) > 1e-13 * k4)) {
@@ -368,7 +368,7 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     if (!(fabs(qddot[0] + qddot[1] + qddot[4]) <= DBL_MAX
         && fabs(m) > 0.0
         && fabs(I3) > 0.0
-        && fabs(z3 - k3 * (z4 * z4) - k3 * (z2 * z2)) > 1e-13 * z3
+        && fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))) > 1e-13 * z3
         && fabs(-z8) > 1e-13 * k2)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
@@ -379,8 +379,8 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z3 - k3 * (z4 * z4) - k3 * (z2 * z2)) > 1e-13 * z3)) {
-            return smooth_tippe_top_refuse(fabs(z3 - k3 * (z4 * z4) - k3 * (z2 * z2)), 1e-13 * z3,
+        if (!(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))) > 1e-13 * z3)) {
+            return smooth_tippe_top_refuse(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))), 1e-13 * z3,
                 SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
@@ -473,8 +473,8 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
         return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(z3 - k3 * (z4 * z4) - k3 * (z2 * z2)) > 1e-13 * z3)) {
-        return smooth_tippe_top_refuse(fabs(z3 - k3 * (z4 * z4) - k3 * (z2 * z2)), 1e-13 * z3,
+    if (!(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))) > 1e-13 * z3)) {
+        return smooth_tippe_top_refuse(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))), 1e-13 * z3,
             SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
@@ -637,7 +637,7 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[83] + J[87]
         + J[88] + J[89] + J[93] + J[97] + J[98] + J[99]) <= DBL_MAX
         && fabs(I3) > 0.0
-        && fabs(-(z2 * z3 - z4 + k3 * (z5 * z5))) > 1e-13 * z4
+        && fabs(z2 * z3 - z4 + k3 * (z5 * z5)) > 1e-13 * z4
         && fabs(-z10) > 1e-13 * k2)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
@@ -648,8 +648,8 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-(z2 * z3 - z4 + k3 * (z5 * z5))) > 1e-13 * z4)) {
-            return smooth_tippe_top_refuse(fabs(-(z2 * z3 - z4 + k3 * (z5 * z5))), 1e-13 * z4,
+        if (!(fabs(z2 * z3 - z4 + k3 * (z5 * z5)) > 1e-13 * z4)) {
+            return smooth_tippe_top_refuse(fabs(z2 * z3 - z4 + k3 * (z5 * z5)), 1e-13 * z4,
                 SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
@@ -733,7 +733,7 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes s_theta = sine1;
     const smooth_tippe_top_lanes z1 = s_theta * s_theta;
     /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(I1 * z1)), 1e-13 * (z1 *
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-I1 * z1)), 1e-13 * (z1 *
         k4));
     smooth_tippe_top_lanes sine2, cosine2;
     smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(phi), &far, &sine2, &cosine2);

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:43f1563e6e0bee0b).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:794559156e7d6491).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -149,8 +149,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         # the mass matrix is singular
-        if not abs(I1 * z1) > 1e-13 * (z1 * k4):
-            raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k4), 2, "rhs")
+        if not abs(-I1 * z1) > 1e-13 * (z1 * k4):
+            raise _refuse(abs(-I1 * z1), 1e-13 * (z1 * k4), 2, "rhs")
         c_phi = math.cos(phi)
         c_theta = math.cos(theta)
         z2 = c_theta * k1
@@ -272,7 +272,7 @@ def accelerations(
         c_phi = math.cos(phi)
         z4 = c_phi * z1
         s1 = z3 - k3 * (z4 * z4)
-        s2 = s1 - k3 * (z2 * z2)
+        s2 = k3 * (z2 * z2) - s1
         # the mass matrix is singular
         if not abs(s2) > 1e-13 * z3:
             raise _refuse(abs(s2), 1e-13 * z3, 2, "accelerations")
@@ -405,7 +405,7 @@ def reactions(
         c_phi = math.cos(phi)
         z4 = c_phi * z1
         s1 = z3 - k3 * (z4 * z4)
-        s2 = s1 - k3 * (z2 * z2)
+        s2 = k3 * (z2 * z2) - s1
         # the mass matrix is singular
         if not abs(s2) > 1e-13 * z3:
             raise _refuse(abs(s2), 1e-13 * z3, 2, "reactions")
@@ -510,7 +510,7 @@ def jacobian(
         s_phi = math.sin(phi)
         z5 = s_phi * z1
         s1 = k3 * (z5 * z5)
-        s2 = -(z2 * z3 - z4 + s1)
+        s2 = z2 * z3 - z4 + s1
         # the mass matrix is singular
         if not abs(s2) > 1e-13 * z4:
             raise _refuse(abs(s2), 1e-13 * z4, 2, "jacobian")

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:f57eb753f48f5197)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:77215b90b9fc1213)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -258,8 +258,8 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z8) > 0.0)) {
-            return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z8) > 0.0)) {
+            return veselova_refuse(fabs(-z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z14) > 1e-13 * z13)) {
@@ -367,8 +367,8 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z7) > 0.0)) {
-            return veselova_refuse(fabs(z7), 0.0, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z7) > 0.0)) {
+            return veselova_refuse(fabs(-z7), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z13) > 1e-13 * z12)) {
@@ -495,8 +495,8 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z8) > 0.0)) {
-            return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z8) > 0.0)) {
+            return veselova_refuse(fabs(-z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z14) > 1e-13 * z13)) {
@@ -689,8 +689,8 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z11) > 0.0)) {
-            return veselova_refuse(fabs(z11), 0.0, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z11) > 0.0)) {
+            return veselova_refuse(fabs(-z11), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z17) > 1e-13 * z16)) {

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:ae8f7ffa4744a073).
+"""veselova, emitted by nhc 0.1.0 (nhc:1f5dc54d97c60229).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -135,8 +135,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z7 = k1 * (c_psi * z6)
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z8) > 0.0:
-            raise _refuse(abs(z8), 0.0, 2, "rhs")
+        if not abs(-z8) > 0.0:
+            raise _refuse(abs(-z8), 0.0, 2, "rhs")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
         z10 = z7 + s_phi * z9
         z11 = 1.0 / z8
@@ -248,8 +248,8 @@ def accelerations(
         z6 = c_theta * (s_psi * c_psi) * k1
         z7 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z6))
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z7) > 0.0:
-            raise _refuse(abs(z7), 0.0, 2, "accelerations")
+        if not abs(-z7) > 0.0:
+            raise _refuse(abs(-z7), 0.0, 2, "accelerations")
         z8 = c_phi * z5 - 2.0 * (s_phi * z6)
         z9 = z6 + s_phi * z8
         z10 = 1.0 / z7
@@ -390,8 +390,8 @@ def reactions(
         z7 = k1 * (c_psi * z6)
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z8) > 0.0:
-            raise _refuse(abs(z8), 0.0, 2, "reactions")
+        if not abs(-z8) > 0.0:
+            raise _refuse(abs(-z8), 0.0, 2, "reactions")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
         z10 = z7 + s_phi * z9
         z11 = 1.0 / z8
@@ -511,8 +511,8 @@ def jacobian(
         z10 = s_phi * z6 + 2.0 * (c_phi * z9)
         z11 = z3 - s_phi * z10
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z11) > 0.0:
-            raise _refuse(abs(z11), 0.0, 2, "jacobian")
+        if not abs(-z11) > 0.0:
+            raise _refuse(abs(-z11), 0.0, 2, "jacobian")
         z12 = c_phi * z6 - 2.0 * (s_phi * z9)
         z13 = z9 + s_phi * z12
         z14 = 1.0 / z11
