@@ -120,11 +120,10 @@ class _Writer:
         self.frames[name.value] = frame
         out = each(lambda x: pieces.dot(body.centre, each(lambda k: frame.axes[k][x]), here))
         centre = ledger.names(f"{name.value}_c", AXES, pieces.plus(frame.origin, out, here), name.span)
-        if body.mass is None and body.inertia is None:
-            return
         energy = kinematics.kinetic_energy(frame, body.mass, centre, body.inertia, ledger)
+        named = ledger.name(f"{name.value}_T", energy, name.span)  # that of a body at rest, or without mass, is 0
         if not energy.is_zero:
-            self.energies.append(ledger.name(f"{name.value}_T", energy, name.span))
+            self.energies.append(named)
         if gravity is not None and body.mass is not None:
             self.weights.append(multiply(body.mass, pieces.dot(gravity, centre, here), here))
 

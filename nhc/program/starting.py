@@ -83,10 +83,9 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
         return
     if any(parameter.value is None for parameter in system.spec.parameters):
         return
-    form = find_dependent_as_given(system)
+    form, held = find_dependent_as_given(system)
     if form is not None:
         spans = system.spec.constraint_spans
-        held = any(other.equation is not None and other.name in spans for other in system.constraints)
         where = "where the equations under `holonomic:` hold" if held else "with the values under `parameters:`"
         bag.warning(
             "W0422",

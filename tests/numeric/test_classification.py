@@ -380,6 +380,18 @@ def test_the_generalized_energy_of_a_bead_on_a_rod() -> None:
     assert "(p q' - T + V)" in conserved("bead_on_rod")
 
 
+def test_the_generalized_energy_where_signs_are_too_many_for_points() -> None:
+    """T that is not homogeneous, beside kinks: the theorem of energy says what points of a field cannot."""
+    text = (
+        "nhc: 1\nsystem: kinks\ncoordinates: [x, y]\nT: (x' + 0.4*abs(x)*y' + x)^2/2 + (y' + abs(y)*x')^2\n"
+        "V: max(0, x + y)^2 + 2*sqrt((y + 2)^2) + max(x, y)^3\nconstraints: [\"x' = (2 + abs(x))*y' + abs(y - x)*y'\"]\n"
+    )
+    system = resolve(decode(Source("kinks.yaml", text)))
+    found = find_conserved(system, frame_of(system), formulate(system).frame)
+    assert (found.energy, found.jacobi) == (False, True)
+    assert [i.text for i in found.integrals] == ["(p q' - T + V)"]
+
+
 BRAKE = """nhc: 1
 system: brake
 coordinates: [{s}]

@@ -175,3 +175,11 @@ def test_a_name_with_a_combining_mark_is_no_other_name() -> None:
     rod = "bodies: {b: {turns: [z: x\u0302], mass: m, centre: [l, 0]}}\n"
     by_hand = "T: m*l^2/2*x\u0302'^2\n"
     assert same(decode(Source("s.yaml", text + rod)), decode(Source("s.yaml", text + by_hand)))
+
+
+@pytest.mark.parametrize(
+    "body", ["{turns: [z: phi], mass: m}", "{at: [a, x]}", "{inertia: I}", "{at: [0, a], mass: m}"]
+)
+def test_a_body_at_rest_or_without_mass_has_the_kinetic_energy_zero(body: str) -> None:
+    made = spec(f"bodies: {{b: {body}}}\n", "outputs: {o: b_T}\n", "T: x'^2 + z'^2 + phi'^2\n")
+    assert {d.name: unparse(d.value) for d in made.definitions}["b_T"] == "0"

@@ -90,11 +90,17 @@ def find_conserved(
     outputs = [Candidate(name, node) for name, node in system.outputs]
     tested = [Candidate("E", system.energy), Candidate("p q' - T + V", generalized), *outputs]
     constant = are_constant(sampler, [c.node for c in tested])
-    terms = power_terms(system)
-    if not terms:  # the theorem of energy: its terms hold fewer signs than the rate on the motion
-        constant[:2] = [True, True]
+    driving, uneven = driving_terms(system), uneven_terms(system)
+    terms = [*driving, *uneven]
+    # the theorem of energy: its terms hold fewer signs than the rate on the motion
+    proved = [not terms and not constant[0], not driving and differs and not constant[1]]
+    constant[:2] = [constant[0] or not terms, constant[1] or not driving]
     candidates, tried = list_candidates(system, sampler, adapted)
     found = _search(sampler, candidates, frame, known)
+    for candidate, added in zip(candidates[-2:], proved, strict=True):
+        nodes = [*known, *(i.node for i in found)]
+        if added and not jumps(sampler, candidate.node) and _is_independent(sampler, frame, nodes, candidate.node):
+            found.append(Integral(candidate.text, candidate.node))
     zero = [symbol for symbol, value in default_values(system).items() if value == 0.0]
     if zero:
         names = tuple(system.symbol_name(symbol) for symbol in zero)
@@ -131,7 +137,22 @@ def power(system: System, multipliers: Sequence[Node]) -> Node:
 
 
 def power_terms(system: System) -> list[str]:
-    """The terms of the balance that do not vanish, in words; a force whose work others cancel (a gyroscopic one) is none."""
+    """The terms of the balance of T + V that do not vanish, in words."""
+    return [*driving_terms(system), *uneven_terms(system)]
+
+
+def uneven_terms(system: System) -> list[str]:
+    """Why T + V is not the p q' - T + V of the theorem, in words."""
+    g = system.graph
+    even = is_zero(g, g.sub(generalized_energy(system), system.energy))
+    return [] if even else ["T is not homogeneous quadratic in the velocities"]
+
+
+def driving_terms(system: System) -> list[str]:
+    """The terms of the balance of p q' - T + V that do not vanish, in words (:func:`power`).
+
+    A force whose work others cancel (a gyroscopic one) is none.
+    """
     g = system.graph
     terms = []
     turned = {k for rotation in system.rotations for k in rotation.places}
@@ -147,8 +168,6 @@ def power_terms(system: System) -> list[str]:
     for form in system.constraints:
         if not is_zero(g, form.constant):
             terms.append(f"the reaction of the moving constraint `{form.name}`")
-    if not is_zero(g, g.sub(generalized_energy(system), system.energy)):
-        terms.append("T is not homogeneous quadratic in the velocities")
     return terms
 
 

@@ -61,8 +61,8 @@ def check_freedom(bag: Bag, spec: Spec, system: System) -> None:
     """As many constraints as coordinates leave nothing to derive; where positions fit, some of them may say the same."""
     if system.l < system.n:
         return
-    form = find_dependent_as_given(system) if spec.holonomic else None
-    span = spec.constraint_spans.get(form.name) if form else None
+    form, held = find_dependent_as_given(system) if spec.holonomic else (None, False)
+    span = spec.constraint_spans.get(form.name) if form and held else None
     if form is not None and span is not None:
         bag.error(
             "E0402",

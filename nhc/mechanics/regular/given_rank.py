@@ -7,7 +7,7 @@ spec describes: rows that differ in parameters of one value, or a mechanism with
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.dense import RowSpace
@@ -56,8 +56,17 @@ def find_dependent_row(system: System, place: Mapping[Node, float]) -> Form | No
     return None
 
 
-def find_dependent_as_given(system: System) -> Form | None:
-    """The constraint that depends on those before it at all states that :func:`given_states` draws; None where there is none."""
-    states = given_states(system)
-    found = [find_dependent_row(system, place) for place in states]
+def find_dependent_as_given(system: System) -> tuple[Form | None, bool]:
+    """The constraint that depends on those before it at all states that :func:`given_states` draws; None where there is none.
+
+    With it, whether the equations under ``holonomic:`` matter: elsewhere, with the same parameters, the rows are independent.
+    """
+    form = _dependent_at_all(system, given_states(system))
+    if form is None or all(other.equation is None for other in system.constraints):
+        return form, False
+    return form, _dependent_at_all(system, trial_points(system)[-_DRAWN:]) is None
+
+
+def _dependent_at_all(system: System, places: Sequence[Mapping[Node, float]]) -> Form | None:
+    found = [find_dependent_row(system, place) for place in places]
     return found[0] if found and None not in found else None
