@@ -6,6 +6,8 @@ import re
 import unicodedata
 from collections.abc import Collection
 
+from .loanwords import ACCELERATIONS
+
 _DOT, _DOTS = "\u0307", "\u0308"  # combining marks of first and second derivatives
 # how a rate is spelled elsewhere; the most telling first
 _RATES = tuple(
@@ -103,7 +105,7 @@ def meant_rate(name: str, known: Collection[str]) -> str:
     bare = unicodedata.normalize("NFC", parts.replace(_DOT, "").replace(_DOTS, ""))
     if bare in known and bare != name:
         if _DOTS in parts:
-            return "a spec speaks of positions and velocities only; accelerations are what nhc derives"
+            return ACCELERATIONS
         return f"the velocity is written `{bare}'`"
     for spelling in _RATES:
         found = spelling.fullmatch(name)
