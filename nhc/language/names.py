@@ -48,6 +48,11 @@ def fold(name: str) -> str:
     return unicodedata.normalize("NFKC", unicodedata.normalize("NFKC", name).translate(_TABLE))
 
 
+def fold_typed(text: str) -> str:
+    """The one spelling of a name or velocity as it is typed beside a spec: in an option, a table, a scene's ``need``."""
+    return fold(text.replace("\u2032", "'").strip())
+
+
 def starts_name(character: str) -> bool:
     """Say whether a name may start with this character: a letter of any script or ``_``."""
     return character == "_" or character.isalpha()

@@ -8,7 +8,7 @@ from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
 from nhc.records import record
 
 from .advice import meant_rate
-from .names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, is_name
+from .names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
 from .nodes import Text
 from .syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
 
@@ -115,7 +115,7 @@ class Scope:
 
     def velocity_of(self, text: str) -> str | None:
         """Return the coordinate whose velocity a text such as ``x'`` or ``xdot`` names."""
-        name = fold(text.replace("\u2032", "'").strip())
+        name = fold_typed(text)
         base = ""
         if name.endswith("'"):
             base = name[:-1].strip()
