@@ -68,6 +68,8 @@ def _find_key(cell: str, known: dict[str, Key]) -> Key:
     if name in known:
         return known[name]
     hint = suggest(name, known, f"it can be {', '.join(known)}")
+    if ";" in cell or "\t" in cell:
+        hint = "part the columns by commas, and write decimal numbers with `.`"
     raise RunError(f"no coordinate, velocity or parameter `{cell.strip()}` in this spec", (hint,))
 
 
