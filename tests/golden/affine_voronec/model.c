@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:483c8896c7741a9e)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:1704be25ff974be8)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -111,7 +111,7 @@ static int affine_voronec_one_by_one(size_t count, size_t first, size_t number, 
         double slope[AFFINE_VORONEC_NY];
         for (size_t k = 0; k < AFFINE_VORONEC_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = affine_voronec_rhs(t[i], state, p, slope);
         status = status == AFFINE_VORONEC_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:8d99ea49182dbbc4)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:ef1822482229939b)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -122,7 +122,7 @@ static int chaplygin_ball_one_by_one(size_t count, size_t first, size_t number, 
         double slope[CHAPLYGIN_BALL_NY];
         for (size_t k = 0; k < CHAPLYGIN_BALL_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = chaplygin_ball_rhs(t[i], state, p, slope);
         status = status == CHAPLYGIN_BALL_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:d359a815a3a212a7)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:ce47b49883b768c2)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -124,7 +124,7 @@ static int chaplygin_ball_quaternion_one_by_one(size_t count, size_t first, size
         double slope[CHAPLYGIN_BALL_QUATERNION_NY];
         for (size_t k = 0; k < CHAPLYGIN_BALL_QUATERNION_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = chaplygin_ball_quaternion_rhs(t[i], state, p, slope);
         status = status == CHAPLYGIN_BALL_QUATERNION_OK ? one : status;

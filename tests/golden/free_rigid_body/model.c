@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:08530a6030346f8a)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:34958dc6fd124b53)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -106,7 +106,7 @@ static int free_rigid_body_one_by_one(size_t count, size_t first, size_t number,
         double slope[FREE_RIGID_BODY_NY];
         for (size_t k = 0; k < FREE_RIGID_BODY_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = free_rigid_body_rhs(t[i], state, p, slope);
         status = status == FREE_RIGID_BODY_OK ? one : status;

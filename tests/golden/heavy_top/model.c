@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:4ab1cef5a78b2c88)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:250617abdb60803f)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -113,7 +113,7 @@ static int heavy_top_one_by_one(size_t count, size_t first, size_t number, const
         double slope[HEAVY_TOP_NY];
         for (size_t k = 0; k < HEAVY_TOP_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = heavy_top_rhs(t[i], state, p, slope);
         status = status == HEAVY_TOP_OK ? one : status;

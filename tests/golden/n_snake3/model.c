@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:dc3a2f55357ccd63)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:0ecf30195ceb4eef)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -118,7 +118,7 @@ static int n_snake3_one_by_one(size_t count, size_t first, size_t number, const 
         double slope[N_SNAKE3_NY];
         for (size_t k = 0; k < N_SNAKE3_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = n_snake3_rhs(t[i], state, p, slope);
         status = status == N_SNAKE3_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:80dbb6b441027c7a)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:8894b2b1c1c54ffc)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -131,7 +131,7 @@ static int rattleback_one_by_one(size_t count, size_t first, size_t number, cons
         double slope[RATTLEBACK_NY];
         for (size_t k = 0; k < RATTLEBACK_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = rattleback_rhs(t[i], state, p, slope);
         status = status == RATTLEBACK_OK ? one : status;

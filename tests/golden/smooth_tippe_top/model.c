@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:70be2bb05c678335)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:9d9ff3a423023108)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -125,7 +125,7 @@ static int smooth_tippe_top_one_by_one(size_t count, size_t first, size_t number
         double slope[SMOOTH_TIPPE_TOP_NY];
         for (size_t k = 0; k < SMOOTH_TIPPE_TOP_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = smooth_tippe_top_rhs(t[i], state, p, slope);
         status = status == SMOOTH_TIPPE_TOP_OK ? one : status;

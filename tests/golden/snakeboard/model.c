@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:164c24cd9ee8534c)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:3d9c72847fb87d8b)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -131,7 +131,7 @@ static int snakeboard_one_by_one(size_t count, size_t first, size_t number, cons
         double slope[SNAKEBOARD_NY];
         for (size_t k = 0; k < SNAKEBOARD_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = snakeboard_rhs(t[i], state, p, slope);
         status = status == SNAKEBOARD_OK ? one : status;

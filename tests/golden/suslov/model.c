@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:75a449c2e3c4af49)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:941d54bc28fc0615)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -109,7 +109,7 @@ static int suslov_one_by_one(size_t count, size_t first, size_t number, const do
         double slope[SUSLOV_NY];
         for (size_t k = 0; k < SUSLOV_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = suslov_rhs(t[i], state, p, slope);
         status = status == SUSLOV_OK ? one : status;

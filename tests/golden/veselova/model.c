@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:2610d3698c79f4c0)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:740215ebb1cc1151)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -112,7 +112,7 @@ static int veselova_one_by_one(size_t count, size_t first, size_t number, const 
         double slope[VESELOVA_NY];
         for (size_t k = 0; k < VESELOVA_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = veselova_rhs(t[i], state, p, slope);
         status = status == VESELOVA_OK ? one : status;
