@@ -9,7 +9,6 @@ from typing import Any, TypeVar
 import click
 
 from nhc.cli.specs import complete_spec
-from nhc.language.names import fold_typed
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -39,6 +38,8 @@ def sweep_option(usual: int | None = None) -> Callable[[Command], Command]:
     def read(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
         if value is None:
             return None
+        from nhc.language.names import fold_typed
+
         name, _, span = value.partition("=")
         try:
             low, high, *rest = map(str.strip, span.split(":"))

@@ -112,3 +112,12 @@ def meant_rate(name: str, known: Collection[str]) -> str:
         if found and found[1] in known:
             return f"the velocity is written `{found[1]}'`"
     return ""
+
+
+def foreign_name(name: str) -> str:
+    """What to do about a name that means something elsewhere and nothing here; empty for others."""
+    if name == "e":
+        return "a power of e is written `exp(...)`; another `e` is to be declared"
+    if re.fullmatch(r"(lambda|reaction)s?_?\w*", name):
+        return "reactions are no part of expressions: a scene asks for them by `need: [reactions]`"
+    return ""

@@ -73,6 +73,7 @@ SLIPS = [
     ("+ x'^2", "+ \\dot{x}^2", "E0201", "write `x'`", "+ x'^2"),
     ("+ x'^2", "+ \\dot \\theta^2 + x'^2", "E0201", "write `theta'`", "+ theta'^2 + x'^2"),
     ("+ x'^2", "+ \\cos(x)*x'^2", "E0201", "write `cos`, without the `\\`", "+ cos(x)*x'^2"),
+    ("+ x'^2", "+ lambda_1*x'^2", "E0302", "`need: [reactions]`", "+ x'^2"),
     ("+ x'^2", "+ x'^2;", "E0201", "leave the `;` out", "+ x'^2"),
     ("+ x'^2", "+ x'^2#half", "E0201", "a blank and `#`", "+ x'^2 #half"),
     ("θ: 0.1", "θ: radians(6)", "E0206", "write `x*pi/180`", "θ: 6*pi/180"),
