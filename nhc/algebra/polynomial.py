@@ -65,6 +65,8 @@ def to_node(graph: Graph, p: Polynomial) -> Node:
         if candidate is None:
             break
         shortest = candidate
+    if not shortest:  # (1 - sin^2)/cos - cos: not zero until the sine is swapped
+        return graph.zero
     return _horner(graph, list(shortest.items()))
 
 

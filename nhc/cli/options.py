@@ -38,11 +38,13 @@ def sweep_option(usual: int | None = None) -> Callable[[Command], Command]:
     def read(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
         if value is None:
             return None
+        from nhc.language.names import fold_typed
+
         name, _, span = value.partition("=")
         try:
             low, high, *rest = map(str.strip, span.split(":"))
             (count,) = map(int, rest) if rest or usual is None else (usual,)
-            found = (name.strip(), float(low), float(high), count)
+            found = (fold_typed(name), float(low), float(high), count)
         except ValueError:
             raise click.BadParameter(advice) from None
         if not (found[0] and found[1] < found[2] and 2 <= count <= 10_000 and math.isfinite(found[2] - found[1])):

@@ -64,6 +64,9 @@ def complete_spec(ctx: click.Context, parameter: click.Parameter, incomplete: st
 def _advise(spec: str, names: list[str]) -> list[str]:
     from nhc.diagnostics import nearest
 
+    beside = Path(f"{spec}.yaml")
+    if beside.is_file():
+        return [f"write `{beside}`"]
     near = nearest(Path(spec).stem, names)
     advice = [f"did you mean the gallery's `{near}`?"] if near else []
     return [*advice, "`nhc gallery` lists the gallery, `nhc new NAME` writes a first spec"]

@@ -6,6 +6,8 @@ import re
 import unicodedata
 from collections.abc import Collection
 
+from .loanwords import ACCELERATIONS
+
 _DOT, _DOTS = "\u0307", "\u0308"  # combining marks of first and second derivatives
 # how a rate is spelled elsewhere; the most telling first
 _RATES = tuple(
@@ -103,10 +105,19 @@ def meant_rate(name: str, known: Collection[str]) -> str:
     bare = unicodedata.normalize("NFC", parts.replace(_DOT, "").replace(_DOTS, ""))
     if bare in known and bare != name:
         if _DOTS in parts:
-            return "a spec speaks of positions and velocities only; accelerations are what nhc derives"
+            return ACCELERATIONS
         return f"the velocity is written `{bare}'`"
     for spelling in _RATES:
         found = spelling.fullmatch(name)
         if found and found[1] in known:
             return f"the velocity is written `{found[1]}'`"
+    return ""
+
+
+def foreign_name(name: str) -> str:
+    """What to do about a name that means something elsewhere and nothing here; empty for others."""
+    if name == "e":
+        return "a power of e is written `exp(...)`; another `e` is to be declared"
+    if re.fullmatch(r"(lambda|reaction)s?_?\w*", name):
+        return "reactions are no part of expressions: a scene asks for them by `need: [reactions]`"
     return ""

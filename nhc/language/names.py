@@ -30,28 +30,6 @@ PI = "pi"
 RESERVED = frozenset((*FUNCTIONS, DOT, TIME, PI))
 ENERGIES = ("T", "U", "V", "energy")  # names of what nhc knows by itself; outputs may use them
 
-# what people write for a function of this language
-SPELLINGS: dict[str, str] = {
-    "ln": "log",
-    "arcsin": "asin",
-    "arccos": "acos",
-    "arctan": "atan",
-    "arctan2": "atan2",
-    "tg": "tan",
-    "sgn": "sign",
-    "fabs": "abs",
-    "pow": "x^y",
-    "cot": "1/tan(x)",
-    "sec": "1/cos(x)",
-    "csc": "1/sin(x)",
-    "cbrt": "sign(x)*abs(x)^(1/3)",
-    "hypot": "sqrt(x^2 + y^2)",
-    **dict.fromkeys(("diff", "der", "deriv", "derivative", "ddt"), "dot(x)"),
-    "log10": "log(x)/log(10)",
-    "log2": "log(x)/log(2)",
-    "heaviside": "(1 + sign(x))/2",
-}
-
 _LOWER = (
     *("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu"),
     *("xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega"),
@@ -68,6 +46,11 @@ def fold(name: str) -> str:
         return name
     # twice: a mark that combines with no Greek letter may combine with the last letter of its English name
     return unicodedata.normalize("NFKC", unicodedata.normalize("NFKC", name).translate(_TABLE))
+
+
+def fold_typed(text: str) -> str:
+    """The one spelling of a name or velocity as it is typed beside a spec: in an option, a table, a scene's ``need``."""
+    return fold(text.replace("\u2032", "'").strip())
 
 
 def starts_name(character: str) -> bool:

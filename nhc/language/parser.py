@@ -13,10 +13,11 @@ from fractions import Fraction
 from nhc.diagnostics import Bag, Span, nearest
 from nhc.records import fresh, structure
 
-from .names import DOT, FUNCTIONS, SPELLINGS
+from .loanwords import ACCELERATIONS, CONDITIONS, meant_call
+from .names import DOT, FUNCTIONS
 from .numbers import DOUBLES, exact
 from .syntax import Binary, Call, Name, Negate, Number, Prime, Syntax
-from .tokens import CONDITIONS, LONGEST, ExpressionError, Locate, Token, tokenise
+from .tokens import LONGEST, ExpressionError, Locate, Token, tokenise
 
 DEEPEST = 200  # parentheses, calls, unary minus and right-hand powers inside one another
 _LEVEL = {"+": 10, "-": 10, "*": 20, "/": 20, "^": 40}
@@ -181,11 +182,10 @@ class _Parser:
         if name.text in _ARITY:
             return
         meant = nearest(name.text, _ARITY)
-        help = f"write `{name.text}*(...)` for a product"
-        if name.text.lower() in SPELLINGS:
-            help = f"write `{SPELLINGS[name.text.lower()]}`"
-        elif meant and len(name.text) != 1:
-            help = f"did you mean `{meant}`? {help}"
+        help = meant_call(name.text, self.text[name.end :].lstrip())
+        if not help:
+            help = f"write `{name.text}*(...)` for a product"
+            help = f"did you mean `{meant}`? {help}" if meant and len(name.text) != 1 else help
         raise ExpressionError("E0206", f"`{name.text}` is not a function", self._span(name), help)
 
     def _prime(self, token: Token, previous: Token | None) -> None:
@@ -195,7 +195,7 @@ class _Parser:
                 "E0207",
                 "second time derivative",
                 self.locate(start, token.end),
-                "a spec speaks of positions and velocities only; accelerations are what nhc derives",
+                ACCELERATIONS,
             )
         self.operands[-1] = (Prime(node, self.locate(start, token.end)), start, token.end)
 

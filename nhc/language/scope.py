@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
 from nhc.records import record
 
-from .advice import meant_rate
-from .names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, is_name
+from .advice import foreign_name, meant_rate
+from .names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
 from .nodes import Text
 from .syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
 
@@ -115,7 +115,7 @@ class Scope:
 
     def velocity_of(self, text: str) -> str | None:
         """Return the coordinate whose velocity a text such as ``x'`` or ``xdot`` names."""
-        name = fold(text.replace("\u2032", "'").strip())
+        name = fold_typed(text)
         base = ""
         if name.endswith("'"):
             base = name[:-1].strip()
@@ -219,8 +219,7 @@ class Scope:
             near = nearest(name, known) if self._searches <= _SEARCHES else None
             rate = meant_rate(name, self.of_kind("coordinate", "define", "entry")) if place != "start" else ""
             where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"
-            base = "a power of e is written `exp(...)`; another `e` is to be declared" if name == "e" else ""
-            help = rate or base or (f"did you mean `{near}`?" if near else f"declare it under {where}")
+            help = rate or foreign_name(name) or (f"did you mean `{near}`?" if near else f"declare it under {where}")
         self.bag.error("E0302", message, node.span, help=(help,))
 
     def _check_prime(self, node: Prime) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from nhc.diagnostics import Span
 from nhc.records import record
 
+from .loanwords import meant_sign
 from .names import continues_name, fold, is_folded, starts_name
 
 LONGEST = 100_000  # characters of an expression
@@ -19,41 +20,6 @@ _PLAIN = re.compile(
     r"|((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)(?![0-9._eE])"
     r"|(\*\*|[-+*/^(),=]))"
 )
-CONDITIONS = "the language has no conditions: write them with `sign`, `min` or `max`"
-_INSTEAD = {
-    "\u2212": "write `-`",
-    "\u2013": "write `-`",
-    "\u00b7": "write `*`",
-    "\u22c5": "write `*`",
-    "\u00d7": "write `*`",
-    "\u00f7": "write `/`",
-    "\u2019": "write the plain prime `'`",
-    **{"\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[k]: f"write `^{k}`" for k in range(10)},
-    "\u207b": "write the power after `^`, as in `x^-1`",
-    "\u00bc": "write `1/4`",
-    "\u00bd": "write `1/2`",
-    "\u00be": "write `3/4`",
-    "\u00b0": "angles are in radians: write `*pi/180`",
-    "\u221a": "write `sqrt(...)`",
-    "\u2044": "write `/`",
-    "\u2217": "write `*`",
-    "\u2022": "write `*`",
-    "\u2018": "write the plain prime `'`",
-    "\u00b4": "write the plain prime `'`",
-    "`": "write the plain prime `'`",
-    "\u2033": "a spec speaks of positions and velocities only; accelerations are what nhc derives",
-    "\u221e": "a spec holds finite numbers only",
-    "!": "the language has no factorials",
-    "[": "use round parentheses",
-    "]": "use round parentheses",
-    "{": "use round parentheses",
-    "}": "use round parentheses",
-    "|": "write `abs(...)`",
-    '"': "write `'` twice only for a second derivative, which the language has not",
-    "%": "the language has no remainder",
-    "<": CONDITIONS,
-    ">": CONDITIONS,
-}
 
 
 class ExpressionError(Exception):
@@ -119,8 +85,7 @@ def _next(text: str, at: int, locate: Locate) -> Token:
         if is_folded(name):
             return Token("name", name, at, end)
     shown = character if character.isprintable() else f"U+{ord(character):04X}"
-    help = _INSTEAD.get(character, "expressions hold numbers, names, `+ - * / ^ ( ) , '` and `=`")
-    raise ExpressionError("E0201", f"unexpected character `{shown}`", locate(at, at + 1), help)
+    raise ExpressionError("E0201", f"unexpected character `{shown}`", locate(at, at + 1), meant_sign(text, at))
 
 
 def _number(text: str, start: int, end: int, locate: Locate) -> Token:

@@ -24,7 +24,8 @@ _NULL = ("", "~", "null", "Null", "NULL")
 _QUOTES = "put a text that holds `: `, ` #` or commas between quotes"
 # what PyYAML says (a part of it), how it is said here (empty: the same), and what to do
 _SYNTAX = (
-    ("cannot start any token", "", "put the text between quotes, and indent with spaces"),
+    ("character '\\t' that cannot start", "", "indent with spaces: YAML takes no tabs there"),
+    ("cannot start any token", "", "put the text between quotes"),
     (
         "mapping values are not allowed here",
         "",
@@ -42,6 +43,8 @@ _SYNTAX = (
     ("expected '<document start>'", "this does not continue what stands above", "let all keys of a spec begin in one column"),
     ("incompatible YAML document", "", "leave the line out"),
 )  # fmt: skip
+_PRIME_ENDS = re.compile(r"(?:^|[:,\[{-])\s*'[^'\n]*'\s*$")  # a text in single quotes, up to here
+_NO_BLANK = re.compile(r"\s*(?:- )?([\w']+):[^\s/]")
 _FAST: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -90,7 +93,7 @@ def _scan(source: Source, bag: Bag) -> list[Any]:
             return _take_events(source.text, loader, bag)
         except yaml.MarkedYAMLError as error:
             if loader is last:
-                _report_syntax(error, bag)
+                _report_syntax(source.text, error, bag)
                 break
         except yaml.YAMLError as error:
             if loader is last:
@@ -100,7 +103,7 @@ def _scan(source: Source, bag: Bag) -> list[Any]:
     raise Stop
 
 
-def _report_syntax(error: yaml.MarkedYAMLError, bag: Bag) -> None:
+def _report_syntax(text: str, error: yaml.MarkedYAMLError, bag: Bag) -> None:
     mark = error.problem_mark or error.context_mark
     at = mark.index if mark else 0
     problem = (error.problem or "syntax error").rstrip(".").replace("\n", " ")
@@ -108,10 +111,30 @@ def _report_syntax(error: yaml.MarkedYAMLError, bag: Bag) -> None:
     if error.context_mark and error.context and error.context_mark.index != at:
         start = error.context_mark.index
         labels = (Label(Span(start, start + 1), str(error.context)),)
-    problem, help = next(
-        ((said or problem, advice) for part, said, advice in _SYNTAX if part in problem), (problem, _QUOTES)
-    )
+    told = ((said or problem, advice) for part, said, advice in _SYNTAX if part in problem)
+    problem, help = next(told, (problem, _QUOTES))
+    help = _look_around(text, at, labels[0].span.start if labels else at) or help
     bag.error("E0104", f"YAML: {problem}", Span(at, at + 1), labels=labels, help=(help,))
+
+
+def _look_around(text: str, at: int, start: int) -> str:
+    """What to do about a slip that shows at other places than its own; nothing where none is seen.
+
+    Args:
+        text: the file.
+        at: where YAML cannot go on.
+        start: where it began what it cannot go on with.
+    """
+    if at == len(text) and text[start : start + 1] in ("'", '"'):
+        return f"close the text with `{text[start]}`"
+    lines = text[:at].split("\n")
+    if _PRIME_ENDS.search(lines[-1]):
+        return "a prime ends a text between `'`: leave the quotes out, or put it between `\"`"
+    for line in (text[text.rfind("\n", 0, start) + 1 :].split("\n")[0], *lines[-2:-1]):
+        key = _NO_BLANK.match(line)
+        if key:
+            return f"put a blank after `{key[1]}:`"
+    return ""
 
 
 def _check_characters(source: Source, bag: Bag) -> None:
@@ -239,8 +262,8 @@ def _check_filled(source: Source, node: Node, place: Span, what: str, bag: Bag) 
         after_colon = source.text[place.end :].lstrip(" ").startswith(":")
         help = "give it a value, or remove it"
         if span == place and not after_colon:
-            name, equal, value = source.text[place.start : place.end].partition("=")
+            pair = re.fullmatch(r"([\w']+?)\s*[=:]\s*(\S.*)", source.text[place.start : place.end])
             help = "commas part entries here: write a list as `[a, b]`, and a text with commas between quotes"
-            if equal and value.strip():
-                help = f"write `{name.strip()}: {value.strip()}`"
+            if pair:
+                help = f"write `{pair[1]}: {pair[2]}`"
         bag.error("E0109", f"empty {what}", span, help=(help,))

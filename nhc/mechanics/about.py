@@ -9,7 +9,7 @@ from fractions import Fraction
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language import Initial, Name, Override, Prime, Scene, Spec, Syntax, walk
-from nhc.language.names import fold
+from nhc.language.names import fold_typed
 from nhc.language.parser import parse_expression
 from nhc.mechanics.expressions import Resolver
 from nhc.mechanics.flow import Flow
@@ -43,8 +43,12 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
                 "E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, several parted by commas",)
             )
             continue
+        if "=" in value:
+            help = "write `name=value`, several parted by commas"
+            bag.error("E0208", f"`{part.strip()}` has more than one `=`", span, help=(help,))
+            continue
         tree = parse_expression(value, _places_from(start + len(name) + 1), bag)
-        wanted = fold(name.replace("\u2032", "'").replace(" ", ""))
+        wanted = fold_typed(name)
         if any(pair.name == wanted for pair in pairs):
             bag.error("E0305", f"`{wanted}` is given twice", span, help=("keep one of them",))
         elif tree is not None:

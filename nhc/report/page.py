@@ -116,7 +116,8 @@ def _number(value: float, unit: str = "") -> str:
 
 def _list_parameters(job: Job) -> str:
     values = zip(job.program.parameters, job.p, strict=True)
-    return ", ".join(f"{parameter.name} = {_number(value, parameter.unit)}" for parameter, value in values)
+    shown = (f"{parameter.name} = {_number(value, parameter.unit)}" for parameter, value in values)
+    return ", ".join(text.replace(" ", "\u00a0") for text in shown)  # a line ends between two of them only
 
 
 def _embed(data: object) -> str:

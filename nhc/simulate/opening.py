@@ -7,7 +7,7 @@ from dataclasses import replace
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Source, Span, SpecError, suggest
 from nhc.language import Spec, decode
-from nhc.language.names import ENERGIES, fold
+from nhc.language.names import ENERGIES, fold_typed
 from nhc.language.parser import parse_expression
 from nhc.language.scope import Declared, Scope
 from nhc.language.spec import Definition, Scene
@@ -122,7 +122,7 @@ def list_needs(spec: Spec) -> tuple[str, ...]:
 
 def find_need(spec: Spec, text: str) -> str:
     """The needed name that a text means; ``xdot`` is ``x'`` while nothing else has that name."""
-    name, known = fold(text.replace("\u2032", "'").strip()), list_needs(spec)
+    name, known = fold_typed(text), list_needs(spec)
     if name in known:
         return name
     if name.endswith("dot") and f"{name[:-3]}'" in known:

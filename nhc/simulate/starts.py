@@ -10,7 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nhc.diagnostics import SpecError, suggest
-from nhc.language.names import fold
+from nhc.language.names import fold_typed
 from nhc.language.spec import Initial, Override, Scene, Spec
 from nhc.language.syntax import Number
 from nhc.mechanics.scenes import Start, start_of
@@ -62,12 +62,14 @@ def _list_keys(spec: Spec) -> dict[str, Key]:
 
 
 def _find_key(cell: str, known: dict[str, Key]) -> Key:
-    name = fold(cell.strip().replace("\u2032", "'"))
+    name = fold_typed(cell)
     if name.endswith("dot") and name not in known:
         name = f"{name.removesuffix('dot')}'"
     if name in known:
         return known[name]
     hint = suggest(name, known, f"it can be {', '.join(known)}")
+    if ";" in cell or "\t" in cell:
+        hint = "part the columns by commas, and write decimal numbers with `.`"
     raise RunError(f"no coordinate, velocity or parameter `{cell.strip()}` in this spec", (hint,))
 
 

@@ -14,6 +14,7 @@ from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
+from nhc.language.names import fold_typed
 from nhc.language.scope import names_in
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
@@ -215,7 +216,7 @@ def read_holds(model: SteadyModel, text: str, guess: Sequence[float]) -> list[Ho
         source, given = read_pairs(text, "--hold")
         pairs = [(pair.name, _held_value(source, pair, parameters)) for pair in given]
     else:
-        names = [name.strip() for name in text.split(",") if name.strip()]
+        names = [fold_typed(name) for name in text.split(",") if name.strip()]
         pairs = [(name, _value_at(model, guess, name)) for name in names]
     return [Hold(name, named_quantity(model.flow, name, "--hold"), value) for name, value in pairs]
 
@@ -248,8 +249,8 @@ def _value_at(model: SteadyModel, guess: Sequence[float], name: str) -> float:
         raise NotSteady(f"`{name}` has no value where the search begins: {error}", math.inf, guess) from None
 
 
-def named_quantity(flow: Flow, name: str, option: str) -> Node:
-    """A quantity of the state by its name.
+def named_quantity(flow: Flow, name: str, option: str, parameters: Sequence[str] = ()) -> Node:
+    """A quantity of the state by its name; ``parameters``: what the option takes besides.
 
     Raises:
         nhc.diagnostics.SpecError: there is none.
@@ -259,6 +260,7 @@ def named_quantity(flow: Flow, name: str, option: str) -> Node:
         return node
     system = flow.system
     known = [
+        *parameters,
         *flow.names,
         *(f"{q}'" for q in system.q_names),
         *(f.name for f in system.quasi),
@@ -266,9 +268,8 @@ def named_quantity(flow: Flow, name: str, option: str) -> Node:
     ]
     bag = Bag(Source(option, name))
     help = suggest(name, known, f"known: {quote(list(dict.fromkeys(known))[:12])}")
-    bag.error(
-        "E0419", f"`{name}` is no coordinate, velocity, quasi-velocity or output", Span(0, len(name)), help=(help,)
-    )
+    kinds = f"{'parameter, ' if parameters else ''}coordinate, velocity, quasi-velocity or output"
+    bag.error("E0419", f"`{name}` is no {kinds}", Span(0, len(name)), help=(help,))
     bag.raise_if_errors()
     return flow.graph.zero
 
@@ -279,7 +280,7 @@ def branch_of(model: SteadyModel, guess: Sequence[float], name: str, holds: tupl
     if name in parameters:
         index = parameters.index(name)
         return Branch(lambda value: (model.with_parameter(index, value), holds), guess)
-    node = named_quantity(model.flow, name, "--sweep")
+    node = named_quantity(model.flow, name, "--sweep", parameters)
     return Branch(lambda value: (model, (*holds, Hold(name, node, value))), guess)
 
 

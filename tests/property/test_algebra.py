@@ -18,7 +18,7 @@ from nhc.algebra.evaluate import Floats, Mpmath, evaluate
 from nhc.algebra.exact.modular import FieldPoint, Unlucky, are_zero, is_zero
 from nhc.algebra.expand import Expander, TooLarge
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.polynomial import normalise, polynomial, to_node
 from nhc.algebra.solving.blocks import block_order
 from nhc.algebra.solving.linear import NotLinear, linear_form, solve
 from tests.property.expressions import (
@@ -187,6 +187,18 @@ def test_substitution(tree: Tree, inner: Tree, point: tuple[Fraction, ...]) -> N
         assume(abs(expected) < 1e10)
         found = evaluate(g, [replaced], values_at(g, at), Mpmath())[0]
         assert abs(found - expected) <= mpmath.mpf(10) ** -25 * (1 + abs(expected))
+
+
+@pytest.mark.parametrize("circle", [True, False])
+def test_what_is_zero_by_a_cosine_below_is_zero(circle: bool) -> None:
+    """k (1 - sin^2)/cos - k cos has three terms in the canonical form, and none with sin^2 written by cos^2."""
+    g = Graph()
+    k, x = g.symbol("k"), g.symbol("x")
+    s, c = g.function("sin", x), g.function("cos", x)
+    node = g.sub(g.div(g.sub(k, g.mul(k, g.power(s, 2))), c), g.mul(k, c))
+    terms = polynomial(g, node, circle=circle)
+    assert len(terms) == 3
+    assert to_node(g, terms) == g.zero
 
 
 @QUIET

@@ -30,7 +30,17 @@ from tests.unit.emit_cases import (
     store,
 )
 
-FLAGS = ("-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+FLAGS = (
+    "-std=c99",
+    "-O2",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Werror",
+)
 COMPILERS = [c for c in ("gcc", "clang", "clang-14") if shutil.which(c)] or ["cc"]
 
 
@@ -347,7 +357,7 @@ def test_literals() -> None:
     assert float(PI) == math.pi
     with pytest.raises(EmitError, match="too large"):
         print_double(Fraction(10) ** 400)
-    assert print_float(math.nan) == "NAN" and print_float(-math.inf) == "-INFINITY"
+    assert print_float(math.nan) == "(double)NAN" and print_float(-math.inf) == "-(double)INFINITY"
     assert print_string('a"\\??ř') == '"a\\"\\\\\\?\\?\\305\\231"'
     for text in ("*/", "/*", "/*/", "??/", "???/", "x \\", "a\\\nb", "\u202e"):
         comment = print_comment(text)

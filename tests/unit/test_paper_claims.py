@@ -90,6 +90,12 @@ def test_a_force_whose_work_another_cancels_is_no_reason() -> None:
     assert says(text, "energy") == "energy: T + V is not conserved, because of: the force on `z`"
 
 
+@pytest.mark.parametrize("kind", ["U", "V"])
+def test_a_potential_that_moves_is_called_as_the_spec_calls_it(kind: str) -> None:
+    text = SPACE + f"{kind}: c*x*sin(t)\n"
+    assert says(text, "energy") == f"energy: T + V is not conserved, because of: {kind} contains the time"
+
+
 def test_forces_may_contain_the_time_under_caplygins_hypotheses() -> None:
     """I.3 speaks of L and the constraints only."""
     found = said(derive(PARTICLE + "forces: {x: c*cos(t)}\n", "chaplygin"))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from nhc.emit.c.dense import print_solve
 from nhc.emit.c.lines import CodePrinter, bound_test, wrap_code
-from nhc.emit.c.literals import print_comment
+from nhc.emit.c.literals import NAN, print_comment
 from nhc.emit.c.names import print_singular
 from nhc.emit.c.pairs import Pair, pair_angles
 from nhc.emit.prose import show_origin
@@ -100,7 +100,7 @@ class BodyPrinter(CodePrinter):
         """Leave where the block is singular."""
         self.add_comment(print_comment(guard.what))
         value, bound = self.print_sides(guard)
-        left = "NAN"
+        left = NAN
         if not self.scalar:
             self.helpers.add("refuse")
             left = f"{self.prefix}_refuse({value}, {bound}, {print_singular(self.prefix, guard.status)})"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.emit.c.lines import CodePrinter
-from nhc.emit.c.literals import print_comment, print_double
+from nhc.emit.c.literals import NAN, print_comment, print_double
 from nhc.emit.c.names import print_singular
 from nhc.emit.statements import ZERO
 from nhc.program.ir import Expr, Solve
@@ -51,7 +51,7 @@ def print_exchanges(printer: CodePrinter, solve: Solve, where: str, masses: int)
     status, singular = printer.scope.fresh("status"), print_singular(printer.prefix, solve.status)
     call = f"{printer.prefix}_solve({size}, {masses}, {width}, {where}, {tolerance}, {singular})"
     printer.add(f"const int {status} = {call};")
-    left = "NAN" if printer.scalar else status
+    left = NAN if printer.scalar else status
     printer.add(f"if ({status} != {printer.prefix.upper()}_OK) {{")
     printer.lines += [f"{printer.indent}    return {left};", f"{printer.indent}}}"]
 

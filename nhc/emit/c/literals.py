@@ -21,12 +21,15 @@ def print_double(value: Fraction) -> str:
     return repr(number).replace("e+", "e")
 
 
+NAN, INFINITY = "(double)NAN", "(double)INFINITY"  # C's own are floats, and clang warns where floats become doubles
+
+
 def print_float(value: float) -> str:
     """A double of a table, where NaN says that there is no value."""
     if value != value:
-        return "NAN"
+        return NAN
     if value in (float("inf"), float("-inf")):
-        return "INFINITY" if value > 0 else "-INFINITY"
+        return INFINITY if value > 0 else f"-{INFINITY}"
     return repr(value).replace("e+", "e")
 
 

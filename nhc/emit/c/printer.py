@@ -13,7 +13,7 @@ from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.large import AT, LARGE, TURNED, list_angles, print_near, print_twice
 from nhc.emit.c.lines import ANY, wrap_code
-from nhc.emit.c.literals import print_comment, print_float, print_string
+from nhc.emit.c.literals import NAN, print_comment, print_float, print_string
 from nhc.emit.c.names import make_scope, print_singular
 from nhc.emit.c.parts import OWN, Layout, is_long, lay_out, print_calls, print_part, print_slow
 from nhc.emit.c.sweep import SweepPrinter
@@ -212,7 +212,7 @@ def list_tables(program: Program) -> tuple[Table, ...]:
 def print_default(quantity: Quantity) -> str:
     """A default as a double; NaN where the spec gives none, so that a forgotten parameter cannot pass unseen."""
     if quantity.default is None:
-        return "NAN"
+        return NAN
     try:
         return print_float(float(quantity.default))
     except OverflowError:

@@ -164,7 +164,8 @@ def driving_terms(system: System) -> list[str]:
         if not all(idle[k] for k in rotation.places) and not all(are_zero(g, torque)):
             terms.append(f"the torque on `{rotation.name}`")
     explicit = tangent(g, [system.T, system.U], {system.t: g.one})
-    terms += [f"{name} contains the time" for name, z in zip(("T", "U"), are_zero(g, explicit), strict=True) if not z]
+    names = "T", system.spec.potential_kind or "V"
+    terms += [f"{name} contains the time" for name, z in zip(names, are_zero(g, explicit), strict=True) if not z]
     for form in system.constraints:
         if not is_zero(g, form.constant):
             terms.append(f"the reaction of the moving constraint `{form.name}`")

@@ -51,7 +51,7 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
                 notes=(
                     "no velocity is left in it"
                     if empty
-                    else f"the rows have rank {len(kept)}, so the reactions would not be unique",
+                    else f"the rows have rank {len(kept)} with it as without it, so the reactions would not be unique",
                 ),
                 help=("remove it",),
             )

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:8b3c401604982b68)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:d064860b42dc40c9)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -132,7 +132,7 @@ static int ball_on_table_one_by_one(size_t count, size_t first, size_t number, c
         double slope[BALL_ON_TABLE_NY];
         for (size_t k = 0; k < BALL_ON_TABLE_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = ball_on_table_rhs(t[i], state, p, slope);
         status = status == BALL_ON_TABLE_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:5036ff64778511ad)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:74cab68397e4ea2a)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -98,7 +98,7 @@ static int bead_on_rod_one_by_one(size_t count, size_t first, size_t number, con
         double slope[BEAD_ON_ROD_NY];
         for (size_t k = 0; k < BEAD_ON_ROD_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = bead_on_rod_rhs(t[i], state, p, slope);
         status = status == BEAD_ON_ROD_OK ? one : status;

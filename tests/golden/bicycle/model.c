@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:692add393d84909e)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:247e2aa5e27a535a)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -190,7 +190,7 @@ static int bicycle_one_by_one(size_t count, size_t first, size_t number, const d
         double slope[BICYCLE_NY];
         for (size_t k = 0; k < BICYCLE_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = bicycle_rhs(t[i], state, p, slope);
         status = status == BICYCLE_OK ? one : status;

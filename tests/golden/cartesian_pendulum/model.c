@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:ee5853dec5728e9c)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:3127c05048ff0581)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -102,7 +102,7 @@ static int cartesian_pendulum_one_by_one(size_t count, size_t first, size_t numb
         double slope[CARTESIAN_PENDULUM_NY];
         for (size_t k = 0; k < CARTESIAN_PENDULUM_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = cartesian_pendulum_rhs(t[i], state, p, slope);
         status = status == CARTESIAN_PENDULUM_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:f9c39d0d593af237)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:9577b34a84ec8dc7)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -124,7 +124,7 @@ static int chaotic_one_by_one(size_t count, size_t first, size_t number, const d
         double slope[CHAOTIC_NY];
         for (size_t k = 0; k < CHAOTIC_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = chaotic_rhs(t[i], state, p, slope);
         status = status == CHAOTIC_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:70ce4d13924fb74d)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:835d3ab2b4a73180)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -105,7 +105,7 @@ static int chaplygin_sleigh_one_by_one(size_t count, size_t first, size_t number
         double slope[CHAPLYGIN_SLEIGH_NY];
         for (size_t k = 0; k < CHAPLYGIN_SLEIGH_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = chaplygin_sleigh_rhs(t[i], state, p, slope);
         status = status == CHAPLYGIN_SLEIGH_OK ? one : status;

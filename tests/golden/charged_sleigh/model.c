@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:16b3ae71ccbfe418)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:e538cd04ffb75c39)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -107,7 +107,7 @@ static int charged_sleigh_one_by_one(size_t count, size_t first, size_t number, 
         double slope[CHARGED_SLEIGH_NY];
         for (size_t k = 0; k < CHARGED_SLEIGH_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = charged_sleigh_rhs(t[i], state, p, slope);
         status = status == CHARGED_SLEIGH_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:91d3e462a31c6f9e)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:1d1c5c1723cb5b45)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -105,7 +105,7 @@ static int contact_oscillator_one_by_one(size_t count, size_t first, size_t numb
         double slope[CONTACT_OSCILLATOR_NY];
         for (size_t k = 0; k < CONTACT_OSCILLATOR_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = contact_oscillator_rhs(t[i], state, p, slope);
         status = status == CONTACT_OSCILLATOR_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:25872c0d097d55b7)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:b1a7283062e942e2)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -105,7 +105,7 @@ static int contact_oscillator_eps_one_by_one(size_t count, size_t first, size_t 
         double slope[CONTACT_OSCILLATOR_EPS_NY];
         for (size_t k = 0; k < CONTACT_OSCILLATOR_EPS_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = contact_oscillator_eps_rhs(t[i], state, p, slope);
         status = status == CONTACT_OSCILLATOR_EPS_OK ? one : status;

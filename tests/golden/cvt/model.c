@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:303f61de401e18bf)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:8622fbf87b21ea44)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -105,7 +105,7 @@ static int cvt_one_by_one(size_t count, size_t first, size_t number, const doubl
         double slope[CVT_NY];
         for (size_t k = 0; k < CVT_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = cvt_rhs(t[i], state, p, slope);
         status = status == CVT_OK ? one : status;

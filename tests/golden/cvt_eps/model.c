@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:0fdc1fda067245dc)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:6e136c913876f714)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -104,7 +104,7 @@ static int cvt_eps_one_by_one(size_t count, size_t first, size_t number, const d
         double slope[CVT_EPS_NY];
         for (size_t k = 0; k < CVT_EPS_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = cvt_eps_rhs(t[i], state, p, slope);
         status = status == CVT_EPS_OK ? one : status;

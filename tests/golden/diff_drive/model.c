@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:1798732cb132b6b3)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:b78f33dcd650100f)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -120,7 +120,7 @@ static int diff_drive_one_by_one(size_t count, size_t first, size_t number, cons
         double slope[DIFF_DRIVE_NY];
         for (size_t k = 0; k < DIFF_DRIVE_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = diff_drive_rhs(t[i], state, p, slope);
         status = status == DIFF_DRIVE_OK ? one : status;

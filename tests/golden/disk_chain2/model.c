@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:e97bc9d86f71fb14)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:fd7b58502b65bdb2)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -145,7 +145,7 @@ static int disk_chain2_one_by_one(size_t count, size_t first, size_t number, con
         double slope[DISK_CHAIN2_NY];
         for (size_t k = 0; k < DISK_CHAIN2_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = disk_chain2_rhs(t[i], state, p, slope);
         status = status == DISK_CHAIN2_OK ? one : status;

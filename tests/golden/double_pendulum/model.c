@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:435bd7af2169bbff)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:6abee1a42c12cafa)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -114,7 +114,7 @@ static int double_pendulum_one_by_one(size_t count, size_t first, size_t number,
         double slope[DOUBLE_PENDULUM_NY];
         for (size_t k = 0; k < DOUBLE_PENDULUM_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = double_pendulum_rhs(t[i], state, p, slope);
         status = status == DOUBLE_PENDULUM_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:5778090395dcb309)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:9fcfb108007bffb4)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -115,7 +115,7 @@ static int free_rigid_body_quaternion_one_by_one(size_t count, size_t first, siz
         double slope[FREE_RIGID_BODY_QUATERNION_NY];
         for (size_t k = 0; k < FREE_RIGID_BODY_QUATERNION_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = free_rigid_body_quaternion_rhs(t[i], state, p, slope);
         status = status == FREE_RIGID_BODY_QUATERNION_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:67ddb0386e0b9d02)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:1990891257c5c7f5)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -116,7 +116,7 @@ static int heavy_top_quaternion_one_by_one(size_t count, size_t first, size_t nu
         double slope[HEAVY_TOP_QUATERNION_NY];
         for (size_t k = 0; k < HEAVY_TOP_QUATERNION_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = heavy_top_quaternion_rhs(t[i], state, p, slope);
         status = status == HEAVY_TOP_QUATERNION_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:b6190bed6a5e78ee)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:e01cabed9f8ba5b7)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -103,7 +103,7 @@ static int holonomic_pendulum_one_by_one(size_t count, size_t first, size_t numb
         double slope[HOLONOMIC_PENDULUM_NY];
         for (size_t k = 0; k < HOLONOMIC_PENDULUM_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = holonomic_pendulum_rhs(t[i], state, p, slope);
         status = status == HOLONOMIC_PENDULUM_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:edff4025b52f7e68)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:00767fd01ff8ea06)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -122,7 +122,7 @@ static int n_trailer3_one_by_one(size_t count, size_t first, size_t number, cons
         double slope[N_TRAILER3_NY];
         for (size_t k = 0; k < N_TRAILER3_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = n_trailer3_rhs(t[i], state, p, slope);
         status = status == N_TRAILER3_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:a5ac490afd5ff05b)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:39e419c6d2e399e0)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -101,7 +101,7 @@ static int nh_particle_one_by_one(size_t count, size_t first, size_t number, con
         double slope[NH_PARTICLE_NY];
         for (size_t k = 0; k < NH_PARTICLE_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = nh_particle_rhs(t[i], state, p, slope);
         status = status == NH_PARTICLE_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:298183e64444f78c)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:ad9752c63442e851)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -103,7 +103,7 @@ static int nh_particle_pot_one_by_one(size_t count, size_t first, size_t number,
         double slope[NH_PARTICLE_POT_NY];
         for (size_t k = 0; k < NH_PARTICLE_POT_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = nh_particle_pot_rhs(t[i], state, p, slope);
         status = status == NH_PARTICLE_POT_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:a7b4172e07d8775a)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:df78534b7e4efd20)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -100,7 +100,7 @@ static int pendulum_one_by_one(size_t count, size_t first, size_t number, const 
         double slope[PENDULUM_NY];
         for (size_t k = 0; k < PENDULUM_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = pendulum_rhs(t[i], state, p, slope);
         status = status == PENDULUM_OK ? one : status;

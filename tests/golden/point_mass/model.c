@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:aeb956b7795b9109)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:4cac84754ddffb00)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -106,7 +106,7 @@ static int point_mass_one_by_one(size_t count, size_t first, size_t number, cons
         double slope[POINT_MASS_NY];
         for (size_t k = 0; k < POINT_MASS_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = point_mass_rhs(t[i], state, p, slope);
         status = status == POINT_MASS_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:bf87d77921cf6a85)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:3a2230a0dd8a663a)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -104,7 +104,7 @@ static int pumped_pendulum_one_by_one(size_t count, size_t first, size_t number,
         double slope[PUMPED_PENDULUM_NY];
         for (size_t k = 0; k < PUMPED_PENDULUM_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = pumped_pendulum_rhs(t[i], state, p, slope);
         status = status == PUMPED_PENDULUM_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:60750a3b1f730d00)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:166eca920f36b59f)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -119,7 +119,7 @@ static int roller_racer_one_by_one(size_t count, size_t first, size_t number, co
         double slope[ROLLER_RACER_NY];
         for (size_t k = 0; k < ROLLER_RACER_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = roller_racer_rhs(t[i], state, p, slope);
         status = status == ROLLER_RACER_OK ? one : status;

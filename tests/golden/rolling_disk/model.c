@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:781c3a624788a133)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:f4a15aa3ff7f8954)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -121,7 +121,7 @@ static int rolling_disk_one_by_one(size_t count, size_t first, size_t number, co
         double slope[ROLLING_DISK_NY];
         for (size_t k = 0; k < ROLLING_DISK_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = rolling_disk_rhs(t[i], state, p, slope);
         status = status == ROLLING_DISK_OK ? one : status;

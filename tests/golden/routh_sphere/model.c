@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:b6d0a3417a47e68c)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:fe5007d13de0f433)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -123,7 +123,7 @@ static int routh_sphere_one_by_one(size_t count, size_t first, size_t number, co
         double slope[ROUTH_SPHERE_NY];
         for (size_t k = 0; k < ROUTH_SPHERE_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = routh_sphere_rhs(t[i], state, p, slope);
         status = status == ROUTH_SPHERE_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:6e0c9cd90f8ddbce)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:8e2c9eb208416f51)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -108,7 +108,7 @@ static int skate_incline_one_by_one(size_t count, size_t first, size_t number, c
         double slope[SKATE_INCLINE_NY];
         for (size_t k = 0; k < SKATE_INCLINE_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = skate_incline_rhs(t[i], state, p, slope);
         status = status == SKATE_INCLINE_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:6431f362cce898c6)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:8b5c49f6d03bbe33)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -103,7 +103,7 @@ static int spherical_pendulum_one_by_one(size_t count, size_t first, size_t numb
         double slope[SPHERICAL_PENDULUM_NY];
         for (size_t k = 0; k < SPHERICAL_PENDULUM_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = spherical_pendulum_rhs(t[i], state, p, slope);
         status = status == SPHERICAL_PENDULUM_OK ? one : status;

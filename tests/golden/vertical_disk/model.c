@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:16c98d6e43433af0)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:d7b36852eb6afa96)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -109,7 +109,7 @@ static int vertical_disk_one_by_one(size_t count, size_t first, size_t number, c
         double slope[VERTICAL_DISK_NY];
         for (size_t k = 0; k < VERTICAL_DISK_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = vertical_disk_rhs(t[i], state, p, slope);
         status = status == VERTICAL_DISK_OK ? one : status;

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:454439b8f8ebf03e)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:900c368494310f61)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -111,7 +111,7 @@ static int voronec_particle_one_by_one(size_t count, size_t first, size_t number
         double slope[VORONEC_PARTICLE_NY];
         for (size_t k = 0; k < VORONEC_PARTICLE_NY; ++k) {
             state[k] = y[k * count + i];
-            slope[k] = NAN;
+            slope[k] = (double)NAN;
         }
         const int one = voronec_particle_rhs(t[i], state, p, slope);
         status = status == VORONEC_PARTICLE_OK ? one : status;
