@@ -30,8 +30,8 @@ NOTHING = Fraction(1, 10**12)
 WEAK = tuple(Fraction(1, k) for k in (33, 100, 333, 1000, 10000))
 """Of a determinant's scale: levels at which a run looks for another formulation; the scale may be far too large."""
 DEEP = Fraction(1, 333)
-THIN = (Fraction(1, 10**4),)
-"""The same of a square's scale."""
+THIN = Fraction(1, 10**4)
+"""The same of a square's scale, and of a determinant's that is divided by once, not squared: four digits are lost there."""
 _LARGE = 400  # operations beyond which a pivot is not followed
 _TERMS = 60
 _MOST_ROWS = 4  # of a matrix whose determinant is written out
@@ -77,13 +77,14 @@ class Watch:
 
 @record
 class _Measure:
-    """``value`` against ``scale``; ``squared``: it is a square or positive already."""
+    """``value`` against ``scale``; ``squared``: it is a square or positive already.  ``levels``: where it is weak."""
 
     value: Node
     scale: Node
     squared: bool
     kind: str
     what: str
+    levels: tuple[Fraction, ...]
 
 
 def watch_function(
@@ -107,7 +108,7 @@ def watch_function(
     levels: list[tuple[_Measure, Fraction]] = [(m, NOTHING) for m in measures]
     close = len(levels)
     if weak:
-        levels += [(m, level) for m in measures for level in _levels(m)]
+        levels += [(m, level) for m in measures for level in m.levels]
     for measure, level in levels:
         nodes.append(_distance(planner, measure, level))
         about.append(measure.what)
@@ -132,12 +133,6 @@ def known_values(system: System, parameters: Sequence[Sequence[float]]) -> dict[
     return {symbol: (min(values), max(values)) for symbol, values in zip(system.p, columns, strict=True)}
 
 
-def _levels(measure: _Measure) -> tuple[Fraction, ...]:
-    if measure.kind == "frame":
-        return WEAK
-    return THIN if measure.squared else (DEEP,)
-
-
 def _distance(planner: Planner, measure: _Measure, level: Fraction) -> Node:
     g = planner.graph
     if measure.squared:
@@ -146,20 +141,20 @@ def _distance(planner: Planner, measure: _Measure, level: Fraction) -> Node:
 
 
 def _frames(planner: Planner) -> list[_Measure]:
-    return _guarded(planner, planner.frame_guards(), "frame")
+    return _guarded(planner, planner.frame_guards(), "frame", WEAK)
 
 
 def _turned(planner: Planner) -> list[_Measure]:
-    return _guarded(planner, planner.turned_guards, "mass")
+    return _guarded(planner, planner.turned_guards, "mass", (THIN,))
 
 
-def _guarded(planner: Planner, guards: Sequence[GuardPlan], kind: str) -> list[_Measure]:
+def _guarded(planner: Planner, guards: Sequence[GuardPlan], kind: str, levels: tuple[Fraction, ...]) -> list[_Measure]:
     seen: dict[Node, _Measure] = {}
     for guard in guards:
         if not planner._is_constant(guard.value):
             usual = Fraction(1, 10 ** usual_digits(planner.system, guard.value, guard.scale))
             scale = planner.graph.mul(planner.graph.number(usual), guard.scale)
-            seen.setdefault(guard.value, _Measure(guard.value, scale, False, kind, guard.what))
+            seen.setdefault(guard.value, _Measure(guard.value, scale, False, kind, guard.what, levels))
     return list(seen.values())
 
 
@@ -173,7 +168,7 @@ def _pivots(planner: Planner, known: dict[Node, tuple[float, float]]) -> list[_M
         if cannot_vanish(g, normalise(g, guard.value, _TERMS), ranges):
             continue
         scale = size_of(g, guard.value) if guard.scale == g.zero else guard.scale
-        found.append(_Measure(guard.value, scale, True, "mass", MASS_LOST))
+        found.append(_Measure(guard.value, scale, True, "mass", MASS_LOST, (THIN,)))
     return found
 
 
@@ -188,7 +183,7 @@ def _determinant(planner: Planner, known: dict[Node, tuple[float, float]]) -> li
         return []
     if cannot_vanish(g, normalise(g, value, _TERMS), {**intervals(planner.system), **known}):
         return []
-    return [_Measure(value, row_scale(g, rows), False, "mass", MASS_LOST)]
+    return [_Measure(value, row_scale(g, rows), False, "mass", MASS_LOST, (DEEP,))]
 
 
 def _rank(planner: Planner) -> list[_Measure]:
@@ -203,4 +198,4 @@ def _rank(planner: Planner) -> list[_Measure]:
     if planner._is_constant(value):
         return []
     what = "the constraints lose rank"
-    return [_Measure(value, size_of(g, value), True, "rank", what)]
+    return [_Measure(value, size_of(g, value), True, "rank", what, (THIN,))]

@@ -93,10 +93,19 @@ def test_gimbal_lock_is_a_stop(formulation: str, method: str) -> None:
     assert found.ended == "failed" and found.outcome.t == pytest.approx(1.0, abs=0.05 if method == "rk4" else 1e-5)
 
 
-@pytest.mark.parametrize(("d", "said"), [("0.2", False), ("0.01", True), ("0.0001", True)])
-def test_near_the_lock_it_is_said(d: str, said: bool) -> None:
+@pytest.mark.parametrize(
+    ("formulation", "d", "said"),
+    [
+        ("", "0.2", False),
+        ("", "0.01", True),
+        ("", "0.0001", True),
+        ("lagrange", "0.01", False),
+        ("lagrange", "0.0001", True),
+    ],
+)
+def test_near_the_lock_it_is_said(formulation: str, d: str, said: bool) -> None:
     """The spin of the free body's own axes is known from Euler's equations, which know of no angles."""
-    found = follow(body(d), "lock", tolerance=1e-9)
+    found = follow(body(d), "lock", formulation, tolerance=1e-9)
     assert found.ended == "done" and any("digits are lost" in note for note in found.notes) == said
     text = spec_path("free_rigid_body_quaternion").read_text()
     scene = f"scenes: {{lock: {{initial: {{w1: -1, w2: {d}}}, time: [0, 2], need: [w1, w2, w3]}}}}\n"
@@ -136,8 +145,8 @@ def test_a_mass_matrix_that_changes_its_sign(method: str, step: float) -> None:
 
 
 SCENES = [(path.stem, scene.name) for path in sorted(SPECS.glob("*.yaml")) for scene in decode(read(str(path))).scenes]
-NEAR = {("heavy_top", "sleeping"), ("heavy_top", "waking"), ("rolling_disk", "bounce")}
-"""An upright top in Euler's angles, and a disk that falls almost flat."""
+NEAR = {("rolling_disk", "bounce")}
+"""A disk that falls almost flat; a top a hundredth of a radian from upright loses two digits of its Euler's angles, no more."""
 
 
 @pytest.mark.slow
