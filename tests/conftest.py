@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import os
 import shutil
 import sys
 import types
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy
 import pytest
+
+from nhc.simulate import compile as compiling
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -31,13 +34,36 @@ def pytest_configure(config: pytest.Config) -> None:
         raise pytest.UsageError("the tests compile C, and there is no cc, gcc or clang on the path")
 
 
-@pytest.fixture(scope="module")
-def own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """A cache of compiled models for the tests of one file."""
-    folder = tmp_path_factory.mktemp("cache")
+Compile = Callable[[Mapping[str, str], str, Sequence[str], Path], None]
+
+
+@pytest.fixture(scope="session", autouse=True)
+def quick_models(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Compile]:
+    """One cache for all tests and workers, not the user's, of models that the compiler takes as they are.
+
+    Else the compiler takes half of the time of all tests.  Its level changes no result: the flags keep to IEEE arithmetic as it is
+    written.  Gives what compiles as for users.
+    """
+    folder = tmp_path_factory.getbasetemp()
+    shared = folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder
+    careful = compiling._compile
+
+    def quick(sources: Mapping[str, str], unit: str, command: Sequence[str], library: Path) -> None:
+        careful(sources, unit, (*command, "-O0"), library)
+
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(folder))
-        yield folder
+        patch.setenv("NHC_CACHE", str(shared / "cache"))
+        patch.setattr(compiling, "_compile", quick)
+        yield careful
+
+
+@pytest.fixture(scope="module")
+def optimised_models(tmp_path_factory: pytest.TempPathFactory, quick_models: Compile) -> Iterator[None]:
+    """Models compiled as for users, in a cache of their own: for tests of what becomes of their loops, and for long runs."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("NHC_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setattr(compiling, "_compile", quick_models)
+        yield
 
 
 @pytest.fixture

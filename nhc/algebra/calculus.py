@@ -139,15 +139,8 @@ def rebuild_over(graph: Graph, node: Node, new: Mapping[Node, Node]) -> Node | N
 
 
 def partials(graph: Graph, node: Node) -> tuple[Node, ...]:
-    """The derivatives of an operation with respect to each of its operands."""
-    op, x = graph.op[node], graph.a[node]
-    g = graph
-    if op == ADD:
-        return (g.one, g.one)
-    if op == MUL:
-        return (g.b[node], x)
-    if op == NEG:
-        return (g.number(-1),)
+    """The derivatives of a power or function with respect to each of its operands."""
+    g, op, x = graph, graph.op[node], graph.a[node]
     if op == POW:
         n = g.b[node]
         return (g.mul(g.number(n), g.power(x, n - 1)),)

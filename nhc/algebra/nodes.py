@@ -136,10 +136,6 @@ class NodeStore:
         if node in self.labels and made != node:
             self.labels.setdefault(made, self.labels[node])
 
-    def find(self, op: str, a: int, b: int = 0) -> Node | None:
-        """The node of an operation that is no sum, product or sign, where there is one already."""
-        return self._cache.get((op, a, b))
-
     def value(self, node: Node) -> Fraction | None:
         """The rational that the node is, or None."""
         return self._numbers[self.a[node]] if self.op[node] == NUM else None

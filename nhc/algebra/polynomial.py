@@ -7,7 +7,7 @@ terms: what would grow past it raises :class:`TooLarge` and the caller keeps the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from math import gcd, lcm
@@ -250,12 +250,6 @@ def _count_terms(graph: Graph, nodes: Sequence[Node]) -> dict[Node, int]:
         else:
             count[node] = 1
     return count
-
-
-def shortest(graph: Graph, node: Node, cost: Callable[[Node], int], limit: int = 300) -> Node:
-    """The cheaper of the node and its canonical form."""
-    candidate = normalise(graph, node, limit)
-    return candidate if cost(candidate) < cost(node) else node
 
 
 def leading_size(p: Polynomial, q: Polynomial) -> Fraction:

@@ -15,13 +15,6 @@ class Span:
     start: int
     end: int
 
-    def join(self, other: Span) -> Span:
-        """Return the smallest span that covers both."""
-        return Span(min(self.start, other.start), max(self.end, other.end))
-
-    def __lt__(self, other: Span) -> bool:
-        return (self.start, self.end) < (other.start, other.end)
-
 
 @record
 class Source:

@@ -12,7 +12,7 @@ from .scope import Scope
 from .shape import Shapes
 from .spec import Coordinate, Parameter
 from .syntax import Syntax
-from .units import UnitError, parse_unit
+from .units import SPELLING, UnitError, parse_unit
 from .yaml_reader import is_empty
 
 
@@ -24,7 +24,7 @@ def _read_unit(table: Table, shapes: Shapes) -> str:
     try:
         parse_unit(text.value)
     except UnitError as error:
-        shapes.bag.error("E0316", error.message, text.locate(error.start, error.end), help=(error.help,))
+        shapes.bag.error("E0316", error.message, text.locate(error.start, error.end), help=(SPELLING,))
     return " ".join(text.value.split())
 
 

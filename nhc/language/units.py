@@ -65,18 +65,17 @@ _LETTERS = r"[A-Za-z\u00b5\u03bc\u03a9\u2126]+|1"
 _WORD = re.compile(rf"\s*(?:({_LETTERS})|(\*\*|[*/^()\u00b7\u22c5])|([-+]?[0-9]+)|([\u00b2\u00b3]))")
 _EXPONENT = re.compile(r"\s*([-+]?[0-9]+)")
 _ORDER = {"kg": 0, "m": 1}  # mass and length are written first
-_HELP = "units are written like `kg*m^2/s^2`, `N*m`, `rad`, `1`"
+SPELLING = "units are written like `kg*m^2/s^2`, `N*m`, `rad`, `1`"
 
 
 class UnitError(Exception):
     """A text is no unit; ``start`` and ``end`` are offsets in it."""
 
-    def __init__(self, message: str, start: int, end: int, help: str = _HELP) -> None:
+    def __init__(self, message: str, start: int, end: int) -> None:
         super().__init__(message)
         self.message = message
         self.start = start
         self.end = end
-        self.help = help
 
 
 @cache

@@ -42,7 +42,7 @@ def time_axis(unit: str) -> Axis:
 
 @record
 class Chart:
-    """``equal``: one unit is as long upwards as sideways."""
+    """Series over common axes, in a picture of this size."""
 
     title: str
     x: Axis
@@ -50,7 +50,6 @@ class Chart:
     series: tuple[Series, ...]
     width: int = 720
     height: int = 380
-    equal: bool = False
 
 
 @record
@@ -90,18 +89,7 @@ def find_frame(chart: Chart, legend_rows: int) -> Frame:
     height = chart.height - TOP - BOTTOM - ROW * legend_rows
     xs = [v for s in chart.series for v in s.x]
     ys = [v for s in chart.series for v in s.y]
-    x = _scale(chart.x, xs, width, 8)
-    y = _scale(chart.y, ys, height, 6)
-    if chart.equal and not (x.log or y.log):
-        per_pixel = max((x.high - x.low) / width, (y.high - y.low) / height)
-        x = _around(x, per_pixel * width, width, 8)
-        y = _around(y, per_pixel * height, height, 6)
-    return Frame(LEFT, TOP, x, y)
-
-
-def _around(scale: Scale, span: float, length: float, count: int) -> Scale:
-    middle = 0.5 * (scale.low + scale.high)
-    return linear_scale(middle - span / 2, middle + span / 2, length, count, exact=True)
+    return Frame(LEFT, TOP, _scale(chart.x, xs, width, 8), _scale(chart.y, ys, height, 6))
 
 
 def _scale(axis: Axis, values: Sequence[float], length: float, count: int) -> Scale:
@@ -111,12 +99,12 @@ def _scale(axis: Axis, values: Sequence[float], length: float, count: int) -> Sc
     return linear_scale(min(good, default=0.0), max(good, default=1.0), length, count, axis.exact)
 
 
-def thin(xs: Sequence[float], ys: Sequence[float], most: int = MOST) -> list[tuple[float, float]]:
-    """At most about ``most`` points that look the same: of each stretch the first, the lowest, the highest and the last."""
+def thin(xs: Sequence[float], ys: Sequence[float]) -> list[tuple[float, float]]:
+    """At most about ``MOST`` points that look the same: of each stretch the first, the lowest, the highest and the last."""
     points = list(zip(xs, ys, strict=True))
-    if len(points) <= most:
+    if len(points) <= MOST:
         return points
-    size = math.ceil(4 * len(points) / most)
+    size = math.ceil(4 * len(points) / MOST)
     kept: list[tuple[float, float]] = []
     for start in range(0, len(points), size):
         part = points[start : start + size]

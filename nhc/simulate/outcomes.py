@@ -20,6 +20,7 @@ from nhc.simulate.task import (
     Outcome,
 )
 
+_LONGEST = 12  # entries of a state that are shown
 _POOR = 1e-4  # of a coframe's determinant, relative to its rows: its square has lost half of a double's digits
 
 
@@ -84,11 +85,11 @@ def name_outcome(job: Job, outcome: Outcome) -> str:
     return describe_outcome(job, outcome)[1].partition(":")[0]
 
 
-def describe_state(job: Job, outcome: Outcome, longest: int = 12) -> str:
+def describe_state(job: Job, outcome: Outcome) -> str:
     """``x = 1, y = 2, ...`` at the place where a run ended."""
     pairs = list(zip(job.state_names, outcome.y, strict=True))
-    shown = ", ".join(f"{name} = {value:.9g}" for name, value in pairs[:longest])
-    return shown + (", ..." if len(pairs) > longest else "")
+    shown = ", ".join(f"{name} = {value:.9g}" for name, value in pairs[:_LONGEST])
+    return shown + (", ..." if len(pairs) > _LONGEST else "")
 
 
 def rank_left(job: Job, outcome: Outcome) -> float | None:

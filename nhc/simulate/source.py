@@ -84,9 +84,9 @@ class Named:
     template: str
 
 
-def print_sum(row: Sequence[float], array: str = "s->k") -> str:
+def print_sum(row: Sequence[float]) -> str:
     """``a0 * s->k[0][i] + ...`` without the terms that are zero."""
-    terms = [f"{weight!r} * {array}[{j}][i]" for j, weight in enumerate(row) if weight]
+    terms = [f"{weight!r} * s->k[{j}][i]" for j, weight in enumerate(row) if weight]
     return " + ".join(terms).replace("+ -", "- ")
 
 

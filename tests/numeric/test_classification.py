@@ -21,6 +21,7 @@ from nhc.diagnostics import Bag, Source, SpecError
 from nhc.language import decode, read
 from nhc.mechanics.choosing.choose import dependent_of, formulate
 from nhc.mechanics.frame import coordinate_frame, total_derivative
+from nhc.mechanics.properties import sampling
 from nhc.mechanics.properties.conserved import Candidate, combine, find_conserved, generalized_energy, power, spell
 from nhc.mechanics.properties.facts import Facts, describe
 from nhc.mechanics.properties.integrability import classify
@@ -408,6 +409,17 @@ def test_a_force_with_a_hidden_sign_takes_energy(s: str, a: str, b: str) -> None
     system = resolve(decode(Source("brake.yaml", BRAKE.format(s=s, a=a, b=b))))
     found = find_conserved(system, None)
     assert (found.energy, found.power) == (False, (f"the force on `{s}`",))
+
+
+def test_where_no_motion_is_determined_none_is_sought_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """l = 0 is for scenes to replace; with it the mass matrix is zero, at one point as at twenty thousand."""
+    points = []
+    exactly = sampling.solve_exactly
+    monkeypatch.setattr(sampling, "solve_exactly", lambda *given: points.append(given) or exactly(*given))
+    text = "nhc: 1\nsystem: e\ncoordinates: [theta]\nparameters: {m: 1, l: 0, g: 9.81}\nT: m*l^2/2*theta'^2\nV: -m*g*l*cos(theta)\n"
+    found = find_conserved(resolve(decode(Source("e.yaml", text))), None)
+    assert [(integral.text, integral.where) for integral in found.integrals] == [("E", ())]
+    assert len(points) < 100
 
 
 @pytest.mark.parametrize(

@@ -23,8 +23,6 @@ from nhc.simulate.starts import list_starts, read_starts
 from nhc.study.chart.model import LongModel, compile_long
 from tests.support import ROOT, compile_c
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
 END = 100.0
 PAIR = "5*(sign(t - at) - sign(t - at - 0.1))/2"
 PULSES = {

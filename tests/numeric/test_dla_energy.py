@@ -13,8 +13,6 @@ from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
 from tests.support import spec_path
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
 
 @pytest.mark.parametrize(
     ("name", "h", "nodes", "midpoints"),

@@ -12,8 +12,6 @@ from nhc.simulate.run import Settings, run
 from tests.numeric.test_driver_stop import drive
 from tests.support import spec_path
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
 
 @pytest.mark.parametrize(
     ("name", "formulation"),

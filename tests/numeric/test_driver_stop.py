@@ -17,8 +17,6 @@ from nhc.simulate.run import Settings, run
 from tests.numeric.test_singular_stop import CLOSED, board, body
 from tests.support import compile_c, spec_path
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
 VESELOVA = Source(
     "ves.yaml",
     """nhc: 1

@@ -54,7 +54,7 @@ scenes:
 """
 
 
-pytestmark = pytest.mark.usefixtures("own_cache")
+pytestmark = pytest.mark.usefixtures("optimised_models")
 
 
 def run_table(name: str, table: str, settings: Settings, formulation: str = "") -> Ensemble:

@@ -12,7 +12,6 @@ from nhc.simulate.methods.watching import may_dip
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 
-pytestmark = pytest.mark.usefixtures("own_cache")
 TEXT = """nhc: 1
 system: circle
 coordinates: [x, y]

@@ -41,7 +41,6 @@ def test_a_rod_far_away_moves_as_at_the_origin(formulation: str) -> None:
     assert found[1] == pytest.approx(found[0], rel=1e-12, abs=1e-13)
 
 
-@pytest.mark.usefixtures("own_cache")
 def test_a_run_far_away_is_not_said_to_be_nearly_singular() -> None:
     """The rod's energy in the free velocities is (m1 + m2) |v2|^2/2 everywhere; the note went by the size of the coordinates."""
     scenes = "scenes: {far: {initial: {x1: 20, x2: 20 + l, x1': 0.5, x2': 0.5, y1': -0.3, y2': 0.3}, time: [0, 80]}}\n"

@@ -11,8 +11,6 @@ from nhc.diagnostics import Source
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
 METHODS = ("rk4", "gauss4", "gauss6", "midpoint")
 
 

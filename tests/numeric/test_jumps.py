@@ -21,7 +21,7 @@ from nhc.simulate.methods import loop
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 
-pytestmark = pytest.mark.usefixtures("own_cache")
+pytestmark = pytest.mark.usefixtures("optimised_models")
 HEAD = "nhc: 1\nsystem: jump\ncoordinates: [x, y]\nparameters: {k: 0.5, e: 1e-3}\n"
 ENDS = "scenes: {a: {initial: {x: -1, y: 0.3, x': 3, y': 0.2}, time: [0, 2], need: [energy]}}\n"
 JUMPING = (

@@ -47,7 +47,7 @@ scenes:
 """
 
 
-pytestmark = pytest.mark.usefixtures("own_cache")
+pytestmark = pytest.mark.usefixtures("optimised_models")
 
 
 def open_job(name: str) -> Job:

@@ -47,7 +47,7 @@ scenes:
   throw: {initial: {x': 1, y': 2}, time: [0, 3]}
 """
 
-pytestmark = pytest.mark.usefixtures("own_cache")
+pytestmark = pytest.mark.usefixtures("optimised_models")
 
 
 def open_job(name: str, until: str = "") -> Job:

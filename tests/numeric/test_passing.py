@@ -30,7 +30,7 @@ from nhc.study.chart.study import chart
 from nhc.study.stability.bench import open_bench
 from tests.support import compile_c
 
-pytestmark = pytest.mark.usefixtures("own_cache")
+pytestmark = pytest.mark.usefixtures("optimised_models")
 
 HEAD = "nhc: 1\nsystem: passer\nparameters: {h: 10, w: 0.1}\nscenes:\n"
 SCENE = "  go: {initial: {x: 0, x': 1}, time: [0, 100], tolerance: 1e-9}\n"

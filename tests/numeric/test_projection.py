@@ -23,9 +23,6 @@ STEPS = {
 }
 
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
-
 def open_held(name: str, method: str, hold: bool = True) -> Job:
     job = open_scene(read(str(spec_path(name))), "", "multipliers", (), "", method, hold, checks=True, stay=True)
     return replace(job, time=(0.0, STEPS[name][0]))

@@ -35,7 +35,7 @@ scenes:
 """
 
 
-pytestmark = pytest.mark.usefixtures("own_cache")
+pytestmark = pytest.mark.usefixtures("optimised_models")
 
 
 @pytest.mark.parametrize("compiled", [True, False])

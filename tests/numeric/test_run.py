@@ -27,8 +27,6 @@ from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.source import write_natural, write_source
 from tests.support import COMPILER, STRICT, formulations, interrupt, reference, spec_path
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
 
 def job_of(
     name: str,

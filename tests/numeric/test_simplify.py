@@ -70,9 +70,6 @@ scenes:
 """
 
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
-
 def source(text: str = SPEC) -> Source:
     return Source("spec.yaml", text)
 

@@ -24,9 +24,6 @@ BOARD = """
 CLOSED = 1.1707963267948966  # p_b = p_f = pi/2
 
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
-
 def board(front: str = "0.4") -> Source:
     """The snakeboard with a scene in which both axles turn along the board."""
     lines = [line for line in spec_path("snakeboard").read_text().splitlines() if not line.startswith("dependent")]

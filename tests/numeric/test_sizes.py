@@ -55,7 +55,6 @@ def station(angle: float, rate: float, far: float = 1.5e11) -> Source:
     return Source("station.yaml", STATION.format(angle=angle, rate=rate, far=far, slow=far / 5e6))
 
 
-@pytest.mark.usefixtures("own_cache")
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ADAPTIVE)
 def test_an_angle_beside_a_far_position(method: str, compiled: bool, swung: tuple[float, float, float]) -> None:
@@ -78,7 +77,6 @@ def test_solvers_from_elsewhere_are_told_how_large_an_angle_becomes(method: str)
     assert found.rows[-1][1] == pytest.approx(end, abs=1e-4)
 
 
-@pytest.mark.usefixtures("own_cache")
 def test_lanes_and_drivers_hold_it_too(tmp_path: Path, swung: tuple[float, float, float]) -> None:
     angle, rate, end = swung
     source = station(angle, rate)
@@ -94,7 +92,6 @@ def test_lanes_and_drivers_hold_it_too(tmp_path: Path, swung: tuple[float, float
     assert float(last[2]) == pytest.approx(end, abs=1e-7 * max(angle, rate / 3))
 
 
-@pytest.mark.usefixtures("own_cache")
 @pytest.mark.parametrize("method", ADAPTIVE)
 def test_the_unit_of_a_length_changes_nothing(method: str) -> None:
     """The same motion in five units: rows agree to the tolerance, and steps are about as many."""
@@ -125,7 +122,6 @@ scenes:
 """
 
 
-@pytest.mark.usefixtures("own_cache")
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ADAPTIVE)
 def test_what_is_zero_but_for_rounding_holds_no_step_up(method: str, compiled: bool) -> None:

@@ -26,9 +26,6 @@ DRAG = "-5e5*(x' - cos(t))"
 THAW = "-1e5*exp(-8*t^2)*(x' - cos(t)) - sin(t) - 400*(x - sin(t))"
 
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
-
 def pour(force: str, method: str = "auto", tolerance: float = 1e-6, start: str = "y: 1") -> Trajectory:
     source = Source("syrup.yaml", SYRUP.replace("FORCE", force).replace("y: 1", start))
     return run(open_scene(source, method=method), Settings(method, tolerance, points=21))

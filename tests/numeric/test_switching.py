@@ -35,9 +35,6 @@ scenes:
 """
 
 
-pytestmark = pytest.mark.usefixtures("own_cache")
-
-
 def forced(text: str, dependent: str) -> Source:
     """The spec with these dependent velocities, its own quasi-velocities left out."""
     kept = [line for line in text.splitlines() if not line.startswith("dependent:")]

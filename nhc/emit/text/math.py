@@ -38,9 +38,6 @@ class TextMath:
 
     symbols: Mapping[str, Symbol]
 
-    def expression(self, expression: Expr) -> str:
-        return "".join(piece.text for piece in self.pieces(expression))
-
     def pieces(self, expression: Expr) -> list[Piece]:
         """The terms of a sum with their signs, breakable before each sign."""
         found: list[Piece] = []

@@ -53,7 +53,7 @@ def adapted_forms(system: System) -> tuple[Form, ...] | None:
         seen = [
             j for j in free_columns if any(system.constraints[r].coefficients[j] != system.graph.zero for r in group)
         ]
-        best = _minor_form(system, group, seen, unused_name(system, "v", [form.name for form in made]))
+        best = _minor_form(system, group, seen, unused_name(system, [form.name for form in made]))
         if best is None or best[2]:
             return None
         made.append(best[0])
@@ -74,7 +74,7 @@ def stepwise_forms(system: System) -> tuple[Form, ...] | None:
         if step.pivot is not None or len(step.columns) == 1:
             used.add(step.columns[0] if step.pivot is None else step.pivot)
             continue
-        best = _minor_form(system, [step.row], step.columns, unused_name(system, "v", [form.name for form in made]))
+        best = _minor_form(system, [step.row], step.columns, unused_name(system, [form.name for form in made]))
         if best is None:
             return None
         made.append(best[0])
@@ -161,8 +161,8 @@ def _leading_sign(system: System, minors: Sequence[Node]) -> int:
     return -1 if coefficient < 0 else 1
 
 
-def unused_name(system: System, wish: str, others: Sequence[str] = ()) -> str:
-    """The wish, or the wish with a number, so that it is no name of the spec and none of the others."""
+def unused_name(system: System, others: Sequence[str]) -> str:
+    """v, or v with a number, so that it is no name of the spec and none of the others."""
     spec = system.spec
     taken = {
         *others,
@@ -172,10 +172,10 @@ def unused_name(system: System, wish: str, others: Sequence[str] = ()) -> str:
         *(d.name for d in spec.quasi_velocities),
         *(o.name for o in spec.outputs),
     }
-    name, k = wish, 1
+    name, k = "v", 1
     while name in taken:
         k += 1
-        name = f"{wish}{k}"
+        name = f"v{k}"
     return name
 
 

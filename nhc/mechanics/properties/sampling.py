@@ -17,6 +17,12 @@ from nhc.mechanics.properties.leaf import leaf_of
 from nhc.mechanics.system import System
 
 _RANK_POINTS = 4
+_UNDETERMINED = 20
+"""Points after which there is no motion at any: a determinant that is not zero vanishes at few points in 2^61."""
+
+
+class Undetermined(Unlucky):
+    """The equations have no solution at a point, or more than one."""
 
 
 class Sampler:
@@ -38,6 +44,7 @@ class Sampler:
             Unlucky: no regular point was found.
         """
         found: list[list[int]] = []
+        undetermined = 0
         everything = [*self.velocities.nodes, *self.reference.nodes(), *roots]
         zeros = dict.fromkeys(self.zeroed, 0)
         seeds = range(seed * 1_000_033, seed * 1_000_033 + MOST_DRAWS)
@@ -45,8 +52,12 @@ class Sampler:
             self.system.graph, everything, prime, seeds, zeros, self.moving, settle=self.leaf.settle
         ):
             try:
-                found.append(self._at(point, roots))
-            except Unlucky:
+                self.settle(point)
+                found.append(point.evaluate(roots))
+            except Unlucky as error:
+                undetermined += isinstance(error, Undetermined)
+                if undetermined == _UNDETERMINED and not found:
+                    raise
                 continue
             if len(found) == count:
                 return found
@@ -65,15 +76,12 @@ class Sampler:
             ranks.append(rank_modulo(matrix, prime))
         return max(ranks)
 
-    def _at(self, point: FieldPoint, roots: Sequence[Node]) -> list[int]:
-        self.settle(point)
-        return point.evaluate(roots)
-
     def settle(self, point: FieldPoint) -> None:
         """Give the velocities, the accelerations and the multipliers their values at a point.
 
         Raises:
-            Unlucky: they have none there.
+            Undetermined: there is no motion, or more than one.
+            Unlucky: the point lies on a pole.
         """
         point.evaluate([], dict.fromkeys(self.zeroed, 0))
         self.leaf.settle(point)
@@ -82,5 +90,5 @@ class Sampler:
         try:
             accelerations, reactions = solve_exactly(self.reference, point)
         except Singular:
-            raise Unlucky from None
+            raise Undetermined from None
         point.evaluate([], dict(zip((*self.rates, *self.multipliers), (*accelerations, *reactions), strict=True)))

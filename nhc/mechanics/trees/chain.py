@@ -21,7 +21,7 @@ from nhc.mechanics.system import System
 from nhc.mechanics.trees.bodies import Spatial
 from nhc.mechanics.trees.covectors import Covector, Sweeps
 from nhc.mechanics.trees.recursion import Recursion, Terms, Weights, read_recursion
-from nhc.mechanics.trees.units import common_mass, part_masses, scales
+from nhc.mechanics.trees.units import common_mass, scales
 from nhc.mechanics.turning import moving
 from nhc.records import record
 
@@ -191,7 +191,6 @@ def _in_units(
 ) -> Chain:
     g, rates = system.graph, recursion.rates
     mask = g.mask(system.p)
-    weights = part_masses(g, recursion, weights, pull, mask)
     scale = scales(g, recursion, weights, mask)
 
     known: dict[tuple[Node, ...], Node] = {}

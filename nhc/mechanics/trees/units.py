@@ -6,36 +6,8 @@ A unit is a product of parameters, chosen so that nothing is divided by a parame
 from __future__ import annotations
 
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.monomials import Monomial, common, split_parameters, tidy
+from nhc.algebra.monomials import Monomial, common, split_parameters
 from nhc.mechanics.trees.recursion import Recursion, Weights
-
-
-def part_masses(g: Graph, recursion: Recursion, weights: Weights, pull: list[Node], mask: int) -> Weights:
-    """Masses on forms that others use in a larger unit, moved to forms of their own; ``recursion`` and ``pull`` grow.
-
-    y1 = a s and y2 = l s + ... of one s: s is kept in units of l, and the mass m a^2 of s becomes m on a new form a s.
-    """
-    rates, users = recursion.rates, _users(recursion)
-    mixed = {i for a, b in weights if a != b for i in (a, b)}
-    result = dict(weights)
-    for group in _groups(g, recursion):
-        inside = set(group)
-        outer = [a for i in group for j, a in users.get(i, ()) if j not in inside]
-        factor = common([split_parameters(g, a, mask)[0] for a in outer])
-        for i in group if factor.powers else ():
-            if (i, i) not in weights or i in mixed or recursion.constants[i - rates] != g.zero:
-                continue
-            mass = split_parameters(g, weights[i, i], mask)[0]
-            root = Monomial(powers={base: n // 2 for base, n in mass.powers.items() if n > 1})
-            moved = split_parameters(g, pull[i], mask)[0]
-            if mass.divisible_by(factor, 2) or (pull[i] != g.zero and not moved.divisible_by(root)):
-                continue
-            unit = root.node(g)
-            new = recursion.define({c: g.mul(a, unit) for c, a in recursion.definitions[i - rates].items()}, g.zero)
-            result[new, new] = tidy(g, g.div(result.pop((i, i)), g.power(unit, 2)), mask)
-            pull.append(tidy(g, g.div(pull[i], unit), mask))
-            pull[i] = g.zero
-    return result
 
 
 def _users(recursion: Recursion) -> dict[int, list[tuple[int, Node]]]:

@@ -38,13 +38,13 @@ class Sensitivity:
     horizon: float
 
 
-def sensitivity(bench: Bench, segments: int = _SEGMENTS) -> Sensitivity:
+def sensitivity(bench: Bench) -> Sensitivity:
     """The growth of perturbations along the scene.
 
     Raises:
         ArithmeticError: the scene or a run beside it fails.
     """
-    picked = [round(k * (len(bench.times) - 1) / segments) for k in range(segments + 1)]
+    picked = [round(k * (len(bench.times) - 1) / _SEGMENTS) for k in range(_SEGMENTS + 1)]
     basis = admissible(bench)
     scale, product = bench.sizes, basis
     times, norms = [bench.times[0]], [1.0]

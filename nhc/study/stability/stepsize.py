@@ -70,13 +70,13 @@ class Spectrum:
         return float(kept.min()) if kept.size else 0.0
 
 
-def spectrum(bench: Bench, places: int = _PLACES) -> Spectrum:
+def spectrum(bench: Bench) -> Spectrum:
     """Eigenvalues along the scene, at equally spaced rows of the reference.
 
     Raises:
         ArithmeticError: the scene fails, or the model is singular on it.
     """
-    picked = sorted({round(k * (len(bench.times) - 1) / (places - 1)) for k in range(places)})
+    picked = sorted({round(k * (len(bench.times) - 1) / (_PLACES - 1)) for k in range(_PLACES)})
     values = [np.linalg.eigvals(bench.jacobian(bench.times[k], bench.reference[k].tolist())) for k in picked]
     return Spectrum(tuple(bench.times[k] for k in picked), np.array(values, dtype=complex))
 
