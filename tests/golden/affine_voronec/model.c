@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:1704be25ff974be8)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:d102dabea577ca0f)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -241,7 +241,7 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
     const double z27 = x * z22;
     const double z28 = z2 * x_dot * x_dot;
     const double z29 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + (0.4 - 0.8 * (s_t * s_t)
-        + (z26 + z27) * (0.3 + 0.5 * y_dot));
+        + (0.3 + 0.5 * y_dot) * (z26 + z27));
     const double z30 = 0.3 * (z7 * z29) - (0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 * s_t))));
     const double z31 = z22 * (0.1 * t - z23 + z2 * (z25 - (2.0 * z26 - z27))) - (x_dot * (0.1 + 0.2 * (z1 *
         c_t)) + (z * z6 * (3.0 - z28) + z30));
@@ -714,8 +714,8 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
         z79));
     const double z122 = z53 * (z55 * z37 - (0.03 * (c_z * z111) + (z6 * z88 + z121)) - 0.5 * (z20 * z118));
     const double z123 = y_dot * z8 - (c_z * z73 + (z120 + 0.3 * z6 + 0.5 * (z12 * z27)) + 0.5 * (z15 * z76));
-    const double z124 = 0.5 * (y_dot * (z2 * z56)) - (z15 * z89 + (0.2 + (0.5 * (c_z * z85) + (z61 + 0.25 *
-        (z16 * z27)))));
+    const double z124 = 0.5 * (z56 * z83) - (z15 * z89 + (0.2 + (0.5 * (c_z * z85) + (z61 + 0.25 * (z16 *
+        z27)))));
     const double z125 = z53 * (z124 - 0.5 * (z20 * z123));
     /* (I.4.9) */
     J[3] = 1.0;
@@ -813,7 +813,7 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z27 = x * z22;
     const affine_voronec_lanes z28 = z2 * x_dot * x_dot;
     const affine_voronec_lanes z29 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + (0.4 - 0.8
-        * (s_t * s_t) + (z26 + z27) * (0.3 + 0.5 * y_dot));
+        * (s_t * s_t) + (0.3 + 0.5 * y_dot) * (z26 + z27));
     const affine_voronec_lanes z30 = 0.3 * (z7 * z29) - (0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 *
         s_t))));
     const affine_voronec_lanes z31 = z22 * (0.1 * t_ - z23 + z2 * (z25 - (2.0 * z26 - z27))) - (x_dot * (0.1

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:ef1822482229939b)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:1fbebfe1b0df7eea)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -253,28 +253,27 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt)
     const double z14 = 1.0 / z8;
     const double z15 = z13 * z14;
     const double z16 = z9 - z11 * z12 - z13 * z15;
-    const double z17 = 1.0 / s_theta;
-    const double z18 = z17 * (s_theta * c_psi * w1 - s_theta * s_psi * w2);
-    const double z19 = a * z18;
-    const double z20 = z17 * (c_psi * w2 + s_psi * w1);
-    const double z21 = w3 - c_theta * z20;
-    const double z22 = a * (s_theta * z21);
-    const double z23 = w2 * w3 * k2;
-    const double z24 = w1 * w3 * k3 - z23 * z7;
-    const double z25 = (w1 * w2 * k4 + z23 * z12 - z15 * z24) / z16;
-    const double z26 = z14 * z24 - z15 * z25;
+    const double z17 = s_psi * w2 - c_psi * w1;
+    const double v2_x = a * z17;
+    const double z18 = (c_psi * w2 + s_psi * w1) / s_theta;
+    const double z19 = w3 - c_theta * z18;
+    const double z20 = a * (s_theta * z19);
+    const double z21 = w2 * w3 * k2;
+    const double z22 = w1 * w3 * k3 - z21 * z7;
+    const double z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16;
+    const double z24 = z14 * z22 - z15 * z23;
     /* (I.2.15) */
-    dydt[0] = s_phi * z19 - c_phi * z22; /* x' */
-    dydt[1] = -(c_phi * z19 + s_phi * z22); /* y' */
-    dydt[2] = z20; /* phi' */
-    dydt[3] = z18; /* theta' */
-    dydt[4] = z21; /* psi' */
+    dydt[0] = -(s_phi * v2_x + c_phi * z20); /* x' */
+    dydt[1] = c_phi * v2_x - s_phi * z20; /* y' */
+    dydt[2] = z18; /* phi' */
+    dydt[3] = -z17; /* theta' */
+    dydt[4] = z19; /* psi' */
     /* (I.2.15) 25:4 */
-    dydt[5] = z23 * z6 - z7 * z26 + z12 * z25; /* w1' */
-    dydt[6] = -z26; /* w2' */
-    dydt[7] = z25; /* w3' */
+    dydt[5] = z21 * z6 - z7 * z24 + z12 * z23; /* w1' */
+    dydt[6] = -z24; /* w2' */
+    dydt[7] = z23; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6]) <= DBL_MAX
+    if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[5] + dydt[6]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(z8) > 1e-13 * z3
         && fabs(z16) > 1e-13 * z9)) {
@@ -311,28 +310,27 @@ int chaplygin_ball_velocities(double t, const double *y, const double *p, double
     const double c_theta = cos(theta);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
-    const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+    const double c_psi = cos(psi);
     const double w1 = y[5];
     const double w2 = y[6];
     const double w3 = y[7];
     const double a = p[1]; /* radius [m] */
 
     /* from the state */
-    const double z1 = 1.0 / s_theta;
-    const double z2 = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2);
-    const double z3 = a * z2;
-    const double z4 = z1 * (c_psi * w2 + s_psi * w1);
-    const double z5 = w3 - c_theta * z4;
-    const double z6 = s_theta * (a * z5);
+    const double z1 = s_psi * w2 - c_psi * w1;
+    const double v2_x = a * z1;
+    const double z2 = (c_psi * w2 + s_psi * w1) / s_theta;
+    const double z3 = w3 - c_theta * z2;
+    const double z4 = s_theta * (a * z3);
     /* (I.2.4) */
-    qdot[0] = s_phi * z3 - c_phi * z6; /* x' */
-    qdot[1] = -(c_phi * z3 + s_phi * z6); /* y' */
-    qdot[2] = z4; /* phi' */
-    qdot[3] = z2; /* theta' */
-    qdot[4] = z5; /* psi' */
+    qdot[0] = -(s_phi * v2_x + c_phi * z4); /* x' */
+    qdot[1] = c_phi * v2_x - s_phi * z4; /* y' */
+    qdot[2] = z2; /* phi' */
+    qdot[3] = -z1; /* theta' */
+    qdot[4] = z3; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+    if (!(fabs(qdot[0] + qdot[1] + qdot[3]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
@@ -389,43 +387,37 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
     const double z14 = 1.0 / z8;
     const double z15 = z13 * z14;
     const double z16 = z9 - z11 * z12 - z13 * z15;
-    const double z17 = 1.0 / s_theta;
-    const double z18 = s_theta * c_psi;
-    const double z19 = s_theta * s_psi;
-    const double z20 = z18 * w1 - z19 * w2;
-    const double z21 = z17 * z20;
-    const double z22 = a * z21;
-    const double z23 = c_psi * w2 + s_psi * w1;
-    const double z24 = z17 * z23;
-    const double z25 = c_phi * z24;
-    const double z26 = c_theta * z21;
-    const double z27 = z26 * (z17 * z17);
-    const double z28 = w3 - c_theta * z24;
-    const double z29 = s_psi * z28;
-    const double z30 = w2 * w3 * k2;
-    const double z31 = w1 * w3 * k3 - z30 * z7;
-    const double z32 = (w1 * w2 * k4 + z30 * z12 - z15 * z31) / z16;
-    const double z33 = z14 * z31 - z15 * z32;
-    const double z34 = z30 * z6 - z7 * z33 + z12 * z32;
-    const double z35 = c_psi * z28;
-    const double z36 = w1 * (c_psi * z26 - s_theta * z29) + z18 * z34 - (w2 * (s_psi * z26 + s_theta * z35) -
-        z19 * z33);
-    const double z37 = z20 * z27 - z17 * z36;
-    const double z38 = a * z37;
-    const double z39 = a * z28;
-    const double z40 = s_theta * z39;
-    const double z41 = s_phi * z24;
-    const double z42 = z23 * z27 + z17 * (w2 * z29 + c_psi * z33 - (w1 * z35 + s_psi * z34));
-    const double z43 = z32 + (z24 * z20 + c_theta * z42);
-    const double z44 = z39 * z26 + a * (s_theta * z43);
+    const double z17 = s_psi * w2 - c_psi * w1;
+    const double v2_x = a * z17;
+    const double z18 = 1.0 / s_theta;
+    const double z19 = c_psi * w2 + s_psi * w1;
+    const double z20 = z18 * z19;
+    const double z21 = c_phi * z20;
+    const double z22 = w3 - c_theta * z20;
+    const double z23 = c_psi * z22;
+    const double z24 = w2 * w3 * k2;
+    const double z25 = w1 * w3 * k3 - z24 * z7;
+    const double z26 = (w1 * w2 * k4 + z24 * z12 - z15 * z25) / z16;
+    const double z27 = z14 * z25 - z15 * z26;
+    const double z28 = s_psi * z22;
+    const double z29 = z24 * z6 - z7 * z27 + z12 * z26;
+    const double z30 = w2 * z23 - s_psi * z27 + (w1 * z28 - c_psi * z29);
+    const double z31 = a * z30;
+    const double z32 = a * z22;
+    const double z33 = s_theta * z32;
+    const double z34 = s_phi * z20;
+    const double z35 = c_theta * z17;
+    const double z36 = z18 * z18 * (z19 * z35) - z18 * (w2 * z28 + c_psi * z27 - (w1 * z23 + s_psi * z29));
+    const double z37 = z26 - (z19 * z17 + c_theta * z36);
+    const double z38 = z32 * z35 - a * (s_theta * z37);
     /* (I.2.15) */
-    qddot[0] = z22 * z25 - s_phi * z38 + (z40 * z41 - c_phi * z44); /* x'' */
-    qddot[1] = z22 * z41 + c_phi * z38 - (z40 * z25 + s_phi * z44); /* y'' */
-    qddot[2] = -z42; /* phi'' */
-    qddot[3] = -z37; /* theta'' */
-    qddot[4] = z43; /* psi'' */
+    qddot[0] = z33 * z34 + c_phi * z38 - (v2_x * z21 + s_phi * z31); /* x'' */
+    qddot[1] = -(v2_x * z34 - c_phi * z31 + (z33 * z21 - s_phi * z38)); /* y'' */
+    qddot[2] = z36; /* phi'' */
+    qddot[3] = -z30; /* theta'' */
+    qddot[4] = z37; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(z8) > 1e-13 * z3
         && fabs(z16) > 1e-13 * z9)) {
@@ -694,25 +686,26 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double z20 = z18 * z19;
     const double z21 = z12 - z15 * z16 - z18 * z20;
     const double z22 = s_psi * w2 - c_psi * w1;
-    const double z23 = a * z22;
+    const double v2_x = a * z22;
+    const double z23 = 1.0 / s_theta;
     const double z24 = c_psi * w2 + s_psi * w1;
-    const double z25 = 1.0 / s_theta;
-    const double z26 = a * (w3 - z24 * (c_theta * z25));
+    const double z25 = c_theta * z24;
+    const double z26 = a * (w3 - z23 * z25);
     const double z27 = s_theta * z26;
     const double z28 = a * s_theta;
-    const double z29 = c_theta * (z25 * z25);
-    const double z30 = z24 * z29;
-    const double z31 = z24 + c_theta * z30;
-    const double z32 = c_theta * z26 + z28 * z31;
-    const double z33 = a * z24;
-    const double z34 = z29 * (s_theta * z22);
+    const double z29 = z23 * z23 * z25;
+    const double z30 = z24 + c_theta * z29;
+    const double z31 = c_theta * z26 + z28 * z30;
+    const double z32 = a * z24;
+    const double z33 = z23 * z22;
+    const double z34 = c_theta * z33;
     const double z35 = z28 * z34;
     const double z36 = a * c_psi;
-    const double z37 = s_psi * z25;
+    const double z37 = s_psi * z23;
     const double z38 = c_theta * z37;
     const double z39 = z38 * z28;
     const double z40 = a * s_psi;
-    const double z41 = c_psi * z25;
+    const double z41 = c_psi * z23;
     const double z42 = c_theta * z41;
     const double z43 = z42 * z28;
     const double z44 = 1.0 / z21;
@@ -731,8 +724,8 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double z57 = k1 * z56;
     const double z58 = z14 * z51 - c_theta * (z52 * z53 - 2.0 * (s_theta * (z55 * z53 - z1 * z57)));
     const double z59 = c_psi * z56;
-    const double z60 = z17 * z51 - c_theta * (k1 * (c_psi * z52) - 2.0 * (s_theta * (k1 * (z4 * z54) - z53 *
-        z59)));
+    const double z60 = z17 * z51 - c_theta * (k1 * (c_psi * z52) - 2.0 * (s_theta * (k1 * (z4 * z54) - z59 *
+        z53)));
     const double z61 = z60 + z10 * z58;
     const double z62 = c_theta * z54;
     const double z63 = c_theta * z56;
@@ -758,27 +751,26 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double z82 = z44 * (z16 * z46 - z20 * z81);
     const double z83 = z19 * z81 - z20 * z82;
     /* (I.2.15) */
-    J[2] = s_phi * z27 - c_phi * z23;
-    J[3] = -c_phi * z32;
-    J[4] = -(s_phi * z33 + c_phi * z35);
+    J[2] = s_phi * z27 - c_phi * v2_x;
+    J[3] = -c_phi * z31;
+    J[4] = -(s_phi * z32 + c_phi * z35);
     J[5] = s_phi * z36 + c_phi * z39;
     J[6] = c_phi * z43 - s_phi * z40;
     J[7] = -c_phi * z28;
-    J[10] = -(s_phi * z23 + c_phi * z27);
-    J[11] = -s_phi * z32;
-    J[12] = c_phi * z33 - s_phi * z35;
+    J[10] = -(s_phi * v2_x + c_phi * z27);
+    J[11] = -s_phi * z31;
+    J[12] = c_phi * z32 - s_phi * z35;
     J[13] = s_phi * z39 - c_phi * z36;
     J[14] = c_phi * z40 + s_phi * z43;
     J[15] = -s_phi * z28;
-    J[19] = -z30;
-    J[20] = -z25 * z22;
+    J[19] = -z29;
+    J[20] = -z33;
     J[21] = z37;
     J[22] = z41;
-    J[27] = 0.0;
     J[28] = -z24;
     J[29] = c_psi;
     J[30] = -s_psi;
-    J[35] = z31;
+    J[35] = z30;
     J[36] = z34;
     J[37] = -z38;
     J[38] = -z42;
@@ -924,38 +916,38 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     chaplygin_ball_lanes sine3, cosine3;
     chaplygin_ball_turn_lanes(CHAPLYGIN_BALL_SPREAD(phi), &far, &sine3, &cosine3);
     const chaplygin_ball_lanes s_phi = sine3;
-    const chaplygin_ball_lanes z17 = 1.0 / s_theta;
-    const chaplygin_ball_lanes z18 = z17 * (s_theta * c_psi * w1 - s_theta * s_psi * w2);
-    const chaplygin_ball_lanes z19 = a * z18;
+    const chaplygin_ball_lanes z17 = s_psi * w2 - c_psi * w1;
+    const chaplygin_ball_lanes v2_x = a * z17;
     const chaplygin_ball_lanes c_phi = cosine3;
-    const chaplygin_ball_lanes z20 = z17 * (c_psi * w2 + s_psi * w1);
-    const chaplygin_ball_lanes z21 = w3 - c_theta * z20;
-    const chaplygin_ball_lanes z22 = a * (s_theta * z21);
-    const chaplygin_ball_lanes z23 = w2 * w3 * k2;
-    const chaplygin_ball_lanes z24 = w1 * w3 * k3 - z23 * z7;
-    const chaplygin_ball_lanes z25 = (w1 * w2 * k4 + z23 * z12 - z15 * z24) / z16;
-    const chaplygin_ball_lanes z26 = z14 * z24 - z15 * z25;
+    const chaplygin_ball_lanes z18 = (c_psi * w2 + s_psi * w1) / s_theta;
+    const chaplygin_ball_lanes z19 = w3 - c_theta * z18;
+    const chaplygin_ball_lanes z20 = a * (s_theta * z19);
+    const chaplygin_ball_lanes z21 = w2 * w3 * k2;
+    const chaplygin_ball_lanes z22 = w1 * w3 * k3 - z21 * z7;
+    const chaplygin_ball_lanes z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16;
+    const chaplygin_ball_lanes z24 = z14 * z22 - z15 * z23;
     /* (I.2.15) */
-    const chaplygin_ball_lanes slope1 = s_phi * z19 - c_phi * z22;
+    const chaplygin_ball_lanes slope1 = -(s_phi * v2_x + c_phi * z20);
     sum += slope1;
     chaplygin_ball_put(dydt, slope1);
-    const chaplygin_ball_lanes slope2 = -(c_phi * z19 + s_phi * z22);
+    const chaplygin_ball_lanes slope2 = c_phi * v2_x - s_phi * z20;
     sum += slope2;
     chaplygin_ball_put(dydt + 1 * stride, slope2);
-    const chaplygin_ball_lanes slope3 = z20;
+    const chaplygin_ball_lanes slope3 = z18;
     chaplygin_ball_put(dydt + 2 * stride, slope3);
-    const chaplygin_ball_lanes slope4 = z18;
+    const chaplygin_ball_lanes slope4 = -z17;
+    sum += slope4;
     chaplygin_ball_put(dydt + 3 * stride, slope4);
-    const chaplygin_ball_lanes slope5 = z21;
+    const chaplygin_ball_lanes slope5 = z19;
     chaplygin_ball_put(dydt + 4 * stride, slope5);
     /* (I.2.15) 25:4 */
-    const chaplygin_ball_lanes slope6 = z23 * z6 - z7 * z26 + z12 * z25;
+    const chaplygin_ball_lanes slope6 = z21 * z6 - z7 * z24 + z12 * z23;
     sum += slope6;
     chaplygin_ball_put(dydt + 5 * stride, slope6);
-    const chaplygin_ball_lanes slope7 = -z26;
+    const chaplygin_ball_lanes slope7 = -z24;
     sum += slope7;
     chaplygin_ball_put(dydt + 6 * stride, slope7);
-    const chaplygin_ball_lanes slope8 = z25;
+    const chaplygin_ball_lanes slope8 = z23;
     chaplygin_ball_put(dydt + 7 * stride, slope8);
     chaplygin_ball_put(check, chaplygin_ball_mark(far + (sum - sum), bad));
 }

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:ce47b49883b768c2)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b235011edcf726f9)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -262,8 +262,8 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
     dydt[1] = -a * (2.0 * (z26 * w3) + (2.0 * (z14 * w2) + R_x1 * w1)); /* y' */
     dydt[2] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     dydt[3] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
-    dydt[4] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
-    dydt[5] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
+    dydt[4] = (R_0 * w2 + R_3 * w1 - R_1 * w3) * 0.5; /* R_2' */
+    dydt[5] = 0.5 * (R_0 * w3 + (R_1 * w2 - R_2 * w1)); /* R_3' */
     /* (I.2.15) 21:4 */
     dydt[6] = z36 * z21 + 4.0 * (z22 * z39) - 2.0 * (z31 * z38); /* w1' */
     dydt[7] = -z39; /* w2' */
@@ -321,8 +321,8 @@ int chaplygin_ball_quaternion_velocities(double t, const double *y, const double
     qdot[1] = -a * omega_x; /* y' */
     qdot[2] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     qdot[3] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
-    qdot[4] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
-    qdot[5] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
+    qdot[4] = (R_0 * w2 + R_3 * w1 - R_1 * w3) * 0.5; /* R_2' */
+    qdot[5] = 0.5 * (R_0 * w3 + (R_1 * w2 - R_2 * w1)); /* R_3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3] + qdot[4] + qdot[5]) <= DBL_MAX)) {
         return chaplygin_ball_quaternion_finish(6, qdot);
@@ -400,18 +400,18 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
     const double z41 = 2.0 * (0.5 * (w2 * (2.0 * (z24 * w1) - R_x1 * w3)) - z14 * z37) + (2.0 * (w1 * (z14 *
         w3 - z24 * w2)) + R_x1 * z38);
     const double z42 = a * (2.0 * (0.5 * (w3 * (R_x1 * w2 - 2.0 * (z14 * w1))) + z24 * z36) + z41);
-    const double z43 = R_0 * w3 - (R_2 * w1 - R_1 * w2);
+    const double z43 = R_0 * w3 + (R_1 * w2 - R_2 * w1);
     const double z44 = R_2 * w3 + (R_0 * w1 - R_3 * w2);
-    const double z45 = R_1 * w3 - (R_3 * w1 + R_0 * w2);
+    const double z45 = R_1 * w3 - (R_0 * w2 + R_3 * w1);
     const double z46 = 0.5 * (w3 * z43) + R_3 * z36 + (0.5 * (w1 * z44) + R_1 * z38 - (0.5 * (w2 * z45) + R_2
         * z37));
     const double z47 = R_3 * w3 + (R_1 * w1 + R_2 * w2);
     const double z48 = 0.5 * (w3 * z45) - R_2 * z36 + (0.5 * (w1 * z47) - R_0 * z38 + (0.5 * (w2 * z43) - R_3
         * z37));
-    const double z49 = 0.5 * (w3 * z44) + R_1 * z36 - (0.5 * (w1 * z43) + R_3 * z38 - (0.5 * (w2 * z47) + R_0
-        * z37));
-    const double z50 = 0.5 * (w3 * z47) - R_0 * z36 - (0.5 * (w1 * z45) - R_2 * z38 + (0.5 * (w2 * z44) - R_1
-        * z37));
+    const double z49 = 0.5 * (w3 * z44) + R_1 * z36 + (0.5 * (w2 * z47) + R_0 * z37 - (0.5 * (w1 * z43) + R_3
+        * z38));
+    const double z50 = 0.5 * (w3 * z47) - R_0 * z36 - (0.5 * (w2 * z44) - R_1 * z37 + (0.5 * (w1 * z45) - R_2
+        * z38));
     /* (I.2.15) */
     qddot[0] = z40; /* x'' */
     qddot[1] = -z42; /* y'' */
@@ -1229,7 +1229,7 @@ int chaplygin_ball_quaternion_outputs(double t, const double *y, const double *p
     const double z2 = I1 * w1;
     const double z3 = I3 * w3;
     const double z4 = I2 * w2;
-    const double z5 = k1 * (R_2 * w1 - (R_1 * w2 + R_0 * w3)) + (R_2 * z2 - (R_0 * z3 + R_1 * z4));
+    const double z5 = k1 * (R_2 * w1 - (R_0 * w3 + R_1 * w2)) + (R_2 * z2 - (R_0 * z3 + R_1 * z4));
     const double z6 = R_3 * z2 + (R_0 * z4 - R_1 * z3);
     const double z7 = z1 * (R_2 * z5 + R_3 * (k1 * (R_3 * w1 + (R_0 * w2 - R_1 * w3)) + z6));
     const double z8 = R_3 * z4 - (R_0 * z2 + R_2 * z3);
@@ -1334,10 +1334,10 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     const chaplygin_ball_quaternion_lanes slope4 = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2));
     sum += slope4;
     chaplygin_ball_quaternion_put(dydt + 3 * stride, slope4);
-    const chaplygin_ball_quaternion_lanes slope5 = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5;
+    const chaplygin_ball_quaternion_lanes slope5 = (R_0 * w2 + R_3 * w1 - R_1 * w3) * 0.5;
     sum += slope5;
     chaplygin_ball_quaternion_put(dydt + 4 * stride, slope5);
-    const chaplygin_ball_quaternion_lanes slope6 = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2));
+    const chaplygin_ball_quaternion_lanes slope6 = 0.5 * (R_0 * w3 + (R_1 * w2 - R_2 * w1));
     sum += slope6;
     chaplygin_ball_quaternion_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 21:4 */

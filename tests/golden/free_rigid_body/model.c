@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:34958dc6fd124b53)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:237440d6aa055122)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -215,12 +215,11 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt
     const double k3 = (I1 - I2) / I3;
 
     /* from the state */
-    const double z1 = 1.0 / s_theta;
-    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
+    const double z1 = (c_psi * w2 + s_psi * w1) / s_theta;
     /* (I.2.14) */
-    dydt[0] = z2; /* phi' */
-    dydt[1] = z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)); /* theta' */
-    dydt[2] = w3 - c_theta * z2; /* psi' */
+    dydt[0] = z1; /* phi' */
+    dydt[1] = c_psi * w1 - s_psi * w2; /* theta' */
+    dydt[2] = w3 - c_theta * z1; /* psi' */
     /* (I.2.14) 18:4 */
     dydt[3] = w2 * w3 * k1; /* w1' */
     dydt[4] = w1 * w3 * k2; /* w2' */
@@ -265,12 +264,11 @@ int free_rigid_body_velocities(double t, const double *y, const double *p, doubl
     const double w3 = y[5];
 
     /* from the state */
-    const double z1 = 1.0 / s_theta;
-    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
+    const double z1 = (c_psi * w2 + s_psi * w1) / s_theta;
     /* (I.2.4) */
-    qdot[0] = z2; /* phi' */
-    qdot[1] = z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)); /* theta' */
-    qdot[2] = w3 - c_theta * z2; /* psi' */
+    qdot[0] = z1; /* phi' */
+    qdot[1] = c_psi * w1 - s_psi * w2; /* theta' */
+    qdot[2] = w3 - c_theta * z1; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
@@ -291,8 +289,8 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+    const double c_psi = cos(psi);
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
@@ -306,26 +304,19 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     const double k3 = (I1 - I2) / I3;
 
     /* from the state */
-    const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = 1.0 / s_theta;
-    const double z3 = s_theta * c_psi;
-    const double z4 = s_theta * s_psi;
-    const double z5 = w1 * z3 - w2 * z4;
-    const double z6 = z5 * (c_theta * z2);
-    const double z7 = z2 * z2 * z6;
-    const double z8 = z1 * z2;
-    const double z9 = w3 - c_theta * z8;
-    const double z10 = s_psi * z9;
-    const double z11 = w1 * w3 * k2;
-    const double z12 = c_psi * z9;
-    const double z13 = w2 * w3 * k1;
-    const double z14 = z1 * z7 + z2 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13));
-    const double z15 = w1 * (s_theta * z10 - c_psi * z6) - z3 * z13 + (w2 * (s_theta * z12 + s_psi * z6) - z4
-        * z11);
+    const double z1 = 1.0 / s_theta;
+    const double z2 = s_psi * w2 - c_psi * w1;
+    const double z3 = c_psi * w2 + s_psi * w1;
+    const double z4 = w3 - c_theta * (z3 * z1);
+    const double z5 = s_psi * z4;
+    const double z6 = w1 * w3 * k2;
+    const double z7 = c_psi * z4;
+    const double z8 = w2 * w3 * k1;
+    const double z9 = z1 * z1 * (z2 * (c_theta * z3)) - z1 * (w2 * z5 + c_psi * z6 - (w1 * z7 + s_psi * z8));
     /* (I.2.14) */
-    qddot[0] = -z14; /* phi'' */
-    qddot[1] = -(z5 * z7 + z2 * z15); /* theta'' */
-    qddot[2] = w1 * w2 * k3 + (z8 * z5 + c_theta * z14); /* psi'' */
+    qddot[0] = z9; /* phi'' */
+    qddot[1] = -(w2 * z7 - s_psi * z6 + (w1 * z5 - c_psi * z8)); /* theta'' */
+    qddot[2] = w1 * w2 * k3 - (z3 * z2 + c_theta * z9); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the mass matrix is singular, or the velocities that are kept are */
@@ -460,26 +451,24 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     const double k3 = (I1 - I2) / I3;
 
     /* from the state */
-    const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = 1.0 / s_theta;
-    const double z3 = c_theta * (z2 * z2);
-    const double z4 = z1 * z3;
-    const double z5 = s_psi * w2 - c_psi * w1;
-    const double z6 = s_psi * z2;
-    const double z7 = c_psi * z2;
+    const double z1 = 1.0 / s_theta;
+    const double z2 = c_psi * w2 + s_psi * w1;
+    const double z3 = z1 * z1 * (c_theta * z2);
+    const double z4 = z1 * (s_psi * w2 - c_psi * w1);
+    const double z5 = s_psi * z1;
+    const double z6 = c_psi * z1;
     /* (I.2.14) */
-    J[1] = -z4;
-    J[2] = -z2 * z5;
-    J[3] = z6;
-    J[4] = z7;
-    J[7] = 0.0;
-    J[8] = -z1;
+    J[1] = -z3;
+    J[2] = -z4;
+    J[3] = z5;
+    J[4] = z6;
+    J[8] = -z2;
     J[9] = c_psi;
     J[10] = -s_psi;
-    J[13] = z1 + c_theta * z4;
-    J[14] = z3 * (s_theta * z5);
-    J[15] = -c_theta * z6;
-    J[16] = -c_theta * z7;
+    J[13] = z2 + c_theta * z3;
+    J[14] = c_theta * z4;
+    J[15] = -c_theta * z5;
+    J[16] = -c_theta * z6;
     J[17] = 1.0;
     J[22] = w3 * k1;
     J[23] = w2 * k1;
@@ -488,7 +477,7 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     J[33] = w2 * k3;
     J[34] = w1 * k3;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[13] + J[14] + J[16] + J[22] + J[23] + J[27] + J[29] + J[33] + J[34]) <= DBL_MAX
+    if (!(fabs(J[2] + J[13] + J[16] + J[22] + J[23] + J[27] + J[29] + J[33] + J[34]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I1) > 0.0)) {
@@ -568,16 +557,15 @@ static __attribute__((noinline)) void free_rigid_body_rhs_lanes(const double *fi
     free_rigid_body_turn_lanes(FREE_RIGID_BODY_SPREAD(psi), &far, &sine2, &cosine2);
     const free_rigid_body_lanes c_psi = cosine2;
     const free_rigid_body_lanes s_psi = sine2;
-    const free_rigid_body_lanes z1 = 1.0 / s_theta;
-    const free_rigid_body_lanes z2 = (c_psi * w2 + s_psi * w1) * z1;
+    const free_rigid_body_lanes z1 = (c_psi * w2 + s_psi * w1) / s_theta;
     const free_rigid_body_lanes c_theta = cosine1;
     /* (I.2.14) */
-    const free_rigid_body_lanes slope1 = z2;
+    const free_rigid_body_lanes slope1 = z1;
     free_rigid_body_put(dydt, slope1);
-    const free_rigid_body_lanes slope2 = z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi));
+    const free_rigid_body_lanes slope2 = c_psi * w1 - s_psi * w2;
     sum += slope2;
     free_rigid_body_put(dydt + 1 * stride, slope2);
-    const free_rigid_body_lanes slope3 = w3 - c_theta * z2;
+    const free_rigid_body_lanes slope3 = w3 - c_theta * z1;
     sum += slope3;
     free_rigid_body_put(dydt + 2 * stride, slope3);
     /* (I.2.14) 18:4 */

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:250617abdb60803f)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:ac57f9a1317b3dd7)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -35,13 +35,6 @@ const double heavy_top_parameter_defaults[] = {
     1.5,
     2.0
 };
-
-/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-#define HEAVY_TOP_SLOW __attribute__((cold, optimize("O1")))
-#else
-#define HEAVY_TOP_SLOW
-#endif
 
 #if defined(__GNUC__)
 __attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
@@ -214,41 +207,35 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* from the parameters alone */
-    const double k1 = I1 - I3;
-    const double k2 = 1.0 / I1;
+    const double k1 = 1.0 / I1;
+    const double k2 = I3 * k1;
+    const double k3 = mgl * k1;
 
     /* from the state */
-    const double z1 = I3 * c_theta;
-    const double z2 = I1 * (s_theta * s_theta) + c_theta * z1;
-    const double z3 = 1.0 / z2;
-    const double z4 = z1 * z3;
-    const double z5 = I3 - z1 * z4;
-    const double z6 = theta_dot * s_theta;
-    const double z7 = phi_dot * c_theta * k1;
-    const double z8 = psi_dot * I3;
-    const double z9 = z6 * (2.0 * z7 - z8);
-    const double z10 = (I3 * (phi_dot * z6) + z9 * z4) / z5;
+    const double z1 = phi_dot * c_theta;
+    const double z2 = (psi_dot + z1) * k2;
+    const double z3 = theta_dot / s_theta * (2.0 * z1 - z2);
     /* (II.3) */
     dydt[0] = phi_dot; /* phi' */
     dydt[1] = theta_dot; /* theta' */
     dydt[2] = psi_dot; /* psi' */
     /* (II.3) 16:4 */
-    dydt[3] = -(z9 * z3 + z4 * z10); /* phi'' */
-    dydt[4] = s_theta * (mgl + phi_dot * (z7 - z8)) * k2; /* theta'' */
-    dydt[5] = z10; /* psi'' */
+    dydt[3] = -z3; /* phi'' */
+    dydt[4] = s_theta * (k3 + phi_dot * (z1 - z2)); /* theta'' */
+    dydt[5] = s_theta * (phi_dot * theta_dot) + c_theta * z3; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z5) > 1e-13 * I3)) {
+    if (!(fabs(dydt[4] + dydt[5]) <= DBL_MAX && fabs(I3) > 0.0 && fabs(I1 * (s_theta * s_theta)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 0.0)) {
-            return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
+        if (!(fabs(I3) > 0.0)) {
+            return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z5) > 1e-13 * I3)) {
-            return heavy_top_refuse(fabs(z5), 1e-13 * I3, HEAVY_TOP_SINGULAR_2);
+        if (!(fabs(I1 * (s_theta * s_theta)) > 0.0)) {
+            return heavy_top_refuse(fabs(I1 * (s_theta * s_theta)), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         return heavy_top_finish(6, dydt);
     }
@@ -291,38 +278,31 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* from the parameters alone */
-    const double k1 = I1 - I3;
-    const double k2 = 1.0 / I1;
+    const double k1 = 1.0 / I1;
+    const double k2 = I3 * k1;
+    const double k3 = mgl * k1;
 
     /* from the state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = I1 * z1 + I3 * (1.0 - z1);
-    const double z3 = I3 * c_theta;
-    const double z4 = 1.0 / z2;
-    const double z5 = z3 * z4;
-    const double z6 = I3 - z3 * z5;
-    const double z7 = theta_dot * s_theta;
-    const double z8 = phi_dot * c_theta * k1;
-    const double z9 = psi_dot * I3;
-    const double z10 = z7 * (2.0 * z8 - z9);
-    const double z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6;
+    const double z1 = phi_dot * c_theta;
+    const double z2 = (psi_dot + z1) * k2;
+    const double z3 = theta_dot / s_theta * (2.0 * z1 - z2);
     /* (II.3) */
-    qddot[0] = -(z10 * z4 + z5 * z11); /* phi'' */
-    qddot[1] = s_theta * (mgl + phi_dot * (z8 - z9)) * k2; /* theta'' */
-    qddot[2] = z11; /* psi'' */
+    qddot[0] = -z3; /* phi'' */
+    qddot[1] = s_theta * (k3 + phi_dot * (z1 - z2)); /* theta'' */
+    qddot[2] = s_theta * (phi_dot * theta_dot) + c_theta * z3; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z6) > 1e-13 * I3)) {
+    if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(I3) > 0.0 && fabs(I1 * (s_theta * s_theta)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 0.0)) {
-            return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
+        if (!(fabs(I3) > 0.0)) {
+            return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z6) > 1e-13 * I3)) {
-            return heavy_top_refuse(fabs(z6), 1e-13 * I3, HEAVY_TOP_SINGULAR_2);
+        if (!(fabs(I1 * (s_theta * s_theta)) > 0.0)) {
+            return heavy_top_refuse(fabs(I1 * (s_theta * s_theta)), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         return heavy_top_finish(3, qddot);
     }
@@ -368,28 +348,22 @@ int heavy_top_reactions(double t, const double *y, const double *p, double *lamb
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
-
-    /* sines and cosines */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
     /* from the state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = I1 * z1 + I3 * (1.0 - z1);
-    const double z3 = I3 * c_theta;
+    const double s_theta = sin(theta);
     /* the mass matrix is singular */
     if (!(fabs(I1) > 0.0)) {
         return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
+    if (!(fabs(I3) > 0.0)) {
+        return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(I3 - z3 * (z3 / z2)) > 1e-13 * I3)) {
-        return heavy_top_refuse(fabs(I3 - z3 * (z3 / z2)), 1e-13 * I3, HEAVY_TOP_SINGULAR_2);
+    if (!(fabs(I1 * (s_theta * s_theta)) > 0.0)) {
+        return heavy_top_refuse(fabs(I1 * (s_theta * s_theta)), 0.0, HEAVY_TOP_SINGULAR_2);
     }
     (void)lambda;
     return HEAVY_TOP_OK;
@@ -417,7 +391,6 @@ double heavy_top_energy(double t, const double *y, const double *p)
     return z1;
 }
 
-HEAVY_TOP_SLOW
 int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
 {
     memset(J, 0, 36 * sizeof *J);
@@ -435,66 +408,54 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* from the parameters alone */
-    const double k1 = I1 - I3;
-    const double k2 = 1.0 / I1;
+    const double k1 = 1.0 / I1;
+    const double k2 = I3 * k1;
+    const double k3 = mgl * k1;
+    const double k4 = 2.0 - k2;
 
     /* from the state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = I1 * z1 + I3 * (1.0 - z1);
-    const double z3 = I3 * c_theta;
-    const double z4 = 1.0 / z2;
-    const double z5 = z3 * z4;
-    const double z6 = I3 - z3 * z5;
-    const double z7 = theta_dot * s_theta;
-    const double z8 = z7 * k1;
-    const double z9 = 1.0 / z6;
-    const double z10 = I3 * (phi_dot * theta_dot);
-    const double z11 = phi_dot * c_theta * k1;
-    const double z12 = psi_dot * I3;
-    const double z13 = 2.0 * z11 - z12;
-    const double z14 = z7 * z13;
-    const double z15 = z9 * (s_theta * z10 + z14 * z5);
-    const double z16 = s_theta * (z14 * z4 + z5 * z15);
-    const double z17 = s_theta * (2.0 * (phi_dot * z8) + I3 * z15) - c_theta * (theta_dot * z13 - 2.0 * (k1 *
-        z16));
-    const double z18 = z9 * (c_theta * z10 - I3 * z16 - z5 * z17);
-    const double z19 = c_theta * z8;
-    const double z20 = I3 * z7;
-    const double z21 = z9 * (z20 + 2.0 * (z5 * z19));
-    const double z22 = s_theta * z13;
-    const double z23 = phi_dot * s_theta;
-    const double z24 = I3 * z23;
-    const double z25 = z9 * (z24 + z5 * z22);
-    const double z26 = z20 * (z5 * z9);
+    const double z1 = 1.0 / s_theta;
+    const double z2 = phi_dot * c_theta;
+    const double z3 = (psi_dot + z2) * k2;
+    const double z4 = 2.0 * z2 - z3;
+    const double z5 = theta_dot * z1;
+    const double z6 = phi_dot * s_theta;
+    const double z7 = z1 * z1 * (theta_dot * c_theta * z4) + z5 * (z6 * k4);
+    const double z8 = z5 * (c_theta * k4);
+    const double z9 = z1 * z4;
+    const double z10 = k2 * z5;
+    const double z11 = z2 - z3;
+    const double z12 = z6 * k2;
     /* (II.3) */
     J[3] = 1.0;
     J[10] = 1.0;
     J[17] = 1.0;
-    J[19] = z4 * z17 - z5 * z18;
-    J[21] = -(2.0 * (z4 * z19) + z5 * z21);
-    J[22] = -(z4 * z22 + z5 * z25);
-    J[23] = z4 * z20 + z5 * z26;
-    J[25] = k2 * (c_theta * (mgl + phi_dot * (z11 - z12)) - k1 * (z23 * z23));
-    J[27] = k2 * z22;
-    J[29] = -k2 * z24;
-    J[31] = z18;
-    J[33] = z21;
-    J[34] = z25;
-    J[35] = -z26;
+    J[19] = z7;
+    J[21] = -z8;
+    J[22] = -z9;
+    J[23] = z10;
+    J[25] = c_theta * (k3 + phi_dot * z11) - z6 * (z6 - z12);
+    J[27] = s_theta * (z11 + phi_dot * (c_theta - c_theta * k2));
+    J[29] = -z12;
+    J[31] = theta_dot * z2 - (theta_dot * z4 + c_theta * z7);
+    J[33] = theta_dot * s_theta + c_theta * z8;
+    J[34] = z6 + c_theta * z9;
+    J[35] = -c_theta * z10;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[19] + J[21] + J[22] + J[23] + J[25] + J[27] + J[29] + J[35]) <= DBL_MAX
-        && fabs(z6) > 1e-13 * I3)) {
+    if (!(fabs(J[25] + J[27] + J[29] + J[31] + J[33] + J[34] + J[35]) <= DBL_MAX
+        && fabs(I3) > 0.0
+        && fabs(I1 * (s_theta * s_theta)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 0.0)) {
-            return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
+        if (!(fabs(I3) > 0.0)) {
+            return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z6) > 1e-13 * I3)) {
-            return heavy_top_refuse(fabs(z6), 1e-13 * I3, HEAVY_TOP_SINGULAR_2);
+        if (!(fabs(I1 * (s_theta * s_theta)) > 0.0)) {
+            return heavy_top_refuse(fabs(I1 * (s_theta * s_theta)), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         return heavy_top_finish(36, J);
     }
@@ -536,10 +497,8 @@ static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, s
     heavy_top_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
     heavy_top_bits bad = {0}; /* singular blocks */
     const double I1 = fixed[0];
-    const double I3 = fixed[1];
-    const double mgl = fixed[2];
-    const double k1 = fixed[3];
-    const double k2 = fixed[4];
+    const double k2 = fixed[1];
+    const double k3 = fixed[2];
     const heavy_top_lanes theta = heavy_top_get(y + 1 * stride);
     const heavy_top_lanes phi_dot = heavy_top_get(y + 3 * stride);
     const heavy_top_lanes theta_dot = heavy_top_get(y + 4 * stride);
@@ -547,19 +506,13 @@ static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, s
     heavy_top_lanes sine1, cosine1;
     heavy_top_turn_lanes(HEAVY_TOP_SPREAD(theta), &far, &sine1, &cosine1);
     const heavy_top_lanes s_theta = sine1;
-    const heavy_top_lanes c_theta = cosine1;
-    const heavy_top_lanes z1 = I3 * c_theta;
-    const heavy_top_lanes z2 = I1 * (s_theta * s_theta) + c_theta * z1;
-    const heavy_top_lanes z3 = 1.0 / z2;
-    const heavy_top_lanes z4 = z1 * z3;
-    const heavy_top_lanes z5 = I3 - z1 * z4;
     /* the mass matrix is singular */
-    bad |= heavy_top_misses(heavy_top_size(HEAVY_TOP_SPREAD(z5)), HEAVY_TOP_SPREAD(1e-13 * I3));
-    const heavy_top_lanes z6 = theta_dot * s_theta;
-    const heavy_top_lanes z7 = phi_dot * c_theta * k1;
-    const heavy_top_lanes z8 = psi_dot * I3;
-    const heavy_top_lanes z9 = z6 * (2.0 * z7 - z8);
-    const heavy_top_lanes z10 = (I3 * (phi_dot * z6) + z9 * z4) / z5;
+    bad |= heavy_top_misses(heavy_top_size(HEAVY_TOP_SPREAD(I1 * (s_theta * s_theta))),
+        HEAVY_TOP_SPREAD(0.0));
+    const heavy_top_lanes c_theta = cosine1;
+    const heavy_top_lanes z1 = phi_dot * c_theta;
+    const heavy_top_lanes z2 = (psi_dot + z1) * k2;
+    const heavy_top_lanes z3 = theta_dot / s_theta * (2.0 * z1 - z2);
     /* (II.3) */
     const heavy_top_lanes slope1 = phi_dot;
     heavy_top_put(dydt, slope1);
@@ -568,13 +521,13 @@ static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, s
     const heavy_top_lanes slope3 = psi_dot;
     heavy_top_put(dydt + 2 * stride, slope3);
     /* (II.3) 16:4 */
-    const heavy_top_lanes slope4 = -(z9 * z3 + z4 * z10);
-    sum += slope4;
+    const heavy_top_lanes slope4 = -z3;
     heavy_top_put(dydt + 3 * stride, slope4);
-    const heavy_top_lanes slope5 = s_theta * (mgl + phi_dot * (z7 - z8)) * k2;
+    const heavy_top_lanes slope5 = s_theta * (k3 + phi_dot * (z1 - z2));
     sum += slope5;
     heavy_top_put(dydt + 4 * stride, slope5);
-    const heavy_top_lanes slope6 = z10;
+    const heavy_top_lanes slope6 = s_theta * (phi_dot * theta_dot) + c_theta * z3;
+    sum += slope6;
     heavy_top_put(dydt + 5 * stride, slope6);
     heavy_top_put(check, heavy_top_mark(far + (sum - sum), bad));
 }
@@ -598,9 +551,14 @@ int heavy_top_rhs_batch(size_t count, const double *t, const double *y, const do
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
-    const double k1 = I1 - I3;
-    const double k2 = 1.0 / I1;
-    const double fixed[] = {I1, I3, mgl, k1, k2};
+    const double k1 = 1.0 / I1;
+    const double k2 = I3 * k1;
+    const double k3 = mgl * k1;
+    /* the mass matrix is singular */
+    if (!(fabs(I3) > 0.0)) {
+        return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
+    }
+    const double fixed[] = {I1, k2, k3};
     double check[1 * HEAVY_TOP_LANES];
     int status = HEAVY_TOP_OK;
     for (size_t i = 0; i < count; i += HEAVY_TOP_LANES) {

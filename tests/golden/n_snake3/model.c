@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:0ecf30195ceb4eef)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:4376892abcc98fa9)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -240,47 +240,44 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     const double z6 = c1 * s2 - s1 * c2;
     const double z7 = z6 * z6;
     const double z8 = m * z4 + k3 * (z5 + z7);
-    const double z9 = c1 * s1;
-    const double z10 = a * s1;
-    const double z11 = a * c1;
-    const double z12 = s2 * z10 + c2 * z11;
-    const double z13 = z6 * z12;
-    const double z14 = k2 * z9 - k3 * z13 - z9 * k4 + m * z13;
-    const double z15 = 1.0 / z8;
-    const double z16 = z15 * z14;
-    const double z17 = z5 * k5 + J * z4 + z7 * k5;
-    const double z18 = z14 * z16 - z17;
-    const double z19 = a * w;
-    const double z20 = v * s1 - c1 * z19;
-    const double z21 = k1 * z20;
-    const double v1_x2 = v * c1 + s1 * z19;
-    const double z22 = s2 * v1_x2 - c2 * z20;
-    const double z23 = w - z21;
-    const double z24 = c1 * z23;
-    const double z25 = s1 * z23;
-    const double z26 = v * z24 + z19 * z25;
-    const double z27 = k1 * (z20 - z22);
-    const double z28 = c2 * z27;
-    const double z29 = v * z25 - z19 * z24;
-    const double z30 = s2 * z27;
-    const double z31 = v1_x2 * z28 - s2 * z29 + (z20 * z30 - c2 * z26);
-    const double z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26);
-    const double z33 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32) - k * (z1 * (s1 * k1) - z2 *
-        (k1 * (s1 - z6)));
-    const double z34 = k2 * (c1 * z26) - k3 * (z12 * z31) + k4 * (s1 * z29) + m * ((c2 * z10 - s2 * z11) *
-        z32);
-    const double z35 = (z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z12)) - z33 * z16) / z18;
+    const double z9 = z5 * k5 + J * z4 + z7 * k5;
+    const double z10 = c1 * s1;
+    const double z11 = a * z3;
+    const double z12 = z6 * z11;
+    const double z13 = z10 * k4 - (k2 * z10 - k3 * z12) - m * z12;
+    const double z14 = 1.0 / z8;
+    const double z15 = z14 * z13;
+    const double z16 = z9 - z13 * z15;
+    const double z17 = a * w;
+    const double z18 = v * s1 - c1 * z17;
+    const double z19 = k1 * z18;
+    const double v1_x2 = v * c1 + s1 * z17;
+    const double z20 = s2 * v1_x2 - c2 * z18;
+    const double z21 = w - z19;
+    const double z22 = c1 * z21;
+    const double z23 = s1 * z21;
+    const double z24 = v * z22 + z17 * z23;
+    const double z25 = k1 * (z18 - z20);
+    const double z26 = c2 * z25;
+    const double z27 = v * z23 - z17 * z22;
+    const double z28 = s2 * z25;
+    const double z29 = v1_x2 * z26 - s2 * z27 + (z18 * z28 - c2 * z24);
+    const double z30 = v1_x2 * z28 + c2 * z27 - (z18 * z26 + s2 * z24);
+    const double z31 = k3 * (s1 * z24 + z6 * z29) - m * (c1 * z27 + z3 * z30) - k * (k1 * (z1 * s1 - z2 * (s1
+        - z6)));
+    const double z32 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11)) - m * (z30 * (a * z6));
+    const double z33 = (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32 - z15 * z31) / z16;
     /* (I.2.15) */
     dydt[0] = c_theta1 * v; /* x' */
     dydt[1] = s_theta1 * v; /* y' */
     dydt[2] = w; /* theta1' */
-    dydt[3] = z21; /* theta2' */
-    dydt[4] = k1 * z22; /* theta3' */
+    dydt[3] = z19; /* theta2' */
+    dydt[4] = k1 * z20; /* theta3' */
     /* (I.2.15) 22:4 */
-    dydt[5] = -(z33 * z15 + z16 * z35); /* v' */
-    dydt[6] = -z35; /* w' */
+    dydt[5] = z15 * z33 - z14 * z31; /* v' */
+    dydt[6] = -z33; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(-z18) > 1e-13 * z17)) {
+    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z16) > 1e-13 * z9)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
@@ -290,8 +287,8 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
             return n_snake3_refuse(fabs(z8), 0.0, N_SNAKE3_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z18) > 1e-13 * z17)) {
-            return n_snake3_refuse(fabs(-z18), 1e-13 * z17, N_SNAKE3_SINGULAR_2);
+        if (!(fabs(z16) > 1e-13 * z9)) {
+            return n_snake3_refuse(fabs(z16), 1e-13 * z9, N_SNAKE3_SINGULAR_2);
         }
         return n_snake3_finish(7, dydt);
     }
@@ -412,7 +409,7 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double z38 = k3 * (s1 * z27 + z6 * z36) - m * (c1 * z33 + z3 * z37) - k * (k1 * (z1 * s1 - z2 * (s1
         - z6)));
     const double z39 = k2 * (c1 * z27) - k3 * (z10 * z36) + k4 * (s1 * z33) + m * (z11 * z37);
-    const double z40 = (z39 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - z17 * z38) / z18;
+    const double z40 = (z39 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z38) / z18;
     const double z41 = z16 * z38 - z17 * z40;
     const double z42 = a * z40;
     const double z43 = z24 - s1 * z41 + (z26 - c1 * z42);
@@ -583,20 +580,19 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double z34 = k3 * (s1 * z30 + z6 * z32) - m * (c1 * z28 + z3 * z31) - k * (z1 * z33 - k1 * (z2 *
         (s1 - z6)));
     const double z35 = k2 * (c1 * z30) - k3 * (z10 * z32) + k4 * (s1 * z28) + m * (z11 * z31);
-    const double z36 = k1 * z10;
-    const double z37 = (z35 - k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - z17 * z34) / z18;
-    const double z38 = z16 * z34 - z17 * z37;
-    const double z39 = m * (z31 + (z3 * z38 - z11 * z37));
-    const double z40 = k1 * (k * z2 - J * (k1 * z32 - (k1 * (z6 * z38) - z36 * z37)));
-    const double z41 = s2 * z39 - c2 * z40;
-    const double z42 = z41 + k1 * (k * (z1 - z2) - J * (k1 * z30 - (z33 * z38 + c1 * z37)));
-    const double z43 = c1 * z42 - s1 * (m * (z28 + (c1 * z38 - z8 * z37)) + s2 * z40 + c2 * z39);
+    const double z36 = (z35 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z34) / z18;
+    const double z37 = z16 * z34 - z17 * z36;
+    const double z38 = m * (z31 + (z3 * z37 - z11 * z36));
+    const double z39 = k1 * (k * z2 - J * (k1 * z32 - (k1 * (z6 * z37) - z3 * z36)));
+    const double z40 = s2 * z38 - c2 * z39;
+    const double z41 = z40 + k1 * (k * (z1 - z2) - J * (k1 * z30 - (z33 * z37 + c1 * z36)));
+    const double z42 = c1 * z41 - s1 * (m * (z28 + (c1 * z37 - z8 * z36)) + s2 * z39 + c2 * z38);
     /* (I.4.1) 25:5 */
-    lambda[0] = m * (v * w) - z43; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (v * w) - z42; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 26:5 */
-    lambda[1] = m * (z24 * v1_x2) + z41 + z42; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
+    lambda[1] = m * (z24 * v1_x2) + z40 + z41; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 27:5 */
-    lambda[2] = k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z40; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
+    lambda[2] = k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z39; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z18) > 1e-13 * z12)) {
         /* the coframe is singular */
@@ -722,97 +718,96 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z21 = s1 * k1;
     const double z22 = v * s1 - c1 * z19;
     const double z23 = k1 * (c2 * v1_x2 + s2 * z22);
-    const double z24 = k1 * z10;
-    const double z25 = k1 * (z22 - (s2 * v1_x2 - c2 * z22));
-    const double z26 = c2 * z25;
-    const double z27 = m * z3;
-    const double z28 = s2 * z25;
-    const double z29 = z6 * k3;
-    const double z30 = z22 * z27 + v1_x2 * z29;
-    const double z31 = v1_x2 * z27 - z22 * z29;
-    const double z32 = k1 * (c2 * z30 - s2 * z31);
-    const double z33 = m * c1 + c2 * z27 + s2 * z29;
-    const double z34 = s1 * k3 + s2 * z27 - c2 * z29;
-    const double z35 = z19 * z33 + v * z34;
-    const double z36 = z19 * z34 - v * z33;
-    const double z37 = c1 * z35 + s1 * z36;
-    const double z38 = z26 * z27 + z28 * z29 + z32 + c2 * z32 - k1 * z37;
-    const double z39 = z28 * z27 - z26 * z29 + s2 * z32;
-    const double z40 = w - k1 * z22;
-    const double z41 = c1 * z40;
-    const double z42 = s1 * z40;
-    const double z43 = v * z41 + z19 * z42;
-    const double z44 = z2 * k7;
-    const double z45 = 1.0 / z18;
-    const double z46 = v * z42 - z19 * z41;
-    const double z47 = v1_x2 * z26 - s2 * z46 + (z22 * z28 - c2 * z43);
-    const double z48 = v1_x2 * z28 + c2 * z46 - (z22 * z26 + s2 * z43);
-    const double z49 = k1 * (s1 - z6);
-    const double z50 = k3 * (s1 * z43 + z6 * z47) - m * (c1 * z46 + z3 * z48) - k * (z1 * z21 - z2 * z49);
-    const double z51 = 1.0 + c1;
-    const double z52 = c1 + z24;
-    const double z53 = c1 * k2;
-    const double z54 = z10 * k3;
-    const double z55 = s1 * k4;
-    const double z56 = m * z11;
-    const double z57 = k * (z1 * z51 - z2 * z52) - (z43 * z53 - z47 * z54 + z46 * z55 + z48 * z56);
-    const double z58 = z45 * (z50 * z17 + z57);
-    const double z59 = k6 * z58;
-    const double z60 = z50 * z16 + z17 * z58;
-    const double z61 = k3 * z60;
-    const double z62 = m * z48;
-    const double z63 = m * z58;
-    const double z64 = z11 * z63;
-    const double z65 = m * z60;
-    const double z66 = z3 * z65;
-    const double z67 = z62 + z64 + 2.0 * z66;
-    const double z68 = z40 * z36 + (z43 * k3 + z44 + c1 * z59 - 2.0 * (s1 * z61)) - s2 * z67;
-    const double z69 = z3 * z63;
-    const double z70 = k3 * z58;
-    const double z71 = z6 * z70;
-    const double z72 = z47 * k3;
-    const double z73 = z10 * z70;
-    const double z74 = z6 * z61;
-    const double z75 = z72 - z44 - z73 - 2.0 * z74;
-    const double z76 = v * z38 - (z19 * z39 - z68) - a * (c2 * z69 + s2 * z71) - c2 * z75;
-    const double z77 = z19 * z38 - (z40 * z35 - (m * z46 - s1 * z59 + 2.0 * (c1 * z65)) - c2 * z67);
-    const double z78 = k * z21 + c1 * (z1 * k7 - z76) - s1 * (v * z39 + z77 - a * (s2 * z69 - c2 * z71) - s2
-        * z75);
-    const double z79 = z22 * z56 + v1_x2 * z54;
-    const double z80 = v1_x2 * z56 - z22 * z54;
-    const double z81 = k1 * (c2 * z79 - s2 * z80);
-    const double z82 = z55 + c2 * z56 + s2 * z54;
-    const double z83 = z53 - s2 * z56 + c2 * z54;
-    const double z84 = z19 * z82 - v * z83;
-    const double z85 = z19 * z83 + v * z82;
-    const double z86 = c1 * z84 - s1 * z85;
-    const double z87 = z26 * z56 + z28 * z54 + z81 + c2 * z81 - k1 * z86;
-    const double z88 = z28 * z56 - z26 * z54 + s2 * z81;
-    const double z89 = k6 * z60;
-    const double z90 = z11 * z65;
-    const double z91 = z40 * z85 + (z46 * k4 - c1 * z89 + 2.0 * (k5 * (s1 * z58))) + s2 * z90;
-    const double z92 = z66 + (z62 + 2.0 * z64);
-    const double z93 = z44 + (z74 - (z72 - 2.0 * z73));
-    const double z94 = z10 * z61;
-    const double z95 = v * z87 - (z19 * z88 + z91) - a * (c2 * z92 + s2 * z93) + c2 * z94;
-    const double z96 = z40 * z84 + (k * (z1 - z2) - z43 * k2 + s1 * z89 - 2.0 * (J_2 * (c1 * z58)));
-    const double z97 = v * z88 + (z19 * z87 - (z96 - c2 * z90)) - a * (s2 * z92 - c2 * z93);
-    const double z98 = k * z51 + c1 * z95 + s1 * (z97 + s2 * z94);
-    const double z99 = z45 * (z98 - z17 * z78);
-    const double z100 = v1_x2 * z32 - (z43 * z27 - z46 * z29 - z25 * z31 + z9 * z69 - s1 * z67);
-    const double z101 = z22 * z32 - (z46 * z27 + z43 * z29 - z25 * z30 + z8 * z69 + c1 * z67);
-    const double z102 = k * z49 - c2 * (z100 + z8 * z71 - c1 * z75) - s2 * (z101 - z9 * z71 - s1 * z75);
-    const double z103 = z78 + z102;
-    const double z104 = v1_x2 * z81 - (z43 * z56 - z46 * z54 - z25 * z80 + z9 * z92 - s1 * z90);
-    const double z105 = z22 * z81 - (z46 * z56 + z43 * z54 - z25 * z79 + z8 * z92 + c1 * z90);
-    const double z106 = k * z52 + c2 * (z104 + z8 * z93 + c1 * z94) + s2 * (z105 - z9 * z93 + s1 * z94);
-    const double z107 = z45 * (z98 + z106 - z17 * z103);
-    const double z108 = z45 * (z106 - z17 * z102);
-    const double z109 = z41 * z34 - z42 * z33 + s1 * z38 - c1 * z39;
-    const double z110 = z45 * (z41 * z83 + z42 * z82 - s1 * z87 + c1 * z88 - z17 * z109);
-    const double z111 = z37 + a * (z41 * z33 + z42 * z34 - s1 * z39 - c1 * z38);
-    const double z112 = z86 + a * (z41 * z82 - z42 * z83 - s1 * z88 - c1 * z87) + z17 * z111;
-    const double z113 = z45 * z112;
+    const double z24 = k1 * (z22 - (s2 * v1_x2 - c2 * z22));
+    const double z25 = c2 * z24;
+    const double z26 = m * z3;
+    const double z27 = s2 * z24;
+    const double z28 = z6 * k3;
+    const double z29 = z22 * z26 + v1_x2 * z28;
+    const double z30 = v1_x2 * z26 - z22 * z28;
+    const double z31 = k1 * (c2 * z29 - s2 * z30);
+    const double z32 = m * c1 + c2 * z26 + s2 * z28;
+    const double z33 = s1 * k3 + s2 * z26 - c2 * z28;
+    const double z34 = z19 * z32 + v * z33;
+    const double z35 = z19 * z33 - v * z32;
+    const double z36 = c1 * z34 + s1 * z35;
+    const double z37 = z25 * z26 + z27 * z28 + z31 + c2 * z31 - k1 * z36;
+    const double z38 = z27 * z26 - z25 * z28 + s2 * z31;
+    const double z39 = w - k1 * z22;
+    const double z40 = c1 * z39;
+    const double z41 = s1 * z39;
+    const double z42 = v * z40 + z19 * z41;
+    const double z43 = z2 * k7;
+    const double z44 = 1.0 / z18;
+    const double z45 = v * z41 - z19 * z40;
+    const double z46 = v1_x2 * z25 - s2 * z45 + (z22 * z27 - c2 * z42);
+    const double z47 = v1_x2 * z27 + c2 * z45 - (z22 * z25 + s2 * z42);
+    const double z48 = k1 * (s1 - z6);
+    const double z49 = k3 * (s1 * z42 + z6 * z46) - m * (c1 * z45 + z3 * z47) - k * (z1 * z21 - z2 * z48);
+    const double z50 = 1.0 + c1;
+    const double z51 = c1 + z3;
+    const double z52 = c1 * k2;
+    const double z53 = z10 * k3;
+    const double z54 = s1 * k4;
+    const double z55 = m * z11;
+    const double z56 = k * (z1 * z50 - z2 * z51) - (z42 * z52 - z46 * z53 + z45 * z54 + z47 * z55);
+    const double z57 = z44 * (z49 * z17 + z56);
+    const double z58 = k6 * z57;
+    const double z59 = z49 * z16 + z17 * z57;
+    const double z60 = k3 * z59;
+    const double z61 = z19 * z38 - (z39 * z35 + (z42 * k3 + z43 + c1 * z58 - 2.0 * (s1 * z60)));
+    const double z62 = m * z57;
+    const double z63 = z3 * z62;
+    const double z64 = k3 * z57;
+    const double z65 = z6 * z64;
+    const double z66 = m * z47;
+    const double z67 = z11 * z62;
+    const double z68 = m * z59;
+    const double z69 = z3 * z68;
+    const double z70 = z66 + z67 + 2.0 * z69;
+    const double z71 = z1 * k7 - (v * z37 - z61 - a * (c2 * z63 + s2 * z65)) + s2 * z70;
+    const double z72 = z46 * k3;
+    const double z73 = z10 * z64;
+    const double z74 = z6 * z60;
+    const double z75 = z72 - z43 - z73 - 2.0 * z74;
+    const double z76 = v * z38 + (z19 * z37 - (z39 * z34 - (m * z45 - s1 * z58 + 2.0 * (c1 * z68))));
+    const double z77 = k * z21 + c1 * (z71 + c2 * z75) - s1 * (z76 - a * (s2 * z63 - c2 * z65) + c2 * z70 -
+        s2 * z75);
+    const double z78 = z22 * z55 + v1_x2 * z53;
+    const double z79 = v1_x2 * z55 - z22 * z53;
+    const double z80 = k1 * (c2 * z78 - s2 * z79);
+    const double z81 = z54 + c2 * z55 + s2 * z53;
+    const double z82 = z52 - s2 * z55 + c2 * z53;
+    const double z83 = z19 * z81 - v * z82;
+    const double z84 = z19 * z82 + v * z81;
+    const double z85 = c1 * z83 - s1 * z84;
+    const double z86 = z25 * z55 + z27 * z53 + z80 + c2 * z80 - k1 * z85;
+    const double z87 = z27 * z55 - z25 * z53 + s2 * z80;
+    const double z88 = k6 * z59;
+    const double z89 = z19 * z87 + (z39 * z84 + (z45 * k4 - c1 * z88 + 2.0 * (k5 * (s1 * z57))));
+    const double z90 = z69 + (z66 + 2.0 * z67);
+    const double z91 = z43 + (z74 - (z72 - 2.0 * z73));
+    const double z92 = z11 * z68;
+    const double z93 = z10 * z60;
+    const double z94 = v * z86 - z89 - a * (c2 * z90 + s2 * z91) - s2 * z92 + c2 * z93;
+    const double z95 = z39 * z83 + (k * (z1 - z2) - z42 * k2 + s1 * z88 - 2.0 * (J_2 * (c1 * z57)));
+    const double z96 = v * z87 + (z19 * z86 - z95) - a * (s2 * z90 - c2 * z91) + c2 * z92;
+    const double z97 = k * z50 + c1 * z94 + s1 * (z96 + s2 * z93);
+    const double z98 = z44 * (z97 - z17 * z77);
+    const double z99 = v1_x2 * z31 - (z42 * z26 - z45 * z28 - z24 * z30 + z9 * z63) + z8 * z65;
+    const double z100 = z22 * z31 - (z45 * z26 + z42 * z28 - z24 * z29 + z8 * z63) - z9 * z65;
+    const double z101 = k * z48 - c2 * (z99 + s1 * z70 - c1 * z75) - s2 * (z100 - c1 * z70 - s1 * z75);
+    const double z102 = z77 + z101;
+    const double z103 = v1_x2 * z80 - (z42 * z55 - z45 * z53 - z24 * z79 + z9 * z90) + z8 * z91;
+    const double z104 = z22 * z80 - (z45 * z55 + z42 * z53 - z24 * z78 + z8 * z90) - z9 * z91;
+    const double z105 = k * z51 + c2 * (z103 + s1 * z92 + c1 * z93) + s2 * (z104 - c1 * z92 + s1 * z93);
+    const double z106 = z44 * (z97 + z105 - z17 * z102);
+    const double z107 = z44 * (z105 - z17 * z101);
+    const double z108 = z40 * z33 - z41 * z32 + s1 * z37 - c1 * z38;
+    const double z109 = z44 * (z40 * z82 + z41 * z81 - s1 * z86 + c1 * z87 - z17 * z108);
+    const double z110 = z36 + a * (z40 * z32 + z41 * z33 - s1 * z38 - c1 * z37);
+    const double z111 = z85 + a * (z40 * z81 - z41 * z82 - s1 * z87 - c1 * z86) + z17 * z110;
+    const double z112 = z44 * z111;
     /* (I.2.15) */
     J[2] = -s_theta1 * v;
     J[5] = c_theta1;
@@ -827,17 +822,17 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     J[31] = 2.0 * z23;
     J[32] = -z23;
     J[33] = k1 * z6;
-    J[34] = z24;
-    J[37] = z16 * z78 - z17 * z99;
-    J[38] = z17 * z107 - z16 * z103;
-    J[39] = z16 * z102 - z17 * z108;
-    J[40] = z17 * z110 - z16 * z109;
-    J[41] = -(z16 * z111 + z17 * z113);
-    J[44] = -z99;
-    J[45] = z107;
-    J[46] = -z108;
-    J[47] = z110;
-    J[48] = -z113;
+    J[34] = z3;
+    J[37] = z16 * z77 - z17 * z98;
+    J[38] = z17 * z106 - z16 * z102;
+    J[39] = z16 * z101 - z17 * z107;
+    J[40] = z17 * z109 - z16 * z108;
+    J[41] = -(z16 * z110 + z17 * z112);
+    J[44] = -z98;
+    J[45] = z106;
+    J[46] = -z107;
+    J[47] = z109;
+    J[48] = -z112;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[24] + J[31] + J[32] + J[33] + J[37] + J[38] + J[39] + J[40] + J[41] + J[44] + J[46] + J[48])
         <= DBL_MAX
@@ -912,42 +907,39 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const n_snake3_lanes z6 = c1 * s2 - s1 * c2;
     const n_snake3_lanes z7 = z6 * z6;
     const n_snake3_lanes z8 = m * z4 + k3 * (z5 + z7);
-    const n_snake3_lanes z9 = c1 * s1;
-    const n_snake3_lanes z10 = a * s1;
-    const n_snake3_lanes z11 = a * c1;
-    const n_snake3_lanes z12 = s2 * z10 + c2 * z11;
-    const n_snake3_lanes z13 = z6 * z12;
-    const n_snake3_lanes z14 = k2 * z9 - k3 * z13 - z9 * k4 + m * z13;
-    const n_snake3_lanes z15 = 1.0 / z8;
-    const n_snake3_lanes z16 = z15 * z14;
-    const n_snake3_lanes z17 = z5 * k5 + J * z4 + z7 * k5;
-    const n_snake3_lanes z18 = z14 * z16 - z17;
+    const n_snake3_lanes z9 = z5 * k5 + J * z4 + z7 * k5;
+    const n_snake3_lanes z10 = c1 * s1;
+    const n_snake3_lanes z11 = a * z3;
+    const n_snake3_lanes z12 = z6 * z11;
+    const n_snake3_lanes z13 = z10 * k4 - (k2 * z10 - k3 * z12) - m * z12;
+    const n_snake3_lanes z14 = 1.0 / z8;
+    const n_snake3_lanes z15 = z14 * z13;
+    const n_snake3_lanes z16 = z9 - z13 * z15;
     /* the mass matrix is singular */
-    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(-z18)), 1e-13 * z17);
+    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(z16)), 1e-13 * z9);
     n_snake3_lanes sine3, cosine3;
     n_snake3_turn_lanes(N_SNAKE3_SPREAD(theta1), &far, &sine3, &cosine3);
     const n_snake3_lanes c_theta1 = cosine3;
     const n_snake3_lanes s_theta1 = sine3;
-    const n_snake3_lanes z19 = a * w;
-    const n_snake3_lanes z20 = v * s1 - c1 * z19;
-    const n_snake3_lanes z21 = k1 * z20;
-    const n_snake3_lanes v1_x2 = v * c1 + s1 * z19;
-    const n_snake3_lanes z22 = s2 * v1_x2 - c2 * z20;
-    const n_snake3_lanes z23 = w - z21;
-    const n_snake3_lanes z24 = c1 * z23;
-    const n_snake3_lanes z25 = s1 * z23;
-    const n_snake3_lanes z26 = v * z24 + z19 * z25;
-    const n_snake3_lanes z27 = k1 * (z20 - z22);
-    const n_snake3_lanes z28 = c2 * z27;
-    const n_snake3_lanes z29 = v * z25 - z19 * z24;
-    const n_snake3_lanes z30 = s2 * z27;
-    const n_snake3_lanes z31 = v1_x2 * z28 - s2 * z29 + (z20 * z30 - c2 * z26);
-    const n_snake3_lanes z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26);
-    const n_snake3_lanes z33 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32) - k * (z1 * (s1 * k1) -
-        z2 * (k1 * (s1 - z6)));
-    const n_snake3_lanes z34 = k2 * (c1 * z26) - k3 * (z12 * z31) + k4 * (s1 * z29) + m * ((c2 * z10 - s2 *
-        z11) * z32);
-    const n_snake3_lanes z35 = (z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z12)) - z33 * z16) / z18;
+    const n_snake3_lanes z17 = a * w;
+    const n_snake3_lanes z18 = v * s1 - c1 * z17;
+    const n_snake3_lanes z19 = k1 * z18;
+    const n_snake3_lanes v1_x2 = v * c1 + s1 * z17;
+    const n_snake3_lanes z20 = s2 * v1_x2 - c2 * z18;
+    const n_snake3_lanes z21 = w - z19;
+    const n_snake3_lanes z22 = c1 * z21;
+    const n_snake3_lanes z23 = s1 * z21;
+    const n_snake3_lanes z24 = v * z22 + z17 * z23;
+    const n_snake3_lanes z25 = k1 * (z18 - z20);
+    const n_snake3_lanes z26 = c2 * z25;
+    const n_snake3_lanes z27 = v * z23 - z17 * z22;
+    const n_snake3_lanes z28 = s2 * z25;
+    const n_snake3_lanes z29 = v1_x2 * z26 - s2 * z27 + (z18 * z28 - c2 * z24);
+    const n_snake3_lanes z30 = v1_x2 * z28 + c2 * z27 - (z18 * z26 + s2 * z24);
+    const n_snake3_lanes z31 = k3 * (s1 * z24 + z6 * z29) - m * (c1 * z27 + z3 * z30) - k * (k1 * (z1 * s1 -
+        z2 * (s1 - z6)));
+    const n_snake3_lanes z32 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11)) - m * (z30 * (a * z6));
+    const n_snake3_lanes z33 = (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32 - z15 * z31) / z16;
     /* (I.2.15) */
     const n_snake3_lanes slope1 = c_theta1 * v;
     n_snake3_put(dydt, slope1);
@@ -955,16 +947,16 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     n_snake3_put(dydt + 1 * stride, slope2);
     const n_snake3_lanes slope3 = w;
     n_snake3_put(dydt + 2 * stride, slope3);
-    const n_snake3_lanes slope4 = z21;
+    const n_snake3_lanes slope4 = z19;
     n_snake3_put(dydt + 3 * stride, slope4);
-    const n_snake3_lanes slope5 = k1 * z22;
+    const n_snake3_lanes slope5 = k1 * z20;
     sum += slope5;
     n_snake3_put(dydt + 4 * stride, slope5);
     /* (I.2.15) 22:4 */
-    const n_snake3_lanes slope6 = -(z33 * z15 + z16 * z35);
+    const n_snake3_lanes slope6 = z15 * z33 - z14 * z31;
     sum += slope6;
     n_snake3_put(dydt + 5 * stride, slope6);
-    const n_snake3_lanes slope7 = -z35;
+    const n_snake3_lanes slope7 = -z33;
     sum += slope7;
     n_snake3_put(dydt + 6 * stride, slope7);
     n_snake3_put(check, n_snake3_mark(far + (sum - sum), bad));

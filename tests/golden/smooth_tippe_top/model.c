@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:9d9ff3a423023108)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:0b32df24dcd11ef0)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -235,28 +235,23 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     /* from the parameters alone */
     const double k1 = m * e;
     const double k2 = 1.0 / m;
-    const double k3 = I1 - I3;
-    const double k4 = 1.0 / I1;
-    const double k5 = I3 * k4;
-    const double k6 = 2.0 - k5;
-    const double k7 = I1 + e * k1;
-    const double k8 = I3 - k7;
+    const double k3 = 1.0 / I1;
+    const double k4 = I1 + e * k1;
 
     /* from the state */
     const double z1 = s_theta * s_theta;
     const double z2 = c_theta * k1;
     const double z3 = c_phi * z2;
     const double z4 = s_phi * z2;
-    const double z5 = k2 * (z3 * z3) - (k7 - k2 * (z4 * z4));
+    const double z5 = k2 * (z3 * z3) - (k4 - k2 * (z4 * z4));
     const double z6 = phi_dot * c_theta;
-    const double z7 = k4 * ((psi_dot + z6) * (theta_dot * I3));
+    const double omega3 = psi_dot + z6;
+    const double z7 = k3 * (omega3 * (theta_dot * I3));
     const double z8 = theta_dot * theta_dot;
-    const double z9 = psi_dot * I3;
-    const double z10 = (phi_dot * (z9 - z6 * k3) - k1 * (g - e * (c_theta * z8))) / z5;
+    const double z9 = I3 * omega3;
+    const double z10 = (phi_dot * (z9 - I1 * z6) - k1 * (g - e * (c_theta * z8))) / z5;
     const double z11 = s_theta * (z8 + phi_dot * phi_dot - c_theta * z10);
-    const double z12 = 1.0 / s_theta;
-    const double z13 = phi_dot * (k5 * (s_theta - z12) - (s_theta - 2.0 * z12)) - c_theta * z9 / (I1 *
-        s_theta);
+    const double z12 = theta_dot / s_theta * (2.0 * z6 - z9 * k3);
     /* (II.3) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
@@ -266,15 +261,15 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     /* (II.3) 24:4 */
     dydt[5] = (s_phi * z11 - c_phi * z7) * e; /* x'' */
     dydt[6] = -e * (s_phi * z7 + c_phi * z11); /* y'' */
-    dydt[7] = (z9 * k4 - z6 * k6) * (theta_dot * z12); /* phi'' */
+    dydt[7] = -z12; /* phi'' */
     dydt[8] = s_theta * z10; /* theta'' */
-    dydt[9] = theta_dot * z13; /* psi'' */
+    dydt[9] = s_theta * (phi_dot * theta_dot) + c_theta * z12; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7] + dydt[9]) <= DBL_MAX
+    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[9]) <= DBL_MAX
         && fabs(m) > 0.0
         && fabs(I3) > 0.0
-        && fabs(I1 * z1) > 1e-13 * (I3 - z1 * k8)
-        && fabs(-z5) > 1e-13 * k7)) {
+        && fabs(-I1 * z1) > 1e-13 * (z1 * k4)
+        && fabs(-z5) > 1e-13 * k4)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
@@ -284,13 +279,12 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(I1 * z1) > 1e-13 * (I3 - z1 * k8))) {
-            return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (I3 - z1 * k8),
-                SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-I1 * z1) > 1e-13 * (z1 * k4))) {
+            return smooth_tippe_top_refuse(fabs(-I1 * z1), 1e-13 * (z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z5) > 1e-13 * k7)) {
-            return smooth_tippe_top_refuse(fabs(-z5), 1e-13 * k7, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-z5) > 1e-13 * k4)) {
+            return smooth_tippe_top_refuse(fabs(-z5), 1e-13 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(10, dydt);
     }
@@ -328,10 +322,10 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
-    const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double phi_dot = y[7];
     const double theta_dot = y[8];
     const double psi_dot = y[9];
@@ -344,42 +338,37 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     /* from the parameters alone */
     const double k1 = m * e;
     const double k2 = I1 + m * (e * e);
-    const double k3 = I3 - k2;
-    const double k4 = 1.0 / m;
-    const double k5 = I1 - I3;
-    const double k6 = 1.0 / I1;
-    const double k7 = I3 * k6;
-    const double k8 = 2.0 - k7;
+    const double k3 = 1.0 / m;
+    const double k4 = 1.0 / I1;
 
     /* from the state */
-    const double z1 = I3 - s_theta * s_theta * k3;
-    const double z2 = s_theta * k1;
-    const double z3 = c_phi * z2;
-    const double z4 = s_phi * z2;
+    const double z1 = s_theta * k1;
+    const double z2 = s_phi * z1;
+    const double z3 = k2 * s_theta * s_theta;
+    const double z4 = c_phi * z1;
     const double z5 = c_theta * k1;
     const double z6 = c_phi * z5;
     const double z7 = s_phi * z5;
-    const double z8 = k4 * (z6 * z6) - (k2 - k4 * (z7 * z7));
+    const double z8 = k3 * (z6 * z6) - (k2 - k3 * (z7 * z7));
     const double z9 = phi_dot * c_theta;
-    const double z10 = k6 * ((psi_dot + z9) * (theta_dot * I3));
+    const double omega3 = psi_dot + z9;
+    const double z10 = k4 * (omega3 * (theta_dot * I3));
     const double z11 = theta_dot * theta_dot;
-    const double z12 = psi_dot * I3;
-    const double z13 = (phi_dot * (z12 - z9 * k5) - k1 * (g - e * (c_theta * z11))) / z8;
+    const double z12 = I3 * omega3;
+    const double z13 = (phi_dot * (z12 - I1 * z9) - k1 * (g - e * (c_theta * z11))) / z8;
     const double z14 = s_theta * (z11 + phi_dot * phi_dot - c_theta * z13);
-    const double z15 = 1.0 / s_theta;
-    const double z16 = phi_dot * (k7 * (s_theta - z15) - (s_theta - 2.0 * z15)) - c_theta * z12 / (I1 *
-        s_theta);
+    const double z15 = theta_dot / s_theta * (2.0 * z9 - z12 * k4);
     /* (II.3) */
     qddot[0] = (s_phi * z14 - c_phi * z10) * e; /* x'' */
     qddot[1] = -e * (s_phi * z10 + c_phi * z14); /* y'' */
-    qddot[2] = (z12 * k6 - z9 * k8) * (theta_dot * z15); /* phi'' */
+    qddot[2] = -z15; /* phi'' */
     qddot[3] = s_theta * z13; /* theta'' */
-    qddot[4] = theta_dot * z16; /* psi'' */
+    qddot[4] = s_theta * (phi_dot * theta_dot) + c_theta * z15; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[4]) <= DBL_MAX
+    if (!(fabs(qddot[0] + qddot[1] + qddot[4]) <= DBL_MAX
         && fabs(m) > 0.0
         && fabs(I3) > 0.0
-        && fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 * z4))) > 1e-13 * z1
+        && fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))) > 1e-13 * z3
         && fabs(-z8) > 1e-13 * k2)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
@@ -390,9 +379,9 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 * z4))) > 1e-13 * z1)) {
-            return smooth_tippe_top_refuse(fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 *
-                z4))), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))) > 1e-13 * z3)) {
+            return smooth_tippe_top_refuse(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))), 1e-13 * z3,
+                SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z8) > 1e-13 * k2)) {
@@ -453,10 +442,10 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
-    const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double m = p[0]; /* mass [kg] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
@@ -465,14 +454,13 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
     /* from the parameters alone */
     const double k1 = m * e;
     const double k2 = I1 + m * (e * e);
-    const double k3 = I3 - k2;
-    const double k4 = 1.0 / m;
+    const double k3 = 1.0 / m;
 
     /* from the state */
-    const double z1 = I3 - s_theta * s_theta * k3;
-    const double z2 = s_theta * k1;
-    const double z3 = c_phi * z2;
-    const double z4 = s_phi * z2;
+    const double z1 = s_theta * k1;
+    const double z2 = s_phi * z1;
+    const double z3 = k2 * s_theta * s_theta;
+    const double z4 = c_phi * z1;
     const double z5 = c_theta * k1;
     const double z6 = c_phi * z5;
     const double z7 = s_phi * z5;
@@ -485,13 +473,13 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
         return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 * z4))) > 1e-13 * z1)) {
-        return smooth_tippe_top_refuse(fabs(-(I3 * (c_theta * c_theta) - z1 + k4 * (z3 * z3) + k4 * (z4 *
-            z4))), 1e-13 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
+    if (!(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))) > 1e-13 * z3)) {
+        return smooth_tippe_top_refuse(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))), 1e-13 * z3,
+            SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(k2 - k4 * (z7 * z7) - k4 * (z6 * z6)) > 1e-13 * k2)) {
-        return smooth_tippe_top_refuse(fabs(k2 - k4 * (z7 * z7) - k4 * (z6 * z6)), 1e-13 * k2,
+    if (!(fabs(k2 - k3 * (z7 * z7) - k3 * (z6 * z6)) > 1e-13 * k2)) {
+        return smooth_tippe_top_refuse(fabs(k2 - k3 * (z7 * z7) - k3 * (z6 * z6)), 1e-13 * k2,
             SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     (void)lambda;
@@ -545,10 +533,10 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double phi_dot = y[7];
     const double theta_dot = y[8];
     const double psi_dot = y[9];
@@ -560,103 +548,97 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
 
     /* from the parameters alone */
     const double k1 = m * e;
-    const double k2 = m * e * e;
-    const double k3 = I1 + k2;
-    const double k4 = I3 - k3;
-    const double k5 = 1.0 / m;
-    const double k6 = I1 - I3;
-    const double k7 = 1.0 / I1;
-    const double k8 = I3 * k7;
-    const double k9 = 2.0 - k8;
-    const double k10 = 2.0 * g;
-    const double k11 = e * I3;
+    const double k2 = I1 + m * (e * e);
+    const double k3 = 1.0 / m;
+    const double k4 = I1 - I3;
+    const double k5 = 1.0 / I1;
+    const double k6 = I3 * k5;
 
     /* from the state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = I1 * z1;
-    const double z3 = c_theta * k1;
-    const double z4 = c_phi * z3;
-    const double z5 = s_phi * z3;
-    const double z6 = k5 * (z4 * z4) - (k3 - k5 * (z5 * z5));
-    const double z7 = theta_dot * I3;
-    const double z8 = s_phi * z7;
-    const double z9 = phi_dot * c_theta;
-    const double z10 = (psi_dot + z9) * k7;
-    const double z11 = s_theta * c_phi;
-    const double z12 = theta_dot * theta_dot;
-    const double z13 = z12 + phi_dot * phi_dot;
-    const double z14 = psi_dot * I3;
-    const double z15 = z9 * k6;
-    const double z16 = z14 - z15;
-    const double z17 = c_theta * z12;
-    const double z18 = k1 * (g - e * z17);
-    const double z19 = phi_dot * z16 - z18;
-    const double z20 = 1.0 / z6;
-    const double z21 = c_theta * z20;
-    const double z22 = z19 * z21;
-    const double z23 = z13 - z22;
-    const double z24 = theta_dot * s_theta;
-    const double z25 = phi_dot * I3;
-    const double z26 = k7 * (z24 * z25);
-    const double z27 = c_theta * c_theta;
-    const double z28 = k1 * (k10 - e * (3.0 * z17 - 2.0 * (z20 * (phi_dot * (z27 * z16) - z27 * z18))));
-    const double z29 = c_theta * z13 - z20 * (z19 - z1 * (phi_dot * (2.0 * z14 - 3.0 * z15) - z28));
-    const double z30 = c_phi * z7;
-    const double z31 = c_theta * k7;
-    const double z32 = s_theta * s_phi;
-    const double z33 = z27 * z20;
-    const double z34 = c_theta * z14;
-    const double z35 = 2.0 * (phi_dot * (1.0 + k6 * z33)) - z34 * z20;
-    const double z36 = I3 * z10;
-    const double z37 = s_phi * z24;
-    const double z38 = 1.0 - k2 * z33;
-    const double z39 = s_theta * k11;
-    const double z40 = c_phi * z24;
-    const double z41 = 1.0 / z2;
-    const double z42 = phi_dot * z21;
+    const double z1 = s_theta * k1;
+    const double z2 = c_phi * z1;
+    const double z3 = z2 * k3;
+    const double z4 = k2 * s_theta * s_theta;
+    const double z5 = s_phi * z1;
+    const double z6 = c_theta * k1;
+    const double z7 = c_phi * z6;
+    const double z8 = s_phi * z6;
+    const double z9 = k3 * z8;
+    const double z10 = k3 * (z7 * z7) - (k2 - z8 * z9);
+    const double z11 = theta_dot * I3;
+    const double z12 = s_phi * z11;
+    const double z13 = phi_dot * c_theta;
+    const double omega3 = psi_dot + z13;
+    const double z14 = omega3 * k5;
+    const double z15 = s_theta * c_phi;
+    const double z16 = theta_dot * theta_dot;
+    const double z17 = e * z16;
+    const double z18 = I3 * omega3;
+    const double z19 = phi_dot * I1;
+    const double z20 = z18 - c_theta * z19;
+    const double z21 = k1 * (g - c_theta * z17) - phi_dot * z20;
+    const double z22 = 1.0 / z10;
+    const double z23 = c_theta * z22;
+    const double z24 = z16 + phi_dot * phi_dot + z21 * z23;
+    const double z25 = c_phi * z11;
+    const double z26 = phi_dot * s_theta;
+    const double z27 = z26 * k5;
+    const double z28 = c_theta * z24;
+    const double z29 = s_theta * s_phi;
+    const double z30 = s_theta * z22;
+    const double z31 = z22 * z22 * (z3 * z7 + z5 * z9);
+    const double z32 = I3 * z26;
+    const double z33 = phi_dot * (z32 - s_theta * z19) + z1 * z17;
+    const double z34 = z21 * (z30 - 2.0 * (c_theta * z31)) - z23 * z33;
+    const double z35 = c_theta * k5;
+    const double z36 = z13 * k4 - z20;
+    const double z37 = 2.0 * phi_dot + z23 * z36;
+    const double z38 = I3 * z14;
+    const double z39 = e * (theta_dot * z6);
+    const double z40 = theta_dot - z23 * z39;
+    const double z41 = phi_dot * I3;
+    const double z42 = z41 * z23;
     const double z43 = 1.0 / s_theta;
-    const double z44 = z43 * z43;
-    const double z45 = 1.0 / (I1 * s_theta);
-    const double z46 = z7 * z45;
-    const double z47 = phi_dot * (z34 - k6 * (phi_dot * (1.0 - 2.0 * z1))) - k1 * (g * c_theta - e * (z12 -
-        2.0 * (z1 * (z12 - z22))));
-    const double z48 = s_theta * z20;
-    const double z49 = k8 * (s_theta - z43) - (s_theta - 2.0 * z43);
+    const double z44 = theta_dot * z43;
+    const double z45 = 2.0 * z13 - z18 * k5;
+    const double z46 = z44 * (2.0 * z26 - k5 * z32) + z43 * z43 * (theta_dot * c_theta * z45);
+    const double z47 = z44 * (2.0 * c_theta - I3 * z35);
+    const double z48 = z43 * z45;
+    const double z49 = z44 * k6;
     /* (II.3) */
     J[5] = 1.0;
     J[16] = 1.0;
     J[27] = 1.0;
     J[38] = 1.0;
     J[49] = 1.0;
-    J[52] = e * (z8 * z10 + z11 * z23);
-    J[53] = e * (c_phi * z26 + s_phi * z29);
-    J[57] = (z32 * z35 - z30 * z31) * e;
-    J[58] = (2.0 * (z37 * z38) - c_phi * z36) * e;
-    J[59] = -z39 * (z40 * z41 + s_phi * z42);
-    J[62] = (z32 * z23 - z30 * z10) * e;
-    J[63] = e * (s_phi * z26 - c_phi * z29);
-    J[67] = -e * (z8 * z31 + z11 * z35);
-    J[68] = -e * (s_phi * z36 + 2.0 * (z40 * z38));
-    J[69] = (c_phi * z42 - z37 * z41) * z39;
-    J[73] = theta_dot * z44 * (phi_dot * k9 - k7 * z34);
-    J[77] = -k9 * (theta_dot * c_theta * z43);
-    J[78] = (z14 * k7 - z9 * k9) * z43;
-    J[79] = z46;
-    J[83] = z20 * z47;
-    J[87] = (z14 - 2.0 * z15) * z48;
-    J[88] = 2.0 * (k2 * (z24 * z21));
-    J[89] = z25 * z48;
-    J[93] = theta_dot * (z9 * (k8 * (1.0 + z44) - (1.0 + 2.0 * z44)) + z14 * z41);
-    J[97] = theta_dot * z49;
-    J[98] = phi_dot * z49 - z34 * z45;
-    J[99] = -c_theta * z46;
+    J[52] = e * (z12 * z14 + z15 * z24);
+    J[53] = e * (z25 * z27 + (s_phi * z28 - z29 * z34));
+    J[57] = (z29 * z37 - z25 * z35) * e;
+    J[58] = (2.0 * (z29 * z40) - c_phi * z38) * e;
+    J[59] = -e * (z25 * k5 + z29 * z42);
+    J[62] = (z29 * z24 - z25 * z14) * e;
+    J[63] = e * (z12 * z27 - (c_phi * z28 - z15 * z34));
+    J[67] = -e * (z12 * z35 + z15 * z37);
+    J[68] = -e * (s_phi * z38 + 2.0 * (z15 * z40));
+    J[69] = (z15 * z42 - k5 * z12) * e;
+    J[73] = z46;
+    J[77] = -z47;
+    J[78] = -z48;
+    J[79] = z49;
+    J[83] = -(z21 * (z23 + 2.0 * (s_theta * z31)) + z30 * z33);
+    J[87] = -z30 * z36;
+    J[88] = 2.0 * (z30 * z39);
+    J[89] = z41 * z30;
+    J[93] = theta_dot * z13 - (theta_dot * z45 + c_theta * z46);
+    J[97] = theta_dot * s_theta + c_theta * z47;
+    J[98] = z26 + c_theta * z48;
+    J[99] = -c_theta * z49;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[73] + J[77]
-        + J[78] + J[83] + J[87] + J[88] + J[89] + J[93] + J[97] + J[98] + J[99]) <= DBL_MAX
-        && fabs(m) > 0.0
+    if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[83] + J[87]
+        + J[88] + J[89] + J[93] + J[97] + J[98] + J[99]) <= DBL_MAX
         && fabs(I3) > 0.0
-        && fabs(z2) > 1e-13 * (I3 - z1 * k4)
-        && fabs(-z6) > 1e-13 * k3)) {
+        && fabs(z2 * z3 - z4 + k3 * (z5 * z5)) > 1e-13 * z4
+        && fabs(-z10) > 1e-13 * k2)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
@@ -666,12 +648,13 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 1e-13 * (I3 - z1 * k4))) {
-            return smooth_tippe_top_refuse(fabs(z2), 1e-13 * (I3 - z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z2 * z3 - z4 + k3 * (z5 * z5)) > 1e-13 * z4)) {
+            return smooth_tippe_top_refuse(fabs(z2 * z3 - z4 + k3 * (z5 * z5)), 1e-13 * z4,
+                SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z6) > 1e-13 * k3)) {
-            return smooth_tippe_top_refuse(fabs(-z6), 1e-13 * k3, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(-z10) > 1e-13 * k2)) {
+            return smooth_tippe_top_refuse(fabs(-z10), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(100, J);
     }
@@ -738,10 +721,6 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const double k2 = fixed[5];
     const double k3 = fixed[6];
     const double k4 = fixed[7];
-    const double k5 = fixed[8];
-    const double k6 = fixed[9];
-    const double k7 = fixed[10];
-    const double k8 = fixed[11];
     const smooth_tippe_top_lanes phi = smooth_tippe_top_get(y + 2 * stride);
     const smooth_tippe_top_lanes theta = smooth_tippe_top_get(y + 3 * stride);
     const smooth_tippe_top_lanes x_dot = smooth_tippe_top_get(y + 5 * stride);
@@ -754,8 +733,8 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes s_theta = sine1;
     const smooth_tippe_top_lanes z1 = s_theta * s_theta;
     /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(I1 * z1)), 1e-13 * (I3 - z1
-        * k8));
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-I1 * z1)), 1e-13 * (z1 *
+        k4));
     smooth_tippe_top_lanes sine2, cosine2;
     smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(phi), &far, &sine2, &cosine2);
     const smooth_tippe_top_lanes c_phi = cosine2;
@@ -764,19 +743,18 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes z3 = c_phi * z2;
     const smooth_tippe_top_lanes s_phi = sine2;
     const smooth_tippe_top_lanes z4 = s_phi * z2;
-    const smooth_tippe_top_lanes z5 = k2 * (z3 * z3) - (k7 - k2 * (z4 * z4));
+    const smooth_tippe_top_lanes z5 = k2 * (z3 * z3) - (k4 - k2 * (z4 * z4));
     /* the mass matrix is singular */
     bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z5)),
-        SMOOTH_TIPPE_TOP_SPREAD(1e-13 * k7));
+        SMOOTH_TIPPE_TOP_SPREAD(1e-13 * k4));
     const smooth_tippe_top_lanes z6 = phi_dot * c_theta;
-    const smooth_tippe_top_lanes z7 = k4 * ((psi_dot + z6) * (theta_dot * I3));
+    const smooth_tippe_top_lanes omega3 = psi_dot + z6;
+    const smooth_tippe_top_lanes z7 = k3 * (omega3 * (theta_dot * I3));
     const smooth_tippe_top_lanes z8 = theta_dot * theta_dot;
-    const smooth_tippe_top_lanes z9 = psi_dot * I3;
-    const smooth_tippe_top_lanes z10 = (phi_dot * (z9 - z6 * k3) - k1 * (g - e * (c_theta * z8))) / z5;
+    const smooth_tippe_top_lanes z9 = I3 * omega3;
+    const smooth_tippe_top_lanes z10 = (phi_dot * (z9 - I1 * z6) - k1 * (g - e * (c_theta * z8))) / z5;
     const smooth_tippe_top_lanes z11 = s_theta * (z8 + phi_dot * phi_dot - c_theta * z10);
-    const smooth_tippe_top_lanes z12 = 1.0 / s_theta;
-    const smooth_tippe_top_lanes z13 = phi_dot * (k5 * (s_theta - z12) - (s_theta - 2.0 * z12)) - c_theta *
-        z9 / (I1 * s_theta);
+    const smooth_tippe_top_lanes z12 = theta_dot / s_theta * (2.0 * z6 - z9 * k3);
     /* (II.3) */
     const smooth_tippe_top_lanes slope1 = x_dot;
     sum += slope1;
@@ -797,12 +775,11 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes slope7 = -e * (s_phi * z7 + c_phi * z11);
     sum += slope7;
     smooth_tippe_top_put(dydt + 6 * stride, slope7);
-    const smooth_tippe_top_lanes slope8 = (z9 * k4 - z6 * k6) * (theta_dot * z12);
-    sum += slope8;
+    const smooth_tippe_top_lanes slope8 = -z12;
     smooth_tippe_top_put(dydt + 7 * stride, slope8);
     const smooth_tippe_top_lanes slope9 = s_theta * z10;
     smooth_tippe_top_put(dydt + 8 * stride, slope9);
-    const smooth_tippe_top_lanes slope10 = theta_dot * z13;
+    const smooth_tippe_top_lanes slope10 = s_theta * (phi_dot * theta_dot) + c_theta * z12;
     sum += slope10;
     smooth_tippe_top_put(dydt + 9 * stride, slope10);
     smooth_tippe_top_put(check, smooth_tippe_top_mark(far + (sum - sum), bad));
@@ -831,12 +808,8 @@ int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, c
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
     const double k1 = m * e;
     const double k2 = 1.0 / m;
-    const double k3 = I1 - I3;
-    const double k4 = 1.0 / I1;
-    const double k5 = I3 * k4;
-    const double k6 = 2.0 - k5;
-    const double k7 = I1 + e * k1;
-    const double k8 = I3 - k7;
+    const double k3 = 1.0 / I1;
+    const double k4 = I1 + e * k1;
     /* the mass matrix is singular */
     if (!(fabs(I3) > 0.0)) {
         return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
@@ -845,7 +818,7 @@ int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, c
     if (!(fabs(m) > 0.0)) {
         return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
-    const double fixed[] = {e, I1, I3, g, k1, k2, k3, k4, k5, k6, k7, k8};
+    const double fixed[] = {e, I1, I3, g, k1, k2, k3, k4};
     double check[1 * SMOOTH_TIPPE_TOP_LANES];
     int status = SMOOTH_TIPPE_TOP_OK;
     for (size_t i = 0; i < count; i += SMOOTH_TIPPE_TOP_LANES) {

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:3d9c72847fb87d8b)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:3be0408bd882ebd3)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -277,7 +277,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double z20 = z7 * z19;
     const double z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
     const double z22 = v * z7;
-    const double z23 = z13 * z22;
+    const double z23 = z22 * z13;
     const double z24 = p_b_dot * c_p_b;
     const double z25 = p_f_dot * c_p_f;
     const double z26 = s_p_f * z25;
@@ -305,8 +305,8 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double z48 = sigma * c2;
     const double z49 = J_w * z44;
     /* (I.2.15) */
-    dydt[0] = z19 * z22; /* x' */
-    dydt[1] = z17 * z22; /* y' */
+    dydt[0] = z22 * z19; /* x' */
+    dydt[1] = z22 * z17; /* y' */
     dydt[2] = -z23; /* theta' */
     dydt[3] = psi_dot; /* psi' */
     dydt[4] = p_b_dot; /* p_b' */
@@ -349,13 +349,13 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
 
     /* sines and cosines */
-    const double z5 = theta + p_b;
+    const double z6 = theta + p_b;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
-    const double c1 = cos(z5);
-    const double s1 = sin(z5);
+    const double c1 = cos(z6);
+    const double s1 = sin(z6);
     const double v = y[6];
     const double psi_dot = y[7];
     const double p_b_dot = y[8];
@@ -373,17 +373,17 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
     const double z2 = 2.0 * z1;
     const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
     const double z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1));
-    const double z6 = l * c_p_f;
-    const double z7 = l * c_p_b;
-    const double z8 = c1 * c_p_f - s1 * s_p_f;
-    const double z9 = s1 * c_p_f + c1 * s_p_f;
-    const double z10 = c_p_b * z8 + s_p_b * z9;
-    const double z11 = v / z4;
-    const double z12 = c_p_b * z9 - s_p_b * z8;
+    const double z5 = v / z4;
+    const double z7 = l * c_p_f;
+    const double z8 = l * c_p_b;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = c_p_b * z10 - s_p_b * z9;
     /* (I.2.4) */
-    qdot[0] = (c1 * z6 + z7 * z10) * z11; /* x' */
-    qdot[1] = (s1 * z6 + z7 * z12) * z11; /* y' */
-    qdot[2] = (c1 * z12 - s1 * z10) * z11; /* theta' */
+    qdot[0] = z5 * (c1 * z7 + z8 * z11); /* x' */
+    qdot[1] = z5 * (s1 * z7 + z8 * z12); /* y' */
+    qdot[2] = (c1 * z12 - s1 * z11) * z5; /* theta' */
     qdot[3] = psi_dot; /* psi' */
     qdot[4] = p_b_dot; /* p_b' */
     qdot[5] = p_f_dot; /* p_f' */
@@ -585,13 +585,12 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
 
     /* sines and cosines */
     const double z1 = theta + p_b;
-    const double z3 = theta + p_f;
     const double s1 = sin(z1);
     const double c1 = cos(z1);
     const double c_p_b = cos(p_b);
-    const double s2 = sin(z3);
-    const double c2 = cos(z3);
+    const double s_p_b = sin(p_b);
     const double c_p_f = cos(p_f);
+    const double s_p_f = sin(p_f);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
@@ -599,10 +598,13 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
 
     /* from the state */
     const double z2 = theta_dot * l;
+    const double z3 = s1 * c_p_f + c1 * s_p_f;
+    const double z4 = c1 * c_p_f - s1 * s_p_f;
+    const double z5 = x_dot * (c_p_b * z3 - s_p_b * z4) - y_dot * (c_p_b * z4 + s_p_b * z3) - c_p_f * z2;
     /* (I.1.1) 28:5 */
     r[0] = -(x_dot * s1 - y_dot * c1 + c_p_b * z2); /* back = 0 */
     /* (I.1.1) 29:5 */
-    r[1] = c_p_f * z2 - (x_dot * s2 - y_dot * c2); /* front = 0 */
+    r[1] = -z5; /* front = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
         return snakeboard_finish(2, r);
@@ -758,13 +760,13 @@ double snakeboard_energy(double t, const double *y, const double *p)
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
 
     /* sines and cosines */
-    const double z1 = theta + p_b;
-    const double c1 = cos(z1);
-    const double s1 = sin(z1);
-    const double c_p_f = cos(p_f);
-    const double s_p_f = sin(p_f);
-    const double c_p_b = cos(p_b);
+    const double z5 = theta + p_b;
     const double s_p_b = sin(p_b);
+    const double c_p_b = cos(p_b);
+    const double s_p_f = sin(p_f);
+    const double c_p_f = cos(p_f);
+    const double c1 = cos(z5);
+    const double s1 = sin(z5);
     const double v = y[6];
     const double psi_dot = y[7];
     const double p_b_dot = y[8];
@@ -780,19 +782,19 @@ double snakeboard_energy(double t, const double *y, const double *p)
     const double k2 = 1.0 - k1;
 
     /* from the state */
-    const double z2 = l * c_p_f;
-    const double z3 = l * c_p_b;
-    const double z4 = c1 * c_p_f - s1 * s_p_f;
-    const double z5 = s1 * c_p_f + c1 * s_p_f;
-    const double z6 = c_p_b * z4 + s_p_b * z5;
-    const double z7 = s_p_f * s_p_f;
-    const double z8 = 2.0 * z7;
-    const double z9 = s_p_b * (s_p_b * (1.0 - z8 - k1 * (3.0 - z8)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
-    const double z10 = v / (z9 + (z7 + k1 * (4.0 - 3.0 * z7)));
-    const double z11 = (c1 * z2 + z3 * z6) * z10;
-    const double z12 = c_p_b * z5 - s_p_b * z4;
-    const double z13 = (s1 * z2 + z3 * z12) * z10;
-    const double z14 = (s1 * z6 - c1 * z12) * z10;
+    const double z1 = s_p_f * s_p_f;
+    const double z2 = 2.0 * z1;
+    const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
+    const double z4 = v / (z3 + (z1 + k1 * (4.0 - 3.0 * z1)));
+    const double z6 = l * c_p_f;
+    const double z7 = l * c_p_b;
+    const double z8 = c1 * c_p_f - s1 * s_p_f;
+    const double z9 = s1 * c_p_f + c1 * s_p_f;
+    const double z10 = c_p_b * z8 + s_p_b * z9;
+    const double z11 = z4 * (c1 * z6 + z7 * z10);
+    const double z12 = c_p_b * z9 - s_p_b * z8;
+    const double z13 = z4 * (s1 * z6 + z7 * z12);
+    const double z14 = z4 * (s1 * z10 - c1 * z12);
     const double z15 = psi_dot - z14;
     const double z16 = p_b_dot - z14;
     const double z17 = p_f_dot - z14;
@@ -912,7 +914,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z72 = z3 * z64 - 4.0 * (s_p_b * z68) - 2.0 * (k2 * (z4 * z65 - s_p_f * z71));
     const double z73 = z5 * z64 + s_p_b * z72 + (2.0 * z66 - 6.0 * z67);
     const double z74 = z30 * z73;
-    const double z75 = z13 * z27;
+    const double z75 = z27 * z13;
     const double z76 = p_b_dot - z75;
     const double z77 = c1 * z76;
     const double z78 = p_f_dot - z75;
@@ -990,11 +992,11 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z146 = z56 - z14 * z140;
     const double z147 = z58 - z14 * z141;
     /* (I.2.15) */
-    J[2] = -z19 * z27;
+    J[2] = -z27 * z19;
     J[4] = -z37;
     J[5] = -z46;
     J[6] = z24;
-    J[12] = z23 * z27;
+    J[12] = z27 * z23;
     J[14] = z49;
     J[15] = z52;
     J[16] = z20;
@@ -1159,7 +1161,7 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     /* the mass matrix is singular, or the velocities that are kept are */
     bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z21)), 1e-13 * z21);
     const snakeboard_lanes z22 = v * z7;
-    const snakeboard_lanes z23 = z13 * z22;
+    const snakeboard_lanes z23 = z22 * z13;
     const snakeboard_lanes z24 = p_b_dot * c_p_b;
     const snakeboard_lanes z25 = p_f_dot * c_p_f;
     const snakeboard_lanes z26 = s_p_f * z25;
@@ -1194,10 +1196,10 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes z48 = sigma * c2;
     const snakeboard_lanes z49 = J_w * z44;
     /* (I.2.15) */
-    const snakeboard_lanes slope1 = z19 * z22;
+    const snakeboard_lanes slope1 = z22 * z19;
     sum += slope1;
     snakeboard_put(dydt, slope1);
-    const snakeboard_lanes slope2 = z17 * z22;
+    const snakeboard_lanes slope2 = z22 * z17;
     sum += slope2;
     snakeboard_put(dydt + 1 * stride, slope2);
     const snakeboard_lanes slope3 = -z23;

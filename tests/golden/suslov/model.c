@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:941d54bc28fc0615)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:ff4c75de800c87b3)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -217,16 +217,15 @@ int suslov_rhs(double t, const double *y, const double *p, double *dydt)
     const double k2 = 1.0 / I22;
 
     /* from the state */
-    const double z1 = 1.0 / s_theta;
-    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
-    const double z3 = I13 * w1 + I23 * w2;
+    const double z1 = (c_psi * w2 + s_psi * w1) / s_theta;
+    const double z2 = I13 * w1 + I23 * w2;
     /* (I.2.15) */
-    dydt[0] = z2; /* phi' */
-    dydt[1] = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
-    dydt[2] = -c_theta * z2; /* psi' */
+    dydt[0] = z1; /* phi' */
+    dydt[1] = c_psi * w1 - s_psi * w2; /* theta' */
+    dydt[2] = -c_theta * z1; /* psi' */
     /* (I.2.15) 20:4 */
-    dydt[3] = w2 * z3 * k1; /* w1' */
-    dydt[4] = w1 * z3 * k2; /* w2' */
+    dydt[3] = w2 * z2 * k1; /* w1' */
+    dydt[4] = w1 * z2 * k2; /* w2' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the mass matrix is singular, or the velocities that are kept are */
@@ -262,12 +261,11 @@ int suslov_velocities(double t, const double *y, const double *p, double *qdot)
     const double w2 = y[4];
 
     /* from the state */
-    const double z1 = 1.0 / s_theta;
-    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
+    const double z1 = (c_psi * w2 + s_psi * w1) / s_theta;
     /* (I.2.4) */
-    qdot[0] = z2; /* phi' */
-    qdot[1] = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
-    qdot[2] = -c_theta * z2; /* psi' */
+    qdot[0] = z1; /* phi' */
+    qdot[1] = c_psi * w1 - s_psi * w2; /* theta' */
+    qdot[2] = -c_theta * z1; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
@@ -303,26 +301,21 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
 
     /* from the state */
     const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = 1.0 / s_theta;
-    const double z3 = s_theta * c_psi;
-    const double z4 = s_theta * s_psi;
-    const double z5 = z3 * w1 - z4 * w2;
-    const double z6 = c_theta * (z2 * z5);
-    const double z7 = z6 * (z2 * z2);
-    const double z8 = z1 * z2;
-    const double z9 = c_theta * z8;
-    const double z10 = s_psi * z9;
-    const double z11 = I13 * w1 + I23 * w2;
-    const double z12 = w1 * z11 * k2;
-    const double z13 = c_psi * z9;
-    const double z14 = w2 * z11 * k1;
-    const double z15 = z1 * z7 - z2 * (w2 * z10 + c_psi * z12 - (w1 * z13 + s_psi * z14));
-    const double z16 = w1 * (c_psi * z6 + s_theta * z10) - z3 * z14 - (w2 * (s_psi * z6 - s_theta * z13) + z4
-        * z12);
+    const double z2 = s_psi * w2 - c_psi * w1;
+    const double z3 = 1.0 / s_theta;
+    const double z4 = z1 * z3;
+    const double z5 = c_theta * z4;
+    const double z6 = s_psi * z5;
+    const double z7 = I13 * w1 + I23 * w2;
+    const double z8 = w1 * z7 * k2;
+    const double z9 = c_psi * z5;
+    const double z10 = w2 * z7 * k1;
+    const double z11 = z1 * (c_theta * z2 * (z3 * z3)) + z3 * (w2 * z6 + c_psi * z8 - (w1 * z9 + s_psi *
+        z10));
     /* (I.2.15) */
-    qddot[0] = -z15; /* phi'' */
-    qddot[1] = z2 * z16 - z5 * z7; /* theta'' */
-    qddot[2] = z8 * z5 + c_theta * z15; /* psi'' */
+    qddot[0] = z11; /* phi'' */
+    qddot[1] = w2 * z9 - s_psi * z8 + (w1 * z6 - c_psi * z10); /* theta'' */
+    qddot[2] = -(z4 * (s_theta * z2) + c_theta * z11); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the mass matrix is singular, or the velocities that are kept are */
@@ -469,35 +462,33 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     const double k4 = I23 * k2;
 
     /* from the state */
-    const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = 1.0 / s_theta;
-    const double z3 = c_theta * (z2 * z2);
-    const double z4 = z1 * z3;
-    const double z5 = c_psi * w1 - s_psi * w2;
-    const double z6 = s_psi * z2;
-    const double z7 = c_psi * z2;
-    const double z8 = I23 * w2;
-    const double z9 = I13 * w1;
-    const double z10 = z9 + z8;
+    const double z1 = 1.0 / s_theta;
+    const double z2 = c_psi * w2 + s_psi * w1;
+    const double z3 = z1 * z1 * (c_theta * z2);
+    const double z4 = z1 * (s_psi * w2 - c_psi * w1);
+    const double z5 = s_psi * z1;
+    const double z6 = c_psi * z1;
+    const double z7 = I23 * w2;
+    const double z8 = I13 * w1;
+    const double z9 = z8 + z7;
     /* (I.2.15) */
-    J[1] = -z4;
-    J[2] = z2 * z5;
-    J[3] = z6;
-    J[4] = z7;
-    J[6] = 0.0;
-    J[7] = -z1;
+    J[1] = -z3;
+    J[2] = -z4;
+    J[3] = z5;
+    J[4] = z6;
+    J[7] = -z2;
     J[8] = c_psi;
     J[9] = -s_psi;
-    J[11] = z1 + c_theta * z4;
-    J[12] = -z3 * (s_theta * z5);
-    J[13] = -c_theta * z6;
-    J[14] = -c_theta * z7;
+    J[11] = z2 + c_theta * z3;
+    J[12] = c_theta * z4;
+    J[13] = -c_theta * z5;
+    J[14] = -c_theta * z6;
     J[18] = w2 * k3;
-    J[19] = -k1 * (z8 + z10);
-    J[23] = k2 * (z9 + z10);
+    J[19] = -k1 * (z7 + z9);
+    J[23] = k2 * (z8 + z9);
     J[24] = w1 * k4;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[11] + J[12] + J[14] + J[18] + J[19] + J[23] + J[24]) <= DBL_MAX
+    if (!(fabs(J[2] + J[11] + J[14] + J[18] + J[19] + J[23] + J[24]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(I11) > 0.0)) {
@@ -565,24 +556,23 @@ static __attribute__((noinline)) void suslov_rhs_lanes(const double *fixed, size
     suslov_turn_lanes(SUSLOV_SPREAD(psi), &far, &sine2, &cosine2);
     const suslov_lanes c_psi = cosine2;
     const suslov_lanes s_psi = sine2;
-    const suslov_lanes z1 = 1.0 / s_theta;
-    const suslov_lanes z2 = (c_psi * w2 + s_psi * w1) * z1;
+    const suslov_lanes z1 = (c_psi * w2 + s_psi * w1) / s_theta;
     const suslov_lanes c_theta = cosine1;
-    const suslov_lanes z3 = I13 * w1 + I23 * w2;
+    const suslov_lanes z2 = I13 * w1 + I23 * w2;
     /* (I.2.15) */
-    const suslov_lanes slope1 = z2;
+    const suslov_lanes slope1 = z1;
     suslov_put(dydt, slope1);
-    const suslov_lanes slope2 = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2);
+    const suslov_lanes slope2 = c_psi * w1 - s_psi * w2;
     sum += slope2;
     suslov_put(dydt + 1 * stride, slope2);
-    const suslov_lanes slope3 = -c_theta * z2;
+    const suslov_lanes slope3 = -c_theta * z1;
     sum += slope3;
     suslov_put(dydt + 2 * stride, slope3);
     /* (I.2.15) 20:4 */
-    const suslov_lanes slope4 = w2 * z3 * k1;
+    const suslov_lanes slope4 = w2 * z2 * k1;
     sum += slope4;
     suslov_put(dydt + 3 * stride, slope4);
-    const suslov_lanes slope5 = w1 * z3 * k2;
+    const suslov_lanes slope5 = w1 * z2 * k2;
     sum += slope5;
     suslov_put(dydt + 4 * stride, slope5);
     suslov_put(check, suslov_mark(far + (sum - sum), bad));

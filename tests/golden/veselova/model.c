@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:740215ebb1cc1151)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:0542ea6b83d4d205)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -236,23 +236,21 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
     const double z12 = z10 * z11;
     const double z13 = z3 - c_phi * z9;
     const double z14 = z10 * z12 - z13;
-    const double z15 = 1.0 / s_theta;
-    const double z16 = s_phi * w_x - c_phi * w_y;
-    const double z17 = z15 * z16;
-    const double z18 = s_theta * w_y;
-    const double z19 = s_theta * w_x;
-    const double z20 = k1 * (s_psi * (z16 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z16);
-    const double z21 = z18 * z20;
-    const double z22 = (z19 * z20 + z21 * z12) / z14;
+    const double z15 = s_phi * w_x - c_phi * w_y;
+    const double z16 = z15 / s_theta;
+    const double z17 = c_phi * w_x + s_phi * w_y;
+    const double z18 = s_theta * (k1 * (s_psi * (c_psi * z17 - z15 * z6)) - k2 * (c_theta * z15));
+    const double z19 = w_y * z18;
+    const double z20 = (w_x * z18 + z19 * z12) / z14;
     /* (I.2.15) */
-    dydt[0] = -c_theta * z17; /* phi' */
-    dydt[1] = z15 * (s_phi * z18 + c_phi * z19); /* theta' */
-    dydt[2] = z17; /* psi' */
+    dydt[0] = -c_theta * z16; /* phi' */
+    dydt[1] = z17; /* theta' */
+    dydt[2] = z16; /* psi' */
     /* (I.2.15) 24:4 */
-    dydt[3] = z21 * z11 - z12 * z22; /* w_x' */
-    dydt[4] = z22; /* w_y' */
+    dydt[3] = z12 * z20 - z19 * z11; /* w_x' */
+    dydt[4] = -z20; /* w_y' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[3]) <= DBL_MAX
+    if (!(fabs(dydt[0] + dydt[3] + dydt[4]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(-z14) > 1e-13 * z13)) {
         /* the coframe is singular */
@@ -260,8 +258,8 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z8) > 0.0)) {
-            return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z8) > 0.0)) {
+            return veselova_refuse(fabs(-z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z14) > 1e-13 * z13)) {
@@ -288,12 +286,11 @@ int veselova_velocities(double t, const double *y, const double *p, double *qdot
     const double w_y = y[4];
 
     /* from the state */
-    const double z1 = 1.0 / s_theta;
-    const double z2 = z1 * (s_phi * w_x - c_phi * w_y);
+    const double z1 = (s_phi * w_x - c_phi * w_y) / s_theta;
     /* (I.2.4) */
-    qdot[0] = -c_theta * z2; /* phi' */
-    qdot[1] = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1; /* theta' */
-    qdot[2] = z2; /* psi' */
+    qdot[0] = -c_theta * z1; /* phi' */
+    qdot[1] = c_phi * w_x + s_phi * w_y; /* theta' */
+    qdot[2] = z1; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
@@ -336,53 +333,46 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     const double z3 = I1 * z2 + I2 * z1;
     const double z4 = s_theta * s_theta;
     const double z5 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + (I1 * (1.0 - z1 * (2.0 - z4)) - I3 * z4);
-    const double z6 = s_psi * c_theta;
-    const double z7 = k1 * (c_psi * z6);
-    const double z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
-    const double z9 = c_phi * z5 - 2.0 * (s_phi * z7);
-    const double z10 = z7 + s_phi * z9;
-    const double z11 = 1.0 / z8;
-    const double z12 = z10 * z11;
-    const double z13 = z3 - c_phi * z9;
-    const double z14 = z10 * z12 - z13;
-    const double z15 = s_theta * s_phi;
-    const double z16 = s_theta * c_phi;
-    const double z17 = z15 * w_y + z16 * w_x;
-    const double z18 = 1.0 / s_theta;
-    const double z19 = s_phi * w_x - c_phi * w_y;
-    const double z20 = z18 * z19;
-    const double z21 = z18 * (c_theta * z17);
-    const double z22 = z18 * z18 * z21;
-    const double z23 = c_theta * z20;
-    const double z24 = c_phi * z23;
-    const double z25 = k1 * (s_psi * (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z19);
-    const double z26 = s_theta * z25;
-    const double z27 = w_y * z26;
-    const double z28 = (w_x * z26 + z12 * z27) / z14;
-    const double z29 = z11 * z27 - z12 * z28;
-    const double z30 = s_phi * z23;
-    const double z31 = z19 * z22 + z18 * (w_x * z24 - s_phi * z29 + (w_y * z30 + c_phi * z28));
-    const double z32 = w_y * (s_theta * z24 - s_phi * z21) - z15 * z28 - (w_x * (s_theta * z30 + c_phi * z21)
-        + z16 * z29);
+    const double z6 = c_theta * (s_psi * c_psi) * k1;
+    const double z7 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z6));
+    const double z8 = c_phi * z5 - 2.0 * (s_phi * z6);
+    const double z9 = z6 + s_phi * z8;
+    const double z10 = 1.0 / z7;
+    const double z11 = z9 * z10;
+    const double z12 = z3 - c_phi * z8;
+    const double z13 = z9 * z11 - z12;
+    const double z14 = 1.0 / s_theta;
+    const double z15 = s_phi * w_x - c_phi * w_y;
+    const double z16 = z14 * z15;
+    const double z17 = c_phi * w_x + s_phi * w_y;
+    const double z18 = c_theta * z15;
+    const double z19 = c_theta * z16;
+    const double z20 = c_phi * z19;
+    const double z21 = s_theta * (k2 * z18 - k1 * (s_psi * (c_psi * z17 - s_psi * z18)));
+    const double z22 = w_y * z21;
+    const double z23 = (w_x * z21 + z22 * z11) / z13;
+    const double z24 = z22 * z10 - z11 * z23;
+    const double z25 = s_phi * z19;
+    const double z26 = z14 * z14 * (z17 * z18) + z14 * (w_x * z20 - s_phi * z24 + (w_y * z25 + c_phi * z23));
     /* (I.2.15) */
-    qddot[0] = z17 * z20 + c_theta * z31; /* phi'' */
-    qddot[1] = -(z17 * z22 + z18 * z32); /* theta'' */
-    qddot[2] = -z31; /* psi'' */
+    qddot[0] = z16 * (s_theta * z17) + c_theta * z26; /* phi'' */
+    qddot[1] = w_x * z25 + c_phi * z24 - (w_y * z20 - s_phi * z23); /* theta'' */
+    qddot[2] = -z26; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(-z14) > 1e-13 * z13)) {
+        && fabs(-z13) > 1e-13 * z12)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z8) > 0.0)) {
-            return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z7) > 0.0)) {
+            return veselova_refuse(fabs(-z7), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(-z14) > 1e-13 * z13)) {
-            return veselova_refuse(fabs(-z14), 1e-13 * z13, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z13) > 1e-13 * z12)) {
+            return veselova_refuse(fabs(-z13), 1e-13 * z12, VESELOVA_SINGULAR_2);
         }
         return veselova_finish(3, qddot);
     }
@@ -477,30 +467,27 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double z12 = z10 * z11;
     const double z13 = z3 - c_phi * z9;
     const double z14 = z10 * z12 - z13;
-    const double z15 = s_theta * s_psi;
-    const double z16 = 1.0 / s_theta;
-    const double z17 = s_phi * w_x - c_phi * w_y;
-    const double z18 = z16 * z17;
-    const double z19 = c_theta * z18;
-    const double z20 = s_theta * w_y;
-    const double z21 = s_theta * w_x;
-    const double z22 = s_phi * z20 + c_phi * z21;
-    const double z23 = z16 * z22;
-    const double z24 = c_theta * z23;
-    const double z25 = s_theta * c_psi;
-    const double z26 = I1 * ((z15 * z19 - c_psi * z23) * (s_psi * z24 + z25 * z18)) + I2 * ((z25 * z19 +
-        s_psi * z23) * (c_psi * z24 - z15 * z18));
-    const double z27 = s_psi * k1;
-    const double z28 = c_theta * k2;
-    const double z29 = (z17 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z27 + z17 * z28;
-    const double z30 = z20 * z29;
-    const double z31 = (z21 * z29 + z12 * z30) / z14;
-    const double z32 = ((c_psi * c_phi - s_phi * z6) * z27 - s_phi * z28) * (s_theta * (z11 * z30 - z12 *
-        z31));
-    const double z33 = z26 + I3 * ((z18 - c_theta * z19) * z22) - (z32 + ((c_psi * s_phi + c_phi * z6) * z27
-        + c_phi * z28) * (s_theta * z31));
+    const double z15 = s_phi * w_x - c_phi * w_y;
+    const double z16 = z15 / s_theta;
+    const double z17 = c_theta * z16;
+    const double z18 = c_phi * w_x + s_phi * w_y;
+    const double z19 = s_theta * s_psi;
+    const double z20 = c_psi * z18;
+    const double z21 = c_theta * z18;
+    const double z22 = s_theta * c_psi;
+    const double z23 = I1 * ((z19 * z17 - z20) * (s_psi * z21 + z22 * z16)) + I2 * ((z22 * z17 + s_psi * z18)
+        * (c_psi * z21 - z19 * z16));
+    const double z24 = s_psi * k1;
+    const double z25 = c_theta * k2;
+    const double z26 = s_theta * ((z20 - z15 * z6) * z24 - z15 * z25);
+    const double z27 = w_y * z26;
+    const double z28 = (w_x * z26 + z12 * z27) / z14;
+    const double z29 = ((c_psi * c_phi - s_phi * z6) * z24 - s_phi * z25) * (s_theta * (z11 * z27 - z12 *
+        z28));
+    const double z30 = I3 * ((z16 - c_theta * z17) * (s_theta * z18)) + z23 + (z29 + ((c_psi * s_phi + c_phi
+        * z6) * z24 + c_phi * z25) * (s_theta * z28));
     /* (I.4.1) 26:5 */
-    lambda[0] = -z33; /* reaction of no_turn: Q_i gains lambda_1 a_1i */
+    lambda[0] = -z30; /* reaction of no_turn: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(-z14) > 1e-13 * z13)) {
         /* the coframe is singular */
@@ -508,8 +495,8 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z8) > 0.0)) {
-            return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z8) > 0.0)) {
+            return veselova_refuse(fabs(-z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z14) > 1e-13 * z13)) {
@@ -541,21 +528,21 @@ double veselova_energy(double t, const double *y, const double *p)
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* from the state */
-    const double z1 = 1.0 / s_theta;
-    const double z2 = z1 * (s_phi * w_x - c_phi * w_y);
-    const double z3 = c_theta * z2;
-    const double omega3 = z2 - c_theta * z3;
-    const double z4 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1;
-    const double z5 = s_theta * z3;
-    const double z6 = c_psi * z4 - s_psi * z5;
-    const double z7 = s_psi * z4 + c_psi * z5;
-    return 0.5 * (I3 * (omega3 * omega3) + (I1 * (z6 * z6) + I2 * (z7 * z7)));
+    const double z1 = (s_phi * w_x - c_phi * w_y) / s_theta;
+    const double z2 = c_theta * z1;
+    const double omega3 = z1 - c_theta * z2;
+    const double z3 = c_phi * w_x + s_phi * w_y;
+    const double z4 = s_theta * z2;
+    const double z5 = c_psi * z3 - s_psi * z4;
+    const double z6 = s_psi * z3 + c_psi * z4;
+    return 0.5 * (I3 * (omega3 * omega3) + (I1 * (z5 * z5) + I2 * (z6 * z6)));
 }
 
 VESELOVA_SLOW
 int veselova_jacobian(double t, const double *y, const double *p, double *J)
 {
     J[2] = 0.0;
+    J[6] = 0.0;
     J[7] = 0.0;
     J[12] = 0.0;
     (void)t;
@@ -606,95 +593,95 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     const double z23 = s_phi * z18;
     const double z24 = c_phi * z18;
     const double z25 = s_theta * w_y;
-    const double z26 = c_theta * k2;
-    const double z27 = s_psi * c_theta;
-    const double z28 = s_psi * k1;
-    const double z29 = z25 * z28;
-    const double z30 = z25 * z26 + z27 * z29;
-    const double z31 = w_x * z30;
-    const double z32 = c_psi * z29;
-    const double z33 = k1 * (z21 * z27 - c_psi * z19);
-    const double z34 = z21 * k2;
-    const double z35 = s_psi * z33 + c_theta * z34;
-    const double z36 = s_theta * w_x;
-    const double z37 = z25 * z35;
-    const double z38 = 1.0 / z17;
-    const double z39 = (z35 * z36 + z37 * z15) * z38;
+    const double z26 = s_psi * k1;
+    const double z27 = z25 * z26;
+    const double z28 = c_psi * z27;
+    const double z29 = c_theta * k2;
+    const double z30 = s_psi * c_theta;
+    const double z31 = z25 * z29 + z30 * z27;
+    const double z32 = w_x * z31;
+    const double z33 = 1.0 / z17;
+    const double z34 = k1 * (c_psi * z19 - z21 * z30);
+    const double z35 = z21 * k2;
+    const double z36 = s_psi * z34 - c_theta * z35;
+    const double z37 = s_theta * w_x;
+    const double z38 = z25 * z36;
+    const double z39 = z33 * (z36 * z37 + z38 * z15);
     const double z40 = z12 * z39;
     const double z41 = s_phi * z39;
     const double z42 = k1 * z41;
-    const double z43 = z37 * z14 - z15 * z39;
+    const double z43 = z38 * z14 - z15 * z39;
     const double z44 = s_phi * z43;
     const double z45 = z6 * z44;
-    const double z46 = w_x * z32;
+    const double z46 = w_x * z28;
     const double z47 = k1 * z44;
-    const double z48 = c_phi * (z31 - (w_y * z32 + z40 - 2.0 * (z8 * z42) - z10 * z43 - z45)) + s_phi * (w_y
-        * z30 + (z46 + z6 * z41 - 2.0 * (z8 * z47)));
-    const double z49 = z36 * z28;
-    const double z50 = z36 * z26 + z27 * z49;
+    const double z48 = c_phi * (w_y * z28 - (z32 + (z40 - 2.0 * (z8 * z42) - z10 * z43 - z45))) - s_phi *
+        (z46 + (w_y * z31 - (z6 * z41 - 2.0 * (z8 * z47))));
+    const double z49 = z37 * z26;
+    const double z50 = z37 * z29 + z30 * z49;
     const double z51 = c_phi * z39;
     const double z52 = k1 * (z44 - z51);
     const double z53 = c_psi * z49;
-    const double z54 = c_phi * (w_x * z50 - (z46 - z12 * z43 + 2.0 * (z8 * z52))) + s_phi * (z31 - (z45 -
-        (w_x * z53 + (z40 + z6 * z51))));
-    const double z55 = z38 * (z54 + z15 * z48);
-    const double z56 = z21 * z29;
+    const double z54 = c_phi * (z46 - (w_x * z50 - (z12 * z43 - 2.0 * (z8 * z52)))) - s_phi * (w_x * z53 +
+        (z32 + (z45 - (z40 + z6 * z51))));
+    const double z55 = z33 * (z54 + z15 * z48);
+    const double z56 = z21 * z27;
     const double z57 = k1 * z39 - 2.0 * (s_phi * z42) - 2.0 * (c_phi * z47);
     const double z58 = c_phi * z41 - s_phi * z44;
     const double z59 = I1 * z58;
     const double z60 = I2 * z58;
-    const double z61 = s_theta * (z25 * z34 + s_psi * z56 - z7 * z57) - c_theta * (w_y * z35 + 2.0 * (s_theta
+    const double z61 = s_theta * (z25 * z35 + s_psi * z56 + z7 * z57) + c_theta * (w_y * z36 + 2.0 * (s_theta
         * (I3 * z58 - z1 * z59 - z2 * z60)));
     const double z62 = z21 * z49;
     const double z63 = c_phi * z51;
     const double z64 = k1 * z63;
     const double z65 = k1 * z43 - 2.0 * (s_phi * z52);
-    const double z66 = s_psi * z62 + (z34 * z36 + 2.0 * (c_theta * (z1 * z64 + k2 * z63))) + z7 * z65;
+    const double z66 = s_psi * z62 + (z35 * z37 - 2.0 * (c_theta * (z1 * z64 + k2 * z63))) - z7 * z65;
     const double z67 = c_phi * z44;
     const double z68 = I1 * z67;
     const double z69 = I2 * z67;
-    const double z70 = s_theta * z66 - c_theta * (w_x * z35 - 2.0 * (s_theta * (I3 * z67 - z1 * z68 - z2 *
+    const double z70 = s_theta * z66 + c_theta * (w_x * z36 - 2.0 * (s_theta * (I3 * z67 - z1 * z68 - z2 *
         z69)));
-    const double z71 = z38 * (z70 + z15 * z61);
+    const double z71 = z33 * (z70 + z15 * z61);
     const double z72 = c_theta * z57;
     const double z73 = 2.0 * (s_psi * (2.0 * z60 + (I2 * z43 - z5 * z59) - (I1 * z43 + z4 * z60)));
-    const double z74 = s_psi * (z19 * z29 + s_psi * z72) + c_psi * (z25 * z33 + c_theta * z56 - c_psi * z72 -
+    const double z74 = s_psi * (z19 * z27 - s_psi * z72) - c_psi * (z25 * z34 - c_theta * z56 - c_psi * z72 -
         z73);
     const double z75 = c_theta * z65;
     const double z76 = 2.0 * z69 + (z5 * z64 + I2 * z39 - z5 * z68) - (I1 * z39 + z4 * z69);
-    const double z77 = s_psi * (z19 * z49 - s_psi * z75) + c_psi * (z33 * z36 + c_theta * z62 + c_psi * z75 +
+    const double z77 = s_psi * (z19 * z49 + s_psi * z75) - c_psi * (z34 * z37 - c_theta * z62 + c_psi * z75 +
         2.0 * (s_psi * z76));
-    const double z78 = z38 * (z77 + z15 * z74);
-    const double z79 = c_phi * z32 - s_phi * z30;
-    const double z80 = s_theta * z35;
-    const double z81 = z38 * (z80 - c_phi * z53 + s_phi * z50 - z15 * z79);
-    const double z82 = z80 - s_phi * z32 - c_phi * z30;
-    const double z83 = z38 * (s_phi * z53 + c_phi * z50 - z15 * z82);
+    const double z78 = z33 * (z77 + z15 * z74);
+    const double z79 = s_phi * z31 - c_phi * z28;
+    const double z80 = s_theta * z36;
+    const double z81 = z33 * (z80 - s_phi * z50 + c_phi * z53 - z15 * z79);
+    const double z82 = z80 + c_phi * z31 + s_phi * z28;
+    const double z83 = z33 * (c_phi * z50 + s_phi * z53 + z15 * z82);
     /* (I.2.15) */
     J[0] = -c_theta * z20;
     J[1] = z21 + c_theta * z22;
     J[3] = -c_theta * z23;
     J[4] = c_theta * z24;
     J[5] = -z21;
-    J[6] = 0.0;
     J[8] = c_phi;
     J[9] = s_phi;
     J[10] = z20;
     J[11] = -z22;
     J[13] = z23;
     J[14] = -z24;
-    J[15] = z14 * z48 - z15 * z55;
+    J[15] = z15 * z55 - z14 * z48;
     J[16] = z15 * z71 - z14 * z61;
     J[17] = z14 * z74 - z15 * z78;
-    J[18] = -(z14 * z79 + z15 * z81);
-    J[19] = z14 * z82 + z15 * z83;
-    J[20] = z55;
+    J[18] = z14 * z79 + z15 * z81;
+    J[19] = z15 * z83 - z14 * z82;
+    J[20] = -z55;
     J[21] = -z71;
     J[22] = z78;
-    J[23] = z81;
+    J[23] = -z81;
     J[24] = -z83;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[0] + J[1] + J[11] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[24]) <= DBL_MAX
+    if (!(fabs(J[0] + J[1] + J[11] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[23] +
+        J[24]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(-z17) > 1e-13 * z16)) {
         /* the coframe is singular */
@@ -702,8 +689,8 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z11) > 0.0)) {
-            return veselova_refuse(fabs(z11), 0.0, VESELOVA_SINGULAR_2);
+        if (!(fabs(-z11) > 0.0)) {
+            return veselova_refuse(fabs(-z11), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(-z17) > 1e-13 * z16)) {
@@ -735,19 +722,18 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* from the state */
-    const double z1 = 1.0 / s_theta;
-    const double z2 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1;
-    const double z3 = z1 * (s_phi * w_x - c_phi * w_y);
-    const double z4 = c_theta * z3;
-    const double z5 = s_theta * z4;
-    const double z6 = I1 * (c_psi * z2 - s_psi * z5);
-    const double z7 = I2 * (s_psi * z2 + c_psi * z5);
-    const double z8 = c_psi * z6 + s_psi * z7;
-    const double z9 = c_theta * (s_psi * z6 - c_psi * z7) - I3 * (s_theta * (z3 - c_theta * z4));
+    const double z1 = c_phi * w_x + s_phi * w_y;
+    const double z2 = (s_phi * w_x - c_phi * w_y) / s_theta;
+    const double z3 = c_theta * z2;
+    const double z4 = s_theta * z3;
+    const double z5 = I1 * (c_psi * z1 - s_psi * z4);
+    const double z6 = I2 * (s_psi * z1 + c_psi * z4);
+    const double z7 = c_psi * z5 + s_psi * z6;
+    const double z8 = c_theta * (s_psi * z5 - c_psi * z6) - I3 * (s_theta * (z2 - c_theta * z3));
     /* 32:8 */
-    out[0] = c_phi * z8 - s_phi * z9; /* L_x */
+    out[0] = c_phi * z7 - s_phi * z8; /* L_x */
     /* 33:8 */
-    out[1] = s_phi * z8 + c_phi * z9; /* L_y */
+    out[1] = s_phi * z7 + c_phi * z8; /* L_y */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
@@ -807,29 +793,26 @@ static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, si
     const veselova_lanes z14 = z10 * z12 - z13;
     /* the mass matrix is singular, or the velocities that are kept are */
     bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(-z14)), 1e-13 * z13);
-    const veselova_lanes z15 = 1.0 / s_theta;
-    const veselova_lanes z16 = s_phi * w_x - c_phi * w_y;
-    const veselova_lanes z17 = z15 * z16;
-    const veselova_lanes z18 = s_theta * w_y;
-    const veselova_lanes z19 = s_theta * w_x;
-    const veselova_lanes z20 = k1 * (s_psi * (z16 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 *
-        (c_theta * z16);
-    const veselova_lanes z21 = z18 * z20;
-    const veselova_lanes z22 = (z19 * z20 + z21 * z12) / z14;
+    const veselova_lanes z15 = s_phi * w_x - c_phi * w_y;
+    const veselova_lanes z16 = z15 / s_theta;
+    const veselova_lanes z17 = c_phi * w_x + s_phi * w_y;
+    const veselova_lanes z18 = s_theta * (k1 * (s_psi * (c_psi * z17 - z15 * z6)) - k2 * (c_theta * z15));
+    const veselova_lanes z19 = w_y * z18;
+    const veselova_lanes z20 = (w_x * z18 + z19 * z12) / z14;
     /* (I.2.15) */
-    const veselova_lanes slope1 = -c_theta * z17;
+    const veselova_lanes slope1 = -c_theta * z16;
     sum += slope1;
     veselova_put(dydt, slope1);
-    const veselova_lanes slope2 = z15 * (s_phi * z18 + c_phi * z19);
-    sum += slope2;
+    const veselova_lanes slope2 = z17;
     veselova_put(dydt + 1 * stride, slope2);
-    const veselova_lanes slope3 = z17;
+    const veselova_lanes slope3 = z16;
     veselova_put(dydt + 2 * stride, slope3);
     /* (I.2.15) 24:4 */
-    const veselova_lanes slope4 = z21 * z11 - z12 * z22;
+    const veselova_lanes slope4 = z12 * z20 - z19 * z11;
     sum += slope4;
     veselova_put(dydt + 3 * stride, slope4);
-    const veselova_lanes slope5 = z22;
+    const veselova_lanes slope5 = -z20;
+    sum += slope5;
     veselova_put(dydt + 4 * stride, slope5);
     veselova_put(check, veselova_mark(far + (sum - sum), bad));
 }
