@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.system import Form
-from nhc.mechanics.trees.choice import CHAINED, FEW, tree_of, work
-from nhc.mechanics.trees.tree import Elimination
-from nhc.mechanics.whole_forms import whole_kinetic
-from nhc.program.held_tree import held_tree
+from nhc.mechanics.trees import FEW
 from nhc.program.plan import Factors, factor, solve_factored
 from nhc.records import fresh, structure
+
+if TYPE_CHECKING:
+    from nhc.mechanics.trees.tree import Elimination
 
 
 @structure
@@ -54,14 +55,30 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
     tree = _other_tree(full)
     if tree is not None:
         found.append(_along(equations, tree.rates, tree.pivots, put_in, tree))
-    held = held_tree(full, kept)
+    held = _along_held(equations, full, put_in, kept)
     if held is not None:
-        way = _along(equations, held.rates, [*held.pivots, *held.held], put_in)
-        way.pivots, way.held = way.pivots[: len(held.pivots)], way.pivots[len(held.pivots) :]
-        found.append(way)
+        found.append(held)
     if len(found) == 1:
         return found[0]
+    from nhc.mechanics.trees.choice import CHAINED, work
+
     return min(found, key=lambda way: work(g, way.values) + (0 if way is found[0] else CHAINED * size))
+
+
+def _along_held(
+    equations: Equations, full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]
+) -> MassRoute | None:
+    """By a tree that constraints hold, where there are few of them."""
+    if not 0 < 2 * full.system.l <= len(full.motion.w) or len(full.motion.w) <= FEW:
+        return None
+    from nhc.program.held_tree import held_tree
+
+    held = held_tree(full, kept)
+    if held is None:
+        return None
+    way = _along(equations, held.rates, [*held.pivots, *held.held], put_in)
+    way.pivots, way.held = way.pivots[: len(held.pivots)], way.pivots[len(held.pivots) :]
+    return way
 
 
 def _along(
@@ -82,6 +99,9 @@ def _other_tree(equations: Equations) -> Elimination | None:
     size, motion = len(equations.motion.w), equations.motion
     if size < 2 or (size <= FEW and motion.velocities != motion.w):
         return None
+    from nhc.mechanics.trees.choice import tree_of
+    from nhc.mechanics.whole_forms import whole_kinetic
+
     kinetic = whole_kinetic(equations.system)
     return tree_of(equations.system, motion, kinetic) if kinetic is not None else None
 
