@@ -75,41 +75,26 @@ def _find_pairs(
     at_hand = {p - values[node]: ~node for node in reversed(needed)}  # ~n: the opposite of n
     at_hand |= {values[node]: node for node in reversed(needed)}
     squares = {values[node] ** 2 % p: node for node in reversed(needed) if graph.op[node] == ADD}
-    divisors = _Divisors(graph, [node for node in simple if values[node]], values, p)
+    simple = [node for node in simple if values[node]]
+    deps, kids = graph.deps, graph.kids
+    inverses = [*zip(simple, invert([values[node] for node in simple], p), map(deps.__getitem__, simple), strict=True)]
     candidates: dict[Node, list[_Pair]] = {}
     for node in wanted:
-        value, pairs = values[node], list[_Pair]()
+        value, outside, pairs = values[node], ~deps[node], list[_Pair]()
         root = squares.get(value)
         if root is not None and root < node:
             pairs.append((root, root, False))
-        factors, inverses = divisors.within(graph.deps[node])
-        rests = [value * inverse % p for inverse in inverses]
-        if not at_hand.keys().isdisjoint(rests):
-            for factor, rest in zip(factors, map(at_hand.get, rests), strict=True):
-                if rest is not None:
-                    other = rest if rest >= 0 else ~rest
-                    if other > 1 and other < node and factor < node and {factor, other}.isdisjoint(graph.kids[node]):
-                        pairs.append((factor, other, rest < 0))
+        for factor, inverse, own in inverses:
+            if own & outside:
+                continue
+            rest = at_hand.get(value * inverse % p)
+            if rest is not None:
+                other = rest if rest >= 0 else ~rest
+                if other > 1 and other < node and factor < node and {factor, other}.isdisjoint(kids[node]):
+                    pairs.append((factor, other, rest < 0))
         if pairs:
             candidates[node] = pairs
     return _keep_true(graph, needed, candidates, values) if candidates else {}
-
-
-class _Divisors:
-    """Simple nodes with the inverses of their values, by the symbols that they may hold."""
-
-    def __init__(self, graph: Graph, simple: Sequence[Node], values: Mapping[Node, int], prime: int) -> None:
-        inverses = invert([values[node] for node in simple], prime)
-        self._all = list(zip(simple, inverses, [graph.deps[node] for node in simple], strict=True))
-        self._known: dict[int, tuple[list[Node], list[int]]] = {}
-
-    def within(self, deps: int) -> tuple[list[Node], list[int]]:
-        """Those that hold no other symbols, and their inverses."""
-        known = self._known.get(deps)
-        if known is None:
-            own = [(node, inverse) for node, inverse, held in self._all if not held & ~deps]
-            known = self._known[deps] = [node for node, _ in own], [inverse for _, inverse in own]
-        return known
 
 
 def _keep_true(
