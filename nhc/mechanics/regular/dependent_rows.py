@@ -59,7 +59,7 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
 def _is_clear(system: System) -> bool:
     """Whether the constraints are certainly independent; with the quasi-velocities first, where these should make a basis."""
     rows = [form.value for form in (*system.constraints, *system.quasi) if form.value is not None]
-    if system.quasi and len(rows) == system.n and is_clearly_regular(system.graph, rows, system.v):
+    if system.constraints and len(rows) == system.n > system.l and is_clearly_regular(system.graph, rows, system.v):
         return True
     return is_clearly_regular(system.graph, rows[: system.l], system.v)
 
