@@ -21,6 +21,10 @@ Terms = list[tuple[Monomial, Coefficient]]
 """A polynomial, where no term is looked up."""
 _ONE, _MILLION = Fraction(1), 10**6
 _WIDEST = 64  # factors that monomials have places for
+_CHAINS = ((3, 80), (5, 20))
+"""Coordinates and terms before any cancel, beyond which a form has never come out short: what cancels are the turns of one body,
+and a chain of bodies has more.  Of 214 forms beyond them, of all specs and of chains of 1 to 20 links, two had few enough terms,
+and neither was the shorter one."""
 
 
 def polynomial(graph: Graph, node: Node, limit: int = 300, circle: bool = True) -> Polynomial:
@@ -185,7 +189,8 @@ def _expander(graph: Graph, limit: int, closed: bool = False) -> Expander:
 def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300, swollen: int = 0) -> list[Node]:
     """Each node in canonical short form where that has at most ``limit`` terms; common parts are expanded once.
 
-    With ``swollen``, a node that would have more terms than that before any of them cancel is left as it is.
+    With ``swollen``, a node that would have more terms than that before any of them cancel is left as it is, and so is one that has
+    many terms for a chain.
     """
     nodes = list(nodes)
     sizes = _count_terms(graph, nodes) if swollen else {}
@@ -196,12 +201,18 @@ def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300, swollen
             made[node] = known.get(node, node)
             continue
         try:
-            if sizes.get(node, 0) > swollen:
+            if swollen and _swells(graph, node, sizes[node], swollen):
                 raise TooLarge
             made[node] = known[node] = _shorter(graph, node, limit)
         except TooLarge:
             made[node] = node
     return [made[node] for node in nodes]
+
+
+def _swells(graph: Graph, node: Node, terms: int, swollen: int) -> bool:
+    """Whether a node with so many terms before any of them cancel is certain, or sure enough, to have too many after it."""
+    coordinates = (graph.deps[node] & ~(graph.moving | graph.parameters)).bit_count()
+    return terms > swollen or any(coordinates > many and terms > most for many, most in _CHAINS)
 
 
 def _shorter(graph: Graph, node: Node, limit: int) -> Node:

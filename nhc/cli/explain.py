@@ -11,7 +11,7 @@ from nhc.cli.terminal import Failure, put
 
 def _complete(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
     from nhc.diagnostics import codes
-    from nhc.thesis import EQUATIONS
+    from nhc.thesis.registry import EQUATIONS
 
     return [CompletionItem(name) for name in (*codes(), *EQUATIONS) if name.startswith(incomplete.upper())]
 
@@ -30,7 +30,8 @@ def command(subject: str | None) -> int:
     if code in TITLES:
         put(page(code))
         return 0
-    from nhc.thesis import EQUATIONS, equation_page
+    from nhc.thesis.pages import equation_page
+    from nhc.thesis.registry import EQUATIONS
 
     if not code:
         for known, title in TITLES.items():

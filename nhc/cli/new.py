@@ -27,7 +27,7 @@ def command(name: str, output: str | None, force: bool) -> int:
             f"`{name}` is no name for a system: lower case letters, digits and `_`, a letter first",
             [f"nhc new {proposal}"],
         )
-    from nhc.language import template
+    from nhc.language.template import template
 
     target = output or "."
     if target != "-" and (Path(target).is_dir() or not Path(target).suffix):

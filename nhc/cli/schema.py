@@ -15,7 +15,7 @@ from nhc.cli.write import deliver
 @click.option("--force", is_flag=True, help="Replace the file after `-o` when it exists.")
 def command(output: str | None, force: bool) -> int:
     """Print the JSON Schema of the spec language."""
-    from nhc.language import schema
+    from nhc.language.schema import schema
 
     deliver(json.dumps(schema(), indent=2, ensure_ascii=False), output, force=force)
     return 0

@@ -11,9 +11,10 @@ from click.shell_completion import CompletionItem
 from nhc.cli.terminal import Failure, say
 
 if TYPE_CHECKING:
-    from nhc.language import Source
+    from nhc.diagnostics import Source
 
 
+EXTENDS = "extends"  # the key; the language is large, and what is kept of a spec that stands alone is found without it
 SHELVES = ("ladder", "bodies")
 
 
@@ -38,16 +39,25 @@ def open_spec(spec: str) -> Source:
     """
     from dataclasses import replace
 
-    from nhc.language import read
-
     if spec == "-" or Path(spec).exists():
-        return read(spec)
+        return _read(spec)
     gallery = gallery_paths() if "/" not in spec else shelf_paths()
     if spec not in gallery:
         raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))
     say(f"taking `{spec}` from the gallery")
     # the same name as of a copy, so that what is made from it does not depend on where nhc is installed
-    return replace(read(gallery[spec]), path=gallery[spec].name)
+    return replace(_read(str(gallery[spec])), path=gallery[spec].name)
+
+
+def _read(path: str) -> Source:
+    from nhc.diagnostics.files import read_source
+
+    source = read_source(path)
+    if EXTENDS not in source.text:
+        return source
+    from nhc.language.reading import with_bases
+
+    return with_bases(source)
 
 
 def list_texts(source: Source) -> tuple[str, ...]:

@@ -67,7 +67,21 @@ def walk(expression: Expr) -> list[Expr]:
 
 def iterate_refs(expression: Expr) -> list[str]:
     """The names that an expression uses, with repetitions."""
-    return [node.name for node in walk(expression) if isinstance(node, Ref)]
+    found: list[str] = []
+    stack: list[Expr] = [expression]
+    while stack:
+        node = stack.pop()
+        if type(node) is Ref:  # every other one
+            found.append(node.name)
+        elif isinstance(node, Binary):
+            stack += (node.left, node.right)
+        elif isinstance(node, Negate):
+            stack.append(node.operand)
+        elif isinstance(node, Power):
+            stack.append(node.base)
+        elif isinstance(node, Call):
+            stack += node.arguments
+    return found
 
 
 def collect_refs(statement: Statement) -> frozenset[str]:

@@ -1,10 +1,9 @@
-"""The spec language: reading, expressions, the Spec, its schema and its template."""
+"""The spec language: reading, expressions, the Spec.  Beside them stand its `schema`, a `template` and `unparse`."""
 
 from nhc.diagnostics import Source
 
 from .decode import decode
 from .reading import read
-from .schema import reference_table, schema
 from .spec import (
     FORMULATIONS,
     Constraint,
@@ -19,8 +18,6 @@ from .spec import (
     Spec,
 )
 from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree, same, walk
-from .template import template
-from .unparse import unparse
 
 __all__ = [
     "FORMULATIONS",
@@ -46,10 +43,6 @@ __all__ = [
     "decode",
     "fold_tree",
     "read",
-    "reference_table",
     "same",
-    "schema",
-    "template",
-    "unparse",
     "walk",
 ]

@@ -1,32 +1,13 @@
-"""Files to texts."""
+"""Files to texts, with the specs that they extend."""
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
-from nhc.diagnostics import Bag, Source, Span, SpecError
+from nhc.diagnostics import Source
+from nhc.diagnostics.files import STDIN, read_source, read_text
 
 from .extend import DEEPEST, base_name, folder_of, refuse, what_is_wrong
-
-LARGEST = 1 << 20  # bytes of a spec
-STDIN = "<stdin>"
-
-
-def _refuse(path: str, text: str, code: str, message: str, span: Span, help: str) -> SpecError:
-    source = Source(path, text)
-    bag = Bag(source)
-    bag.error(code, message, span, help=(help,))
-    return SpecError(bag.diagnostics, source)
-
-
-def _read_bytes(path: str) -> bytes:
-    if path == "-":
-        if sys.stdin is None:  # it was closed before Python began
-            raise ValueError("it is closed")
-        return sys.stdin.buffer.read(LARGEST + 1)
-    with Path(path).open("rb") as stream:
-        return stream.read(LARGEST + 1)
 
 
 def read(path: str | Path) -> Source:
@@ -35,35 +16,12 @@ def read(path: str | Path) -> Source:
     Raises ``SpecError`` where the file cannot be opened (E0101), is not UTF-8 (E0102) or is over 1 MiB (E0103), or
     extends what it cannot (E0112).
     """
-    name = STDIN if str(path) == "-" else str(path)
-    return _with_bases(Source(name, _read_text(str(path))), (name,))
+    return with_bases(read_source(str(path)))
 
 
-def _read_text(path: str) -> str:
-    name = STDIN if path == "-" else path
-    nowhere = Span(0, 0)
-    try:
-        data = _read_bytes(path)
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        message = f"cannot read `{name}`: {reason.lower()}"
-        help = "give the path of a spec, or `-` for standard input"
-        raise _refuse(name, "", "E0101", message, nowhere, help) from None
-    if len(data) > LARGEST:
-        message = f"the file is larger than 1 MiB ({LARGEST} bytes)"
-        raise _refuse(
-            name, "", "E0103", message, nowhere, "name what repeats under `define:`, or take over a base by `extends:`"
-        )
-    data = data.removeprefix(b"\xef\xbb\xbf")
-    try:
-        text = data.decode("utf-8")
-    except UnicodeDecodeError as error:
-        before = _lines(data[: error.start].decode("utf-8"))
-        shown = _lines(data.decode("utf-8", errors="replace"))
-        span = Span(len(before), len(before) + 1)
-        message = f"byte 0x{data[error.start]:02x} is not UTF-8"
-        raise _refuse(name, shown, "E0102", message, span, "save the file as UTF-8") from None
-    return _lines(text)
+def with_bases(source: Source) -> Source:
+    """Return the source with the specs that it extends, the nearest first; raises ``SpecError`` (E0112) like :func:`read`."""
+    return _with_bases(source, (source.path,))
 
 
 def _with_bases(source: Source, chain: tuple[str, ...]) -> Source:
@@ -81,10 +39,6 @@ def _with_bases(source: Source, chain: tuple[str, ...]) -> Source:
         raise refuse(source, found.span, f"more than {DEEPEST} specs extend one another")
     if not Path(path).is_file():
         raise refuse(source, found.span, f"there is no file `{path}`")
-    text = _read_text(path)
+    text = read_text(path)
     base = _with_bases(Source(path, text), (*chain, path))
     return Source(source.path, source.text, (Source(path, text), *base.bases))
-
-
-def _lines(text: str) -> str:
-    return text.replace("\r\n", "\n").replace("\r", "\n")

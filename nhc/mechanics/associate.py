@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import Replacement, gradient, pullback_gradient, substitute, tangent
 from nhc.algebra.graph import Node
@@ -20,10 +21,12 @@ from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.moved import Moved, Weights
 from nhc.mechanics.system import System
-from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.turning import Direction, moving, virtual_work
 from nhc.mechanics.turns import Vector, cross
 from nhc.records import record
+
+if TYPE_CHECKING:
+    from nhc.mechanics.trees.tree import Elimination
 
 Matrix = tuple[tuple[Node, ...], ...]
 

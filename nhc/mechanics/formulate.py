@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import count
 from nhc.algebra.dense import pivot_signs
@@ -13,7 +14,6 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations, Matrix, Projector, Row
 from nhc.mechanics.choosing.choose import Formulation
-from nhc.mechanics.formulations.multipliers import multiplier_symbols
 from nhc.mechanics.frame import coordinate_frame, form_value, total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.motion import Motion
@@ -22,12 +22,12 @@ from nhc.mechanics.moving.moved import Moved
 from nhc.mechanics.regular.determined import check_determined
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
-from nhc.mechanics.trees.choice import FEW, worthwhile_tree
-from nhc.mechanics.trees.covectors import Sweeps
-from nhc.mechanics.trees.tree import Elimination
+from nhc.mechanics.trees import FEW
 from nhc.mechanics.values import scene_values
-from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.records import record
+
+if TYPE_CHECKING:
+    from nhc.mechanics.trees.tree import Elimination
 
 _FEW_ROWS = 40
 """Coordinates times constraints up to which reactions are also made row by row."""
@@ -88,17 +88,26 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         motion=motion,
         assemble=lambda: _assemble(rows),
         definite=not bordered and (kinetic.is_positive() or _is_definite(system, rows)),
-        multipliers=multiplier_symbols(system) if bordered else (),
+        multipliers=_multipliers(system) if bordered else (),
         react=route.react,
         sweep=route.sweep,
         guards=route.guards,
     )
 
 
+def _multipliers(system: System) -> tuple[Node, ...]:
+    from nhc.mechanics.formulations.multipliers import multiplier_symbols  # here, for it comes with all forms on paper
+
+    return multiplier_symbols(system)
+
+
 def _tree(system: System, formulation: Formulation) -> Elimination | None:
     """The elimination along the tree of a system without constraints, where it is worth it and T is surely positive."""
     if not _is_free(system, formulation) or system.n - system.l <= FEW:
         return None
+    from nhc.mechanics.trees.choice import worthwhile_tree
+    from nhc.mechanics.whole_forms import whole_kinetic
+
     kinetic = whole_kinetic(system)
     if kinetic is None or not kinetic.is_positive():
         return None
@@ -124,6 +133,8 @@ def _from_leaves(system: System, formulation: Formulation, tree: Elimination, ki
 
     def react() -> tuple[Row, ...]:
         """Of the lengths of quaternions: nothing, where they are seen by the entries and angular velocities alone."""
+        from nhc.mechanics.trees.covectors import Sweeps
+
         if Sweeps(system, motion.velocities).hides_quaternions([system.T, system.U]):
             return (Row((system.graph.zero,) * len(motion.w), system.graph.zero),) * system.l
         return dense().react()

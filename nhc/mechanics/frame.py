@@ -21,7 +21,7 @@ from nhc.mechanics.row_factors import strip_factor
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import Direction, along, from_base, moving
 from nhc.records import record
-from nhc.thesis import equation
+from nhc.thesis.tie import equation
 
 Guards = tuple[tuple[Node, Node], ...]
 _LONGEST_FORM = 200

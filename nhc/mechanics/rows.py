@@ -22,7 +22,7 @@ from nhc.mechanics.formulations import euler_lagrange, lagrange, multipliers, ne
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.thesis import equation
+from nhc.thesis.tie import equation
 
 AUTOMATIC, MOTION, ENERGY = "automatic", "motion", "energy"
 

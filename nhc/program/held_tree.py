@@ -23,7 +23,7 @@ from nhc.mechanics.frame import form_value, total_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.regular.given_rank import given_states
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.trees.choice import FEW, tree_of
+from nhc.mechanics.trees.choice import tree_of
 from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.values import scene_values
 from nhc.mechanics.whole_forms import whole_kinetic
@@ -46,10 +46,10 @@ class HeldTree:
 
 
 def held_tree(equations: Equations, kept: Sequence[Form]) -> HeldTree | None:
-    """The rates of the ``kept`` forms; None where T is not positive without the constraints, or light, or these leave few rates."""
+    """The rates of the ``kept`` forms; None where T is not positive without the constraints, or light."""
     system, motion = equations.system, equations.motion
-    g, free = system.graph, len(motion.w)
-    if not 0 < 2 * system.l <= free or free <= FEW or system.rotations:
+    g = system.graph
+    if system.rotations:
         return None
     kinetic = whole_kinetic(system)
     if kinetic is None or not kinetic.is_positive():

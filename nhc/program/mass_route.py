@@ -1,8 +1,9 @@
-"""How the rates are solved for: by the dense L D L^T, or from the leaves of a tree to its root."""
+"""How the rates are solved for: by the dense L D L^T, from the leaves of a tree to its root, or by way of angular velocities."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
@@ -10,12 +11,12 @@ from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.detour import Detour, find_detour
 from nhc.mechanics.system import Form
-from nhc.mechanics.trees.choice import CHAINED, FEW, tree_of, work
-from nhc.mechanics.trees.tree import Elimination
-from nhc.mechanics.whole_forms import whole_kinetic
-from nhc.program.held_tree import held_tree
+from nhc.mechanics.trees import FEW
 from nhc.program.plan import factor, solve_factored
 from nhc.records import fresh, structure
+
+if TYPE_CHECKING:
+    from nhc.mechanics.trees.tree import Elimination
 
 Pairs = list[tuple[Node, Node]]
 Solver = Callable[[Sequence[Node]], list[Node]]
@@ -51,16 +52,33 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
         tree = _other_tree(full)
         if tree is not None:
             found.append(_along(equations, tree, put_in))
-        held = held_tree(full, kept)
+        held = _along_held(full, put_in, kept, found[0].solve)
         if held is not None:
-            values, pivots = substitute(g, held.rates, put_in), _in_pairs(g, held.pivots, put_in)
-            found.append(MassRoute(values, pivots, found[0].solve, chained=True, held=_in_pairs(g, held.held, put_in)))
+            found.append(held)
     detour = find_detour(full)
     if detour is not None:
         found.append(_by(detour, equations, put_in))
     if len(found) == 1:
         return found[0]
+    from nhc.mechanics.trees.choice import CHAINED, work
+
     return min(found, key=lambda way: work(g, way.values) + CHAINED * size * way.chained)
+
+
+def _along_held(
+    full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form], solve: Solver | None
+) -> MassRoute | None:
+    """By a tree that constraints hold, where there are few of them."""
+    g = full.system.graph
+    if not 0 < 2 * full.system.l <= len(full.motion.w) or len(full.motion.w) <= FEW:
+        return None
+    from nhc.program.held_tree import held_tree
+
+    held = held_tree(full, kept)
+    if held is None:
+        return None
+    values, pivots, pairs = substitute(g, held.rates, put_in), held.pivots, held.held
+    return MassRoute(values, _in_pairs(g, pivots, put_in), solve, chained=True, held=_in_pairs(g, pairs, put_in))
 
 
 def _along(equations: Equations, tree: Elimination, put_in: Mapping[Node, Node]) -> MassRoute:
@@ -88,6 +106,9 @@ def _other_tree(equations: Equations) -> Elimination | None:
     size, motion = len(equations.motion.w), equations.motion
     if size < 2 or (size <= FEW and motion.velocities != motion.w):
         return None
+    from nhc.mechanics.trees.choice import tree_of
+    from nhc.mechanics.whole_forms import whole_kinetic
+
     kinetic = whole_kinetic(equations.system)
     return tree_of(equations.system, motion, kinetic) if kinetic is not None else None
 

@@ -4,21 +4,3 @@
 ``EQUATIONS`` says of every number what it states (corrected), and whether it is implemented, shown by a test, or not needed
 (with the reason).  This package is a leaf: it imports nothing else of nhc.
 """
-
-from nhc.thesis.entries import Equation, Erratum
-from nhc.thesis.errata import ERRATA
-from nhc.thesis.pages import equation_page, equation_table, errata_page
-from nhc.thesis.registry import EQUATIONS
-from nhc.thesis.tie import IMPLEMENTED, equation
-
-__all__ = [
-    "EQUATIONS",
-    "ERRATA",
-    "IMPLEMENTED",
-    "Equation",
-    "Erratum",
-    "equation",
-    "equation_page",
-    "equation_table",
-    "errata_page",
-]

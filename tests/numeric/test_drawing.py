@@ -13,7 +13,8 @@ import pytest
 from nhc.cli import main
 from nhc.diagnostics import Source, SpecError
 from nhc.dump import dump_decode
-from nhc.language import decode, schema
+from nhc.language import decode
+from nhc.language.schema import schema
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, emit
 from nhc.report.drawing import MOST_FRAMES, describe_drawing

@@ -11,7 +11,10 @@ from pathlib import Path
 import pytest
 
 import nhc.mechanics
-from nhc.thesis import EQUATIONS, ERRATA, IMPLEMENTED, equation_page, equation_table, errata_page
+from nhc.thesis.errata import ERRATA
+from nhc.thesis.pages import equation_page, equation_table, errata_page
+from nhc.thesis.registry import EQUATIONS
+from nhc.thesis.tie import IMPLEMENTED
 
 for module in pkgutil.walk_packages(nhc.mechanics.__path__, "nhc.mechanics."):
     importlib.import_module(module.name)

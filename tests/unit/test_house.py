@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import re
 import subprocess
 import sys
@@ -11,6 +12,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
+from nhc.cli.specs import EXTENDS
+from nhc.language.extend import KEY
 
 ROOT = Path(__file__).resolve().parents[2]
 MODULES = sorted((ROOT / "nhc").rglob("*.py"))
@@ -132,6 +136,24 @@ def test_cheap_paths_import_nothing_heavy(arguments: list[str], allowed: tuple[s
     code, *imported = done.stdout.split()
     assert code == "0", done.stderr
     assert [name for name in imported if name not in allowed] == []
+
+
+def test_an_answer_that_is_kept_is_found_without_the_language(tmp_path: Path) -> None:
+    question = ["emit", "chaplygin_sleigh", "--lang", "c", "--stdout"]
+    program = (
+        "import sys, io\n"
+        "from nhc.cli import main\n"
+        "out, sys.stdout = sys.stdout, io.StringIO()\n"
+        f"code = main({question!r})\n"
+        f"print(code, *(name for name in {(*HEAVY, 'nhc.language', 'nhc.pipeline')!r} if name in sys.modules), file=out)\n"
+    )
+    command, own = [sys.executable, "-c", program], os.environ | {"NHC_CACHE": str(tmp_path)}
+    first, again = (
+        subprocess.run(command, cwd=ROOT, env=own, capture_output=True, text=True, check=True) for _ in "12"
+    )
+    assert first.stdout.split() == ["0", "jinja2", "yaml", "nhc.language", "nhc.pipeline"]
+    assert again.stdout.split() == ["0"]
+    assert EXTENDS == KEY
 
 
 def test_importing_the_package_costs_nothing() -> None:

@@ -10,10 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nhc.diagnostics import Bag, Source, Span
-from nhc.language import Binary, Call, Name, Negate, Number, Prime, Syntax, same, unparse, walk
+from nhc.language import Binary, Call, Name, Negate, Number, Prime, Syntax, same, walk
 from nhc.language.constant import ConstantError, evaluate
 from nhc.language.names import FUNCTIONS, GREEK, fold, is_name
 from nhc.language.parser import parse_equation, parse_expression
+from nhc.language.unparse import unparse
 
 HERE = Span(0, 0)
 

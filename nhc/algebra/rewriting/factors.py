@@ -7,15 +7,15 @@ are squares of sums.  Sums of values at hand are not sought: digits may cancel i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from nhc.algebra.calculus import count, reachable, rebuild_over
-from nhc.algebra.exact.field import FieldPoint
 from nhc.algebra.exact.residues import invert
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.rewriting.values import draw_points, find_poles
+from nhc.algebra.rewriting.values import draw_point, find_poles
 
 _SIMPLE = frozenset({SYM, "sin", "cos", POW})
+_Pair = tuple[Node, Node, bool]  # factors, and whether the product has the other sign
 _MOST = 20_000  # pairs of a value and a factor; beyond them it takes longer than it saves
 
 
@@ -27,10 +27,11 @@ def find_factors(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     own = _count_own(graph, needed, roots)
     wanted = [node for node in needed if own[node] > 1 and graph.op[node] in (ADD, MUL)]
     simple = [node for node in needed if graph.op[node] in _SIMPLE]
-    points = draw_points(graph, needed) if len(wanted) * len(simple) <= _MOST else None
-    if not points:
+    if len(wanted) * len(simple) > _MOST:
         return list(roots)
-    pairs = _find_pairs(graph, needed, wanted, simple, points)
+    pairs = _find_pairs(graph, needed, wanted, simple)
+    if not pairs:
+        return list(roots)
     new: dict[Node, Node] = {}
     for node in needed:
         if node in pairs:
@@ -64,37 +65,52 @@ def _count_own(graph: Graph, needed: Sequence[Node], roots: Sequence[Node]) -> d
 
 
 def _find_pairs(
-    graph: Graph, needed: Sequence[Node], wanted: Sequence[Node], simple: Sequence[Node], points: Sequence[FieldPoint]
-) -> dict[Node, tuple[Node, Node, bool]]:
-    """(factor, factor, with a minus) of the wanted nodes that are products of nodes made before them."""
-    (p, values), (q, others) = ((point.prime, point.values) for point in points)
-    poles, deps = find_poles(graph, needed, values), graph.deps
+    graph: Graph, needed: Sequence[Node], wanted: Sequence[Node], simple: Sequence[Node]
+) -> dict[Node, _Pair]:
+    """The wanted nodes that are products of nodes made before them, with these."""
+    point = draw_point(graph, 0, needed)
+    if point is None:
+        return {}
+    p, values = point.prime, point.values
     at_hand = {p - values[node]: ~node for node in reversed(needed)}  # ~n: the opposite of n
     at_hand |= {values[node]: node for node in reversed(needed)}
     squares = {values[node] ** 2 % p: node for node in reversed(needed) if graph.op[node] == ADD}
     simple = [node for node in simple if values[node]]
+    deps, kids = graph.deps, graph.kids
     inverses = [*zip(simple, invert([values[node] for node in simple], p), map(deps.__getitem__, simple), strict=True)]
-    found: dict[Node, tuple[Node, Node, bool]] = {}
-
-    def fits(node: Node, first: Node, second: Node, opposite: bool) -> bool:
-        if not (first < node and second < node) or (poles[first] | poles[second]) & ~poles[node]:
-            return False
-        product = others[first] * others[second]
-        return (others[node] + product if opposite else others[node] - product) % q == 0
-
+    candidates: dict[Node, list[_Pair]] = {}
     for node in wanted:
-        value, outside = values[node], ~deps[node]
+        value, outside, pairs = values[node], ~deps[node], list[_Pair]()
         root = squares.get(value)
-        if root is not None and fits(node, root, root, False):
-            found[node] = root, root, False
-            continue
+        if root is not None and root < node:
+            pairs.append((root, root, False))
         for factor, inverse, own in inverses:
             if own & outside:
                 continue
             rest = at_hand.get(value * inverse % p)
             if rest is not None:
                 other = rest if rest >= 0 else ~rest
-                if other > 1 and {factor, other}.isdisjoint(graph.kids[node]) and fits(node, factor, other, rest < 0):
-                    found[node] = factor, other, rest < 0
-                    break
+                if other > 1 and other < node and factor < node and {factor, other}.isdisjoint(kids[node]):
+                    pairs.append((factor, other, rest < 0))
+        if pairs:
+            candidates[node] = pairs
+    return _keep_true(graph, needed, candidates, values) if candidates else {}
+
+
+def _keep_true(
+    graph: Graph, needed: Sequence[Node], candidates: Mapping[Node, Sequence[_Pair]], values: Mapping[Node, int]
+) -> dict[Node, _Pair]:
+    """For each node the first of its pairs that divides by nothing else and is right at the second point, too."""
+    point = draw_point(graph, 1, needed)
+    if point is None:
+        return {}
+    q, others, poles = point.prime, point.values, find_poles(graph, needed, values)
+    found: dict[Node, _Pair] = {}
+    for node, pairs in candidates.items():
+        for first, second, opposite in pairs:
+            product = others[first] * others[second]
+            rest = others[node] + product if opposite else others[node] - product
+            if rest % q == 0 and not (poles[first] | poles[second]) & ~poles[node]:
+                found[node] = first, second, opposite
+                break
     return found

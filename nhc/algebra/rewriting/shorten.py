@@ -25,7 +25,8 @@ _MIXED = 150
 def shorten(graph: Graph, nodes: Sequence[Node], beside: Sequence[Node] = ()) -> list[Node]:
     """Equal nodes, cheaper together (and with what is computed ``beside`` them) where canonical forms help."""
     before = count(graph, nodes)
-    if before == 0 or before > _LARGE or "canonical forms" in graph.off:
+    shortest = 0 if beside else 1  # one operation may still be the same as one beside it
+    if before <= shortest or before > _LARGE or "canonical forms" in graph.off:
         return list(nodes)
     canonical = keep_digits(graph, nodes, normalise_all(graph, nodes, _TERMS, _SWOLLEN))
     if canonical == list(nodes):

@@ -77,7 +77,7 @@ def share_values(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     classes = [needed]
     for index in range(_POINTS):
         open_ = reachable(graph, [node for members in classes for node in members]) if index else needed
-        point = _draw(graph, index, open_)
+        point = draw_point(graph, index, open_)
         if point is None:
             return list(roots)
         classes = [part for members in classes for part in _split(graph, members, point)]
@@ -86,14 +86,16 @@ def share_values(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     return _Merging(graph, needed, classes).replace(roots)
 
 
-def _draw(graph: Graph, index: int, nodes: Sequence[Node]) -> ArbitraryPoint | None:
+def draw_point(graph: Graph, index: int, nodes: Sequence[Node]) -> ArbitraryPoint | None:
     """A point modulo the index-th prime with values for the nodes, which stand in order behind all that they are made of.
 
     Values from other functions of the graph are taken over.
     """
     kept: dict[int, ArbitraryPoint] = graph.memory.setdefault("arbitrary points", {})
     for seed in range(_DRAWS):
-        point = kept.setdefault(index, ArbitraryPoint(graph, 7_000_003 + seed, PRIMES[index]))
+        point = kept.get(index)
+        if point is None:
+            point = kept[index] = ArbitraryPoint(graph, 7_000_003 + seed, PRIMES[index])
         try:
             point.complete(nodes)
         except Unlucky:
@@ -185,13 +187,6 @@ class _Merging:
                     found.add(kid)
                     stack.append(kid)
         return sorted(found)
-
-
-def draw_points(graph: Graph, nodes: Sequence[Node]) -> list[FieldPoint] | None:
-    """A point modulo each of two primes with values for the nodes, all that :func:`reachable` finds; None where none was found."""
-    points = [_draw(graph, index, nodes) for index in range(_POINTS)]
-    found: list[FieldPoint] = [point for point in points if point is not None]
-    return found if len(found) == _POINTS else None
 
 
 def find_poles(graph: Graph, nodes: Sequence[Node], values: Mapping[Node, int]) -> dict[Node, int]:

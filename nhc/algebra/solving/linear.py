@@ -249,13 +249,20 @@ def _blocks_of(graph: Graph, rows: Sequence[Node], unknowns: Sequence[Node]) -> 
 
 
 def is_clearly_regular(graph: Graph, rows: Sequence[Node], unknowns: Sequence[Node]) -> bool:
-    """Whether rows linear in the unknowns are certainly independent (False: not known)."""
+    """Whether rows linear in the unknowns are certainly independent (False: not known).  A yes is remembered."""
+    asked = (tuple(rows), tuple(unknowns))
+    known: set[tuple[tuple[Node, ...], ...]] = graph.memory.setdefault("regular rows", set())
+    if asked in known:
+        return True
     peeled = peel(graph, rows, unknowns)
     core = [unknowns[j] for j in peeled.columns]
     if len(peeled.rows) > len(core):
         return False
     matrix = [coefficients(graph, rows[i], core) for i in peeled.rows]
-    return not matrix or probe_of(graph).has_full_rank(matrix)
+    if matrix and not probe_of(graph).has_full_rank(matrix):
+        return False
+    known.add(asked)
+    return True
 
 
 class Substitution:

@@ -8,7 +8,6 @@ from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
 from nhc.emit.c.body import BodyPrinter
 from nhc.emit.c.dense import FEW
-from nhc.emit.c.driver import Method, list_driver_functions, make_driver
 from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.large import AT, LARGE, TURNED, list_angles, print_near, print_twice
@@ -66,10 +65,12 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
     """The files of the C back end.  Raises EmitError for an option that the program cannot meet."""
     has_rhs = any(function.name == "rhs" for function in program.functions)
     check_options(program, options, (BATCH,) if has_rhs else ())
-    driver = make_driver(program, options.scene) if options.driver else None
-    wanted = options.only
-    if wanted and driver is not None:
-        wanted += list_driver_functions(driver)
+    driver, wanted = None, options.only
+    if options.driver:
+        from nhc.emit.c.driver import list_driver_functions, make_driver
+
+        driver = make_driver(program, options.scene)
+        wanted += list_driver_functions(driver) if wanted else ()
     batch = has_rhs and (not wanted or BATCH in wanted)
     inline = options.trig == "inline"
     if batch and wanted:
@@ -133,6 +134,8 @@ def make_source_context(
 
 def make_watch_context(program: Program, helpers: set[str]) -> dict[str, object]:
     """What a driver's template uses of the values that it watches; their function is one of its own file."""
+    from nhc.emit.c.driver import Method
+
     watch = program.lookout
     return {
         "watch": print_function(program, watch.function, helpers) if watch else None,

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import Bag, Span, several
 from nhc.mechanics.choosing.adapt import complete, turning_choices
 from nhc.mechanics.choosing.reach import becomes_singular
-from nhc.mechanics.formulations import chaplygin
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import Choice as DependentChoice
 from nhc.mechanics.regular.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
 from nhc.mechanics.system import System
 from nhc.records import record
+
+if TYPE_CHECKING:
+    from nhc.mechanics.formulations.chaplygin import Hypotheses
 
 FORMULATIONS = ("newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
 NUMBERS = {
@@ -201,13 +204,13 @@ def _reduced(system: System, name: str) -> Formulation:
     return Formulation(name, NUMBERS[name], frame, choice, (), reason, found.broken)
 
 
-def chaplygin_dependent(system: System, choice: DependentChoice) -> tuple[DependentChoice, Frame, chaplygin.Hypotheses]:
+def chaplygin_dependent(system: System, choice: DependentChoice) -> tuple[DependentChoice, Frame, Hypotheses]:
     """The dependent velocities of Čaplygin's equations, with their frame and hypotheses.
 
     They are ``choice`` where it allows these equations and where the spec gives it; else the best of the others that allow them,
     so that no system is refused for what nhc chose.  Who asks again, to say what was found, gets the same answer.
     """
-    known: list[tuple[System, tuple[int, ...], tuple[DependentChoice, Frame, chaplygin.Hypotheses]]]
+    known: list[tuple[System, tuple[int, ...], tuple[DependentChoice, Frame, Hypotheses]]]
     known = system.graph.memory.setdefault("chaplygin dependents", [])
     for owner, columns, answer in known:
         if owner is system and columns == choice.dependent:
@@ -217,9 +220,9 @@ def chaplygin_dependent(system: System, choice: DependentChoice) -> tuple[Depend
     return found
 
 
-def _find_chaplygin_dependent(
-    system: System, choice: DependentChoice
-) -> tuple[DependentChoice, Frame, chaplygin.Hypotheses]:
+def _find_chaplygin_dependent(system: System, choice: DependentChoice) -> tuple[DependentChoice, Frame, Hypotheses]:
+    from nhc.mechanics.formulations import chaplygin
+
     frame = coordinate_frame(system, choice.dependent)
     found = chaplygin.hypotheses(frame, choice.dependent)
     if system.dependent or not found.fatal:

@@ -22,7 +22,7 @@ from nhc.mechanics.frame import Frame, dependent_coefficients
 from nhc.mechanics.regular.trials import sampled_rows, trial_points
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.thesis import equation
+from nhc.thesis.tie import equation
 
 _SHIFT = 0.37
 _ROUNDING = 1e-7

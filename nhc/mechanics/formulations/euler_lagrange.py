@@ -15,7 +15,7 @@ from nhc.algebra.graph import Node
 from nhc.exterior import Coframe, Form, basis_form, d, general_coframe, one_form, pullback, wedge
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.turning import along, moving, virtual_work
-from nhc.thesis import equation
+from nhc.thesis.tie import equation
 
 
 def quasi_energy(frame: Frame) -> Node:

@@ -11,7 +11,7 @@ from nhc.algebra.graph import Node
 from nhc.exterior import Coframe, Form, basis_form, coordinate_coframe, d, one_form, wedge
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.system import System
-from nhc.thesis import equation
+from nhc.thesis.tie import equation
 
 
 def phase_coframe(system: System) -> Coframe:

@@ -7,7 +7,7 @@ from nhc.exterior import Form, basis_form, one_form, wedge
 from nhc.mechanics.formulations import lagrange
 from nhc.mechanics.frame import form_value, total_derivative
 from nhc.mechanics.system import System
-from nhc.thesis import equation
+from nhc.thesis.tie import equation
 
 
 def multiplier_symbols(system: System) -> tuple[Node, ...]:

@@ -7,7 +7,7 @@ from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.exterior import Form, basis_form, one_form, wedge
 from nhc.mechanics.formulations.lagrange import momenta, phase_coframe
 from nhc.mechanics.system import System
-from nhc.thesis import equation
+from nhc.thesis.tie import equation
 
 
 def broken_hypotheses(system: System) -> list[str]:

@@ -14,7 +14,7 @@ from nhc.exterior import Coframe, Form, basis_form, one_form, wedge
 from nhc.mechanics.frame import Frame, dependent_coefficients
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.thesis import equation
+from nhc.thesis.tie import equation
 
 
 @record

@@ -27,7 +27,7 @@ from nhc.mechanics.system import System
 from nhc.mechanics.turning import moving
 from nhc.mechanics.values import default_values
 from nhc.records import record
-from nhc.thesis import equation
+from nhc.thesis.tie import equation
 
 _SPARE = 6  # points more than candidates
 _BUDGET = 260_000  # candidates times operations of the reference at one point

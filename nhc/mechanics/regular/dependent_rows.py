@@ -21,8 +21,7 @@ _DRAWS, _POINTS, _DIGITS = 60, 3, 1e-30
 def check_rank(bag: Bag, spec: Spec, system: System) -> None:
     """Dependent constraints and contradictory ones, row by row."""
     g = system.graph
-    written = [form.value for form in system.constraints if form.value is not None]
-    if len(written) == system.l and is_clearly_regular(g, written, system.v):
+    if all(form.value is not None for form in system.constraints) and _is_clear(system):
         return
     kept: list[Form] = []
     spans = [c.span for c in spec.constraints] + [h.span for h in spec.holonomic]
@@ -55,6 +54,14 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
                 ),
                 help=("remove it",),
             )
+
+
+def _is_clear(system: System) -> bool:
+    """Whether the constraints are certainly independent; with the quasi-velocities first, where these should make a basis."""
+    rows = [form.value for form in (*system.constraints, *system.quasi) if form.value is not None]
+    if system.constraints and len(rows) == system.n > system.l and is_clearly_regular(system.graph, rows, system.v):
+        return True
+    return is_clearly_regular(system.graph, rows[: system.l], system.v)
 
 
 def check_freedom(bag: Bag, spec: Spec, system: System) -> None:

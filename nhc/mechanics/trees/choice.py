@@ -21,8 +21,6 @@ CHAINED = 4
 """Operations that the longer way from pivot to pivot of a tree is worth."""
 ANGLE = 30
 """Operations that a sine with its cosine takes the time of."""
-FEW = 3
-"""Rates up to which both ways are written out and compared."""
 _BOTH = 12
 """Rates up to which two recursions are both solved; beyond, one is that starts from less."""
 _SHORT = 30

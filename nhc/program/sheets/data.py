@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from nhc.language import Scene, unparse
-from nhc.language.unparse import show_number
+from nhc.language import Scene
+from nhc.language.unparse import show_number, unparse
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
 from nhc.program.sheets.formulas import NOTATION
 from nhc.program.sheets.model import Mark, Table
