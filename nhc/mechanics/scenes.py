@@ -265,7 +265,8 @@ def _velocities(
     order = _free_order(system, given)
     solver = RowSpace(system.n)
     units = velocity_units(system)
-    sizes = term_sizes(system, rows, right)
+    sizes = term_sizes(system, rows, right, _unseen(system, scene, place))
+    together = "the constraint" if fixed == 1 else f"the {fixed} constraints"
     for k, (row, value) in enumerate(zip(rows, right, strict=True)):
         off = solver.add([a * u for a, u in zip(row, units, strict=True)], value)
         if off is None or abs(off) <= TOLERANCE * sizes[k]:
@@ -274,7 +275,7 @@ def _velocities(
             "E0409",
             f"the initial velocities of the scene `{scene.name}` violate the constraints by {abs(off):.3g}",
             next((e.span for e in scene.initial if names[k] == _FOUND_AS.get(e.kind, "").format(e.name)), scene.span),
-            notes=(f"{names[k]} does not fit the {several(fixed, 'constraint')} and the values before it",),
+            notes=(f"{names[k]} does not fit {together} and the values before it",),
             help=("leave the dependent velocities out: they follow from the constraints",),
         )
     for form in order:
@@ -283,13 +284,25 @@ def _velocities(
     return tuple(x * u for x, u in zip(solver.solution(), units, strict=True))
 
 
-def term_sizes(system: System, rows: Sequence[Sequence[float]], right: Sequence[float]) -> list[float]:
+def _unseen(system: System, scene: Scene, place: dict[Node, float]) -> list[float]:
+    """Velocities so small that TOLERANCE of them is lost in the rounding of the coordinates in the whole scene."""
+    duration = abs(float(scene.time[1] - scene.time[0]))
+    return [2.0**-52 * abs(place[q]) / duration / TOLERANCE if duration else 0.0 for q in system.q]
+
+
+def term_sizes(
+    system: System, rows: Sequence[Sequence[float]], right: Sequence[float], least: Sequence[float] = ()
+) -> list[float]:
     """How large the terms of each equation of velocities can be: its largest coefficient times the largest speed that any of the
     equations gives which share velocities with it, directly or through others, in the units in which coefficients are near 1.
+    ``least``: what each velocity counts as in any case.
     """
     units = velocity_units(system)
+    rests = [value / unit for value, unit in zip(least, units, strict=False)]
     lengths = [max((abs(a) * u for a, u in zip(row, units, strict=True)), default=0.0) for row in rows]
     speeds = [abs(value) / length if length else 0.0 for value, length in zip(right, lengths, strict=True)]
+    for k, row in enumerate(rows):
+        speeds[k] = max([speeds[k], *(rest for a, rest in zip(row, rests, strict=False) if a)])
     part = list(range(len(rows)))
     for j in range(system.n):
         joined = {part[k] for k, row in enumerate(rows) if row[j]}

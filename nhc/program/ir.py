@@ -121,9 +121,9 @@ class Guard:
 class Solve:
     """Dense ``matrix @ x = column`` for each column, by elimination with row pivoting; ``names[c][i]`` binds x_i of column c.
 
-    Leaves with ``status`` when a pivot is no larger than ``tolerance`` times the largest entry of its row of the matrix, after
-    the columns from ``masses`` on, of multipliers, are scaled to the largest magnitude on the diagonal: neither the unit of mass
-    nor a factor of a constraint may decide what is singular.
+    Leaves with ``status`` when a pivot is no larger than ``tolerance`` times the largest entry of its row of the matrix, in units
+    of the unknowns in which the first ``masses`` entries of the diagonal are one, and the largest entry of each multiplier's column
+    beside them, too: neither the units of the coordinates nor a factor of a constraint may decide what is singular.
     ``matrix[i][j]`` and ``columns[c][i]`` are expressions (often Number(0)).
     """
 

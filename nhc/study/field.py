@@ -157,8 +157,8 @@ class SteadyModel:
         return float(self.tapes.numbers([node], self.values(y))[0])
 
     @cached_property
-    def _conditions(self) -> tuple[tuple[Node, ...], tuple[tuple[Node, ...], ...]]:
-        """Constraints that the state itself has to meet: positions, and velocities where all of them are kept."""
+    def conditions_as_nodes(self) -> tuple[tuple[Node, ...], tuple[tuple[Node, ...], ...]]:
+        """Constraints that the state itself has to meet, and their slopes: positions, and velocities where all of them are kept."""
         flow, system = self.flow, self.flow.system
         nodes = [form.equation for form in system.constraints if form.equation is not None]
         if self.frame is None:
@@ -167,7 +167,7 @@ class SteadyModel:
 
     def conditions(self, y: Sequence[float]) -> tuple[Vector, Matrix]:
         """Residuals of shape (K,) of the constraints on the state, and their slopes (K, NY)."""
-        nodes, slopes = self._conditions
+        nodes, slopes = self.conditions_as_nodes
         values = self.values(y)
         flat = self.tapes.numbers([x for row in slopes for x in row], values)
         across = flat.reshape(len(nodes), len(self.flow.y))
@@ -217,7 +217,7 @@ class SteadyModel:
         """
         try:
             zero = self.flow.graph.zero
-            together = [[k for k, slope in enumerate(row) if slope != zero] for row in self._conditions[1]]
+            together = [[k for k, slope in enumerate(row) if slope != zero] for row in self.conditions_as_nodes[1]]
             units = choose_units(self.field(y)[1], y, self.rest, together)
             if not units.own:  # rounding can look like something slow
                 units = choose_units(self.clean_jacobian(y), y, self.rest, together)

@@ -15,6 +15,7 @@ import numpy as np
 
 from nhc.records import record
 from nhc.study.field import RANK, SteadyModel
+from nhc.study.roots import undecided
 from nhc.study.steady import Steady, find_steady
 from nhc.study.units import Matrix, balance
 
@@ -55,7 +56,7 @@ class Linearisation:
 @record
 class _Local:
     """A model about a steady motion, in units in which its numbers are near one: ``full`` over ``rest``, all admissible
-    perturbations, and the ``basis`` of those that are no turns.
+    perturbations, and the ``basis`` of those that are no turns.  ``others`` are what ``full`` may be as well for all digits tell.
     """
 
     model: SteadyModel
@@ -63,6 +64,12 @@ class _Local:
     every: Matrix
     basis: Matrix
     notes: tuple[str, ...]
+    others: tuple[Matrix, ...]
+
+    def parted(self, count: int | None = None) -> tuple[Matrix, Matrix]:
+        """Null directions of the matrix on the basis, and an orthonormal rest; see :func:`_split`."""
+        matrix, *others = (self.basis @ full @ self.basis.T for full in (self.full, *self.others))
+        return _split(matrix, count, others)
 
     @property
     def states(self) -> Matrix:
@@ -78,7 +85,8 @@ def _about(model: SteadyModel, steady: Steady, clean: bool = True) -> _Local:
     jacobian = own.clean_jacobian(y) if clean or own.units is not None else own.field(y)[1]
     full = jacobian[np.ix_(rest, rest)]
     every, notes = _admissible(own, y, full)
-    return _Local(own, full, every, _beside_turns(every, own.symmetries[0], y, rest), notes)
+    others = tuple(own.field(own.inside(place))[1][np.ix_(rest, rest)] for place in steady.others)
+    return _Local(own, full, every, _beside_turns(every, own.symmetries[0], y, rest), notes, others)
 
 
 def linearise_at(model: SteadyModel, steady: Steady, family: int | None = None) -> Linearisation:
@@ -86,11 +94,11 @@ def linearise_at(model: SteadyModel, steady: Steady, family: int | None = None) 
     made = _about(model, steady, family is None)
     basis, states, tick = made.basis, made.states, made.model.tick
     matrix = basis @ made.full @ basis.T
-    null, others = _split(matrix)
+    null, others = made.parted()
     if family is None:
         family = _family(model, steady, made, null @ basis)
     else:
-        null, others = _split(matrix, family)
+        null, others = made.parted(family)
     core = others @ matrix @ others.T
     full = made.full * states[:, None] / states / tick
     turns = len(made.every) - len(basis)
@@ -161,13 +169,16 @@ def _kernel(matrix: Matrix) -> Matrix:
     return np.asarray(right[int(np.sum(sizes > RANK * max(float(sizes[0]), 1e-300))) :])
 
 
-def _split(matrix: Matrix, count: int | None = None) -> tuple[Matrix, Matrix]:
-    """(null directions, an orthonormal rest) as rows; with ``count`` the directions of so many smallest singular values."""
+def _split(matrix: Matrix, count: int | None, others: Sequence[Matrix]) -> tuple[Matrix, Matrix]:
+    """(null directions, an orthonormal rest) as rows; with ``count`` the directions of so many smallest singular values.
+
+    Null is what is small beside the rest, and what the others say that the matrix might as well have as zero.
+    """
     if not len(matrix):
         return matrix, matrix
     _, sizes, right = np.linalg.svd(matrix)
     if count is None:
-        count = int(np.sum(sizes <= RANK * max(float(sizes[0]), _FLOOR)))
+        count = max(int(np.sum(sizes <= RANK * max(float(sizes[0]), _FLOOR))), undecided(matrix, others))
     kept = len(matrix) - count
     return right[kept:], right[:kept]
 
@@ -200,7 +211,7 @@ def _family(model: SteadyModel, steady: Steady, made: _Local, null: Matrix) -> i
                 near = _about(model, found)
             except ArithmeticError:
                 continue
-            smallest = min(smallest, len(_split(near.basis @ near.full @ near.basis.T)[0]))
+            smallest = min(smallest, len(near.parted()[0]))
             moves = np.vstack([moves, moved])
             break
         if np.linalg.matrix_rank(moves, tol=_MOVED) == zeros:

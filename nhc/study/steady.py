@@ -11,8 +11,10 @@ import numpy as np
 
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import sampled_rows
+from nhc.study.equations import all_but, bound, equations, exact_equations, turned
 from nhc.study.field import RANK, SINGULAR, Hold, SteadyModel
-from nhc.study.units import Matrix, Vector, beside, is_steady, normal
+from nhc.study.roots import newton_step, refined, undecided
+from nhc.study.units import Matrix, Vector, beside, is_steady, trials
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
 _WEAKEST = 1e-13  # singular values below this part of the largest one are rounding
@@ -42,7 +44,7 @@ class Steady:
     """A steady motion: the state, the largest rate that is left of what should stand still, the steps taken.
 
     ``turning`` is the turn that goes with it, made of ``turns``; both are matrices over the state.  ``residual`` is in the
-    units of :mod:`nhc.study.units`.
+    units of :mod:`nhc.study.units`.  ``others`` are states of which it may as well be one, as far as digits tell.
     """
 
     y: tuple[float, ...]
@@ -51,6 +53,7 @@ class Steady:
     equilibrium: bool
     turning: Matrix | None = field(default=None, compare=False)
     turns: tuple[Matrix, ...] = field(default=(), compare=False)
+    others: tuple[tuple[float, ...], ...] = field(default=(), compare=False)
 
 
 class Locked(NotSteady):
@@ -173,18 +176,18 @@ def _first_turn(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> Vecto
 
 def _iterate(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]) -> Steady:
     """``y`` is the state, with the speed of each turn after it."""
-    value, slopes, scale = _equations(model, turns, y, holds)
+    value, slopes, scale = equations(model, turns, y, holds)
     before, damping = np.zeros_like(y), 1.0
     for step in range(_STEPS + 1):
         size = float(np.max(np.abs(value), initial=0.0))
-        move = _step(value, slopes, _bound(model, y, slopes[len(model.rest) :]), damping)
+        move = _step(value, slopes, bound(model, y, slopes[len(model.rest) :]), damping)
         if size == 0.0 or float(np.linalg.norm(move)) <= 1e-14 * (1.0 + float(np.linalg.norm(y))):
             return _accept(model, turns, y, holds, step)
         factor = 2.0 if _halves(before, move) else 1.0
         for _ in range(_HALVINGS):
             trial = y + factor * move
             try:
-                next_value, next_slopes, next_scale = _equations(model, turns, trial, holds)
+                next_value, next_slopes, next_scale = equations(model, turns, trial, holds)
             except ArithmeticError:
                 factor /= 2
                 continue
@@ -207,9 +210,7 @@ def _step(value: Vector, slopes: Matrix, across: Matrix, damping: float, rank: f
     """Levenberg's step with ``damping`` |value|, within ``across``: quadratic also where solutions are not isolated, as in a
     family of steady motions, whose own directions are weak near it and must not be taken for wanted (Yamashita and Fukushima 2001).
     """
-    inside = np.eye(slopes.shape[1])
-    if len(across):
-        inside = np.linalg.svd(across)[2][len(across) :]
+    inside = all_but(across, slopes.shape[1])
     left, sizes, right = np.linalg.svd(slopes @ inside.T, full_matrices=False)
     damping *= float(np.linalg.norm(value))
     weights = np.where(sizes > rank * sizes.max(initial=0.0), sizes / np.maximum(sizes**2 + damping**2, 1e-300), 0.0)
@@ -230,8 +231,8 @@ def _accept(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Seque
     try:
         return _accepted(model, turns, y, holds, steps)
     except NotSteady:
-        value, slopes, _ = _equations(model, turns, y, holds)
-        move = _step(value, slopes, _bound(model, y, slopes[len(model.rest) :]), 0.0, _WEAKEST)
+        value, slopes, _ = equations(model, turns, y, holds)
+        move = _step(value, slopes, bound(model, y, slopes[len(model.rest) :]), 0.0, _WEAKEST)
         with suppress(ArithmeticError):
             return _accepted(model, turns, y + move, holds, steps + 1)
         raise
@@ -243,9 +244,8 @@ def _accepted(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Seq
     Raises:
         NotSteady: there is none.
     """
-    value, slopes, scale = _equations(model, turns, y, holds)
-    state, turning = _parted(model, turns, y)
-    own = model if turning is None else replace(model, turning=turning)
+    value, slopes, scale = equations(model, turns, y, holds)
+    state, own = turned(model, turns, y)
     size, rest = float(np.max(np.abs(value), initial=0.0)), list(model.rest)
 
     def others() -> list[Vector]:
@@ -253,60 +253,41 @@ def _accepted(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Seq
 
     if size > 1e-9 * scale or not is_steady(value, slopes, y, others):
         raise NotSteady("the iteration stops where the motion is not steady", size, model.outside(state))
-    n = model.flow.system.n
+    y, places = _settled(model, turns, y, holds)
+    state, own = turned(model, turns, y)
+    size = float(np.max(np.abs(equations(model, turns, y, holds)[0]), initial=0.0))
+    n, turning = model.flow.system.n, own.turning if turns else None
     still = bool(np.max(np.abs(model.field(state)[0][:n]), initial=0.0) <= 1e-9 * scale)
     if model.units is not None:
         states, time = np.array(model.units.states), model.units.time
         turning = None if turning is None else turning * states[:, None] / states / time
         turns = [turn * states[:, None] / states for turn in turns]
-    return Steady(model.outside(state), size, steps, still, turning, tuple(turns))
+    return Steady(
+        model.outside(state), size, steps, still, turning, tuple(turns), tuple(model.outside(place) for place in places)
+    )
 
 
-def _parted(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> tuple[list[float], Matrix | None]:
-    """The state, and the turn that goes with it."""
-    count = len(model.flow.y)
-    state = [float(x) for x in y[:count]]
-    if not turns:
-        return state, None
-    return state, np.asarray(sum(speed * turn for speed, turn in zip(y[count:], turns, strict=True)))
-
-
-def _equations(
+def _settled(
     model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]
-) -> tuple[Vector, Matrix, float]:
-    """Rates of the rest, conditions and holds, with their slopes and the size that rounding is measured by."""
-    state, turning = _parted(model, turns, y)
-    rates, jacobian = (model if turning is None else replace(model, turning=turning)).field(state)
-    off, across = model.conditions(state)
-    rest = list(model.rest)
-    wanted = np.array([model.value(state, hold.node) - hold.value for hold in holds])
-    rows = [model.slopes(state, hold.node) for hold in holds]
-    held = np.array(rows).reshape(len(holds), len(state))
-    scale = max(1.0, float(np.max(np.abs(jacobian[rest]), initial=0.0)))
-    for numbers, slopes in ((off, across), (wanted, held)):
-        factors = normal(slopes)
-        numbers *= factors
-        slopes *= factors[:, None]
-    slopes = np.vstack([jacobian[rest], across, held])
-    by_speed = np.zeros((len(slopes), len(turns)))
-    for k, turn in enumerate(turns):
-        by_speed[: len(rest), k] = -(turn @ np.array(state))[rest]
-    return np.concatenate([rates[rest], off, wanted]), np.hstack([slopes, by_speed]), scale
+) -> tuple[Vector, list[list[float]]]:
+    """The root itself where y is only near it, and states that may be the root as well for all that rounded parameters tell."""
+    moved, slopes = _moved(model, turns, y, holds)
+    if undecided(slopes, [equations(model, turns, place, holds)[1] for place in moved]):
+        inside = all_but(bound(model, y, slopes[len(model.rest) :]), len(y))
+        better = refined(exact_equations(model, turns, holds), inside, y)
+        if better is not None:
+            y, moved = better, _moved(model, turns, better, holds)[0]
+    return y, [turned(model, turns, place)[0] for place in moved]
 
 
-def _bound(model: SteadyModel, y: Vector, set_by: Matrix) -> Matrix:
-    """Directions (rows over y) in which the steps do not go: across the leaf, but for what other equations set."""
-    found = model.normals([float(x) for x in y[: len(model.flow.y)]])
-    if found is None or not len(found):
-        return np.zeros((0, len(y)))
-    normals = np.hstack([found, np.zeros((len(found), len(y) - found.shape[1]))])
-    lengths = np.linalg.norm(set_by, axis=1)
-    shares = set_by @ normals.T
-    own = shares[np.linalg.norm(shares, axis=1) > (1.0 - 1e-9) * lengths]
-    return np.asarray(_null_rows(own) @ normals) if own.any() else normals
-
-
-def _null_rows(matrix: Matrix) -> Matrix:
-    """Orthonormal rows that span the null space."""
-    _, sizes, right = np.linalg.svd(matrix)
-    return np.asarray(right[int(np.sum(sizes > RANK * sizes[0])) :])
+def _moved(
+    model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]
+) -> tuple[list[Vector], Matrix]:
+    """Where one step of Newton's method from y goes with parameters that rounding may have made of them; the slopes at y."""
+    slopes, found = equations(model, turns, y, holds)[1], list[Vector]()
+    for _, p in trials(y.tolist()[: len(model.flow.y)], model.p):
+        with suppress(ArithmeticError):
+            place = y + newton_step(equations(replace(model, p=p), turns, y, holds)[0], slopes, y)
+            equations(model, turns, place, holds)
+            found.append(place)
+    return found, slopes

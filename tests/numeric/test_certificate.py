@@ -112,6 +112,32 @@ def test_all_formulations_agree(name: str) -> None:
         assert a.distance.states >= 6, a
 
 
+def steered_snake(links: int) -> str:
+    """Links in a row, under the middle of each an axle that is steered by itself."""
+    x, y, define, kinetic, rows = "x", "y", list[str](), ["x'^2 + y'^2"], list[str]()
+    for k in range(1, links + 1):
+        if k > 1:
+            define += [
+                f"  x{k}: {x} - a*cos(th{k - 1}) - a*cos(th{k})",
+                f"  y{k}: {y} - a*sin(th{k - 1}) - a*sin(th{k})",
+            ]
+            x, y = f"x{k}", f"y{k}"
+            kinetic.append(f"{x}'^2 + {y}'^2")
+        kinetic.append(f"0.1*th{k}'^2 + 0.01*(th{k}' + ps{k}')^2")
+        rows.append(f"  - -sin(th{k} + ps{k})*{x}' + cos(th{k} + ps{k})*{y}' = 0")
+    names = ", ".join(f"{name}{k}" for name in ("th", "ps") for k in range(1, links + 1))
+    head = ["nhc: 1", "system: steered", f"coordinates: [x, y, {names}]", "parameters: {a: 0.5}", "define:", *define]
+    return "\n".join([*head, f"T: ({' + '.join(kinetic)})/2", "constraints:", *rows, ""])
+
+
+def test_a_long_chain_of_pivots_is_not_singular_at_every_state() -> None:
+    """The sum of a pivot's terms without their signs grows with each pivot before it, and says nothing after nine of them."""
+    found = certify(resolve(decode(Source("steered.yaml", steered_snake(9)))))
+    assert found.holds and found.states >= 6
+    for a in found.agreements:
+        assert a.distance.states >= 6 and max(a.distance.accelerations, a.distance.reactions) < 1e-6, a
+
+
 @pytest.mark.parametrize("name", sorted(TELLS))
 def test_wrong_derivations(name: str) -> None:
     found = {r.name: r for r in certificate_of(name).rejections}

@@ -19,6 +19,7 @@ T: (x'^2 + y'^2)/2
 V: (x^2 + y^2)/2
 scenes: {a: {initial: {x: 1, y': 1}, time: [0, 10]}}
 """
+SLOW = TEXT.replace("initial: {x: 1, y': 1}", "initial: {x: 1}")
 METHODS = [("dop853", 0.0), ("dopri5", 0.0), ("radau5", 0.0), ("rk4", 0.01)]
 
 
@@ -42,6 +43,15 @@ def test_a_dip_within_a_step_is_seen(depth: float, method: str, step: float, com
 def test_what_only_comes_near_is_no_event(method: str, step: float, compiled: bool) -> None:
     assert until("(x - 0.5)^2 + 1e-9", method, step, compiled).ended == "done"
     assert until("x + 1.0000001", method, step, compiled).ended == "done"
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize("expression", ["x - 1", "1 - x", "y^2", "x^2 + y^2 - 1"])
+def test_what_begins_at_zero_leaves_it(expression: str, compiled: bool) -> None:
+    """Beside the start the interpolant may be off by a last digit, on the other side of zero: no event ends a run at once."""
+    for tolerance in (1e-4, 1e-5, 1e-7, 1e-9):
+        job = open_scene(Source("circle.yaml", SLOW), until=expression, method="radau5")
+        assert run(job, Settings("radau5", tolerance, 0.0, 11, compiled)).times[-1] > 1e-3
 
 
 @pytest.mark.parametrize("compiled", [False, True])

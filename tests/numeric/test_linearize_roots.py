@@ -41,16 +41,61 @@ def find(potential: str, about: str) -> Findings:
         ("(x - 1)^4", 1.0),
         ("exp(x) - x - x^2/2", 0.0),
         ("(1 - k)*x^2/2 + x^4/4", 0.0),  # a pitchfork at its threshold
+        ("x^6", 0.0),
+        ("(x - 1/3)^6", 1 / 3),
     ],
 )
 def test_a_root_of_higher_order_is_no_family(potential: str, root: float) -> None:
     made = find(potential, "x=0.7, y=0.1").linearisation
-    assert made.steady.y[0] == pytest.approx(root, abs=1e-4)
-    assert made.family == 0 and verdict(made) != "unstable"
-    if abs(made.steady.y[0] - root) < 1e-6:
-        assert made.zeros == 1 and verdict(made) == "marginal"
+    assert made.steady.y[0] == pytest.approx(root, abs=1e-8)
+    assert (made.family, made.zeros, verdict(made)) == (0, 1, "marginal")
     slow = [x for x in eigenvalues(made) if abs(x) < 1e-6]
     assert len(slow) == 1 and len(eigenvalues(made)) == 4
+
+
+HOOP = """\
+nhc: 1
+system: hoop
+coordinates: [th]
+parameters: {m: 1, R: 0.5, g: 9.81, Om: 1, c: 0.3}
+T: m*R^2/2*(th'^2 + sin(th)^2*Om^2)
+V: -m*g*R*cos(th)
+forces: {th: -c*th'}
+"""
+
+
+@pytest.mark.parametrize("start", [0.4, -0.9, 1.3])
+def test_a_bead_on_a_hoop_at_its_critical_speed_is_undecided(start: float) -> None:
+    """Three equilibria meet at th = 0.  Doubles end the search at 7e-6, where the matrix is that of something stable."""
+    text = HOOP.replace("Om: 1", "Om: sqrt(9.81/0.5)") if start > 1.0 else HOOP
+    request = Request(f"th={start}", () if start > 1.0 else ("Om=sqrt(9.81/0.5)",), (), None)
+    made = linearize(Source("hoop.yaml", text), request, Options()).linearisation
+    assert abs(made.steady.y[0]) < 1e-7 and verdict(made) == "marginal"
+    assert eigenvalues(made) == [0.0, pytest.approx(-1.2)]
+
+
+@pytest.mark.parametrize(
+    ("off", "told"), [(1e-6, "stable"), (-1e-6, "stable"), (1e-15, "marginal"), (-1e-15, "marginal")]
+)
+def test_beside_the_critical_speed_it_is_decided_where_the_digits_tell(off: float, told: str) -> None:
+    """The slow eigenvalue is d/1.2 below it and -2 d/1.2 above it, with d = Om^2 - g/R, in the limit."""
+    made = linearize(
+        Source("hoop.yaml", HOOP), Request("th=0.4", (f"Om=sqrt(9.81/0.5)*(1 + {off})",), (), None), Options()
+    ).linearisation
+    assert verdict(made) == told
+    away = 2 * off * 19.62
+    expected = (-2 * away if away > 0 else away) / 1.2 if told == "stable" else 0.0
+    assert eigenvalues(made)[0].real == pytest.approx(expected, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("potential", "told"),
+    [("x^3/3 - x*(k - 0.9999999)", "stable"), ("x^3/3 - x*(k - 2*c*(1 - 1e-15))", "marginal")],
+)
+def test_a_fold_that_the_parameters_decide(potential: str, told: str) -> None:
+    """Its two equilibria lie sqrt(1e-7) off; or so near one another that the rounding of k may join them."""
+    made = find(potential, "x=0.4").linearisation
+    assert verdict(made) == told and (told == "marginal" or made.steady.y[0] == pytest.approx(1e-7**0.5, rel=1e-8))
 
 
 def test_a_family_beside_a_root_of_higher_order_counts_alone() -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.diagnostics import Source
+from nhc.diagnostics import Source, SpecError
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.properties.singular import find_rank_loss
 from nhc.mechanics.resolve import resolve
+from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_ranges, scene_values
 from nhc.pipeline import Options, check, emit
@@ -71,6 +72,33 @@ scenes:
     for A, B in ((1.0, -1.0), (2.0, 0.5), (-3.0, 3.0)):
         wanted = [(0.3 - 0.7) / A, (-0.3 + 0.7 * (A + B) / B) / A]
         assert model.rhs(0.0, [0.0] * 4, [A, B])[2:] == pytest.approx(wanted, rel=1e-12)
+
+
+SLED = """\
+nhc: 1
+system: sled
+coordinates: [x, y, th]
+T: (x'^2 + y'^2 + th'^2)/2
+constraints:
+  - sin(th)*x' - cos(th)*y' = 0
+scenes:
+  s: {initial: {x: 1, th: 0.3, x': SPEED, y': 0}, time: [0, 1]}
+"""
+
+
+@pytest.mark.parametrize(("speed", "refused"), [("1e-80", False), ("1e-17", False), ("1e-14", True), ("1", True)])
+def test_velocities_that_no_coordinate_notices_are_rounding(speed: str, refused: bool) -> None:
+    """In the whole scene they move x = 1 by less than its last digit, whatever the units."""
+    for unit in (1.0, 1e12, 1e-12):
+        spec = decode(
+            Source("sled.yaml", SLED.replace("x: 1", f"x: {unit}").replace("SPEED", f"{float(speed) * unit!r}"))
+        )
+        system = resolve(spec)
+        if refused:
+            with pytest.raises(SpecError, match="violate the constraints"):
+                start_of(system, spec.scenes[0])
+        else:
+            assert start_of(system, spec.scenes[0]).v[0] == float(speed) * unit
 
 
 def test_values_come_from_the_spec_and_its_scenes() -> None:

@@ -553,3 +553,12 @@ def test_options_that_do_not_go_together(more: list[str], capsys: pytest.Capture
 def test_nothing_is_approximated_by_default(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["reduce", "pendulum", "--scene", "small"]) == 0
     assert "tried (cost" in capsys.readouterr().out
+
+
+def test_no_range_ends_with_minus_zero() -> None:
+    """y' = -2 x' begins with -0.0 and is negative from there."""
+    text = COUPLED.replace("{x: 1, y: 0.5}, time: [0, 6]", "{x: -1}, time: [0, 1]").replace("e*x*y + ", "")
+    text = text.replace("scenes:", "constraints: [y' + 2*x' = 0]\ndependent: [y]\nformulation: voronec\nscenes:")
+    meter = meter_of(source(text), "one", "", TOLERANCE)
+    largest = {name: high for name, _, high, _ in measure.ranges_of(source(text), decode(source(text)), meter)}
+    assert str(largest["y'"]) == "0.0"

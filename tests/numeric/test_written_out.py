@@ -65,6 +65,39 @@ def test_against_numpy(tmp_path: Path) -> None:
     assert kinds == {True, False}
 
 
+SCALED = """\
+nhc: 1
+system: scaled
+coordinates: [x, y, z, w]
+parameters: {X: 1, Y: 1, Z: 1, W: 1, f: 1}
+T: ((X*x')^2 + 0.4*X*Y*x'*y' + 2*(Y*y')^2 + (Z*z')^2 + 0.6*X*Z*x'*z' + f*(W*w')^2)/2
+U: X*x + 2*Y*y - Z*z + W*w
+constraints:
+  - X*x' + 0.5*Y*y' + Z*z' = 0
+  - 2*Y*y' - W*w' = 0
+formulation: multipliers
+"""
+
+
+@pytest.mark.parametrize("mass", [1.0, 0.0])
+def test_no_unit_of_a_coordinate_decides_what_is_singular(mass: float, tmp_path: Path) -> None:
+    """A length of 1e9 beside 1: X x, Y y ... move as they do with X = Y = 1, in C and in Python."""
+    source = Source("scaled.yaml", SCALED)
+    compiled = CModel("scaled", ctypes.CDLL(str(compile_c(emit(source, "c", Options()), tmp_path, "scaled"))), {})
+    arrays = {kind: emit(source, "python", Options(array=kind)) for kind in ("", "numpy")}
+    modules = [python_model(text, f"scaled_{kind}") for kind, files in arrays.items() for text in files.values()]
+    usual = compiled("rhs", 8, 0.0, [0.0] * 8, [1.0, 1.0, 1.0, 1.0, mass])[4:]
+    for k in range(4):
+        for size in (1e9, 1e-9, 1e60):
+            units = [size if i == k else 1.0 for i in range(4)]
+            p = [*units, mass]
+            for rhs in (
+                lambda p: compiled("rhs", 8, 0.0, [0.0] * 8, p),
+                *(lambda p, m=m: m.rhs(0.0, [0.0] * 8, p) for m in modules),
+            ):
+                assert [x * unit for x, unit in zip(rhs(p)[4:], units, strict=True)] == pytest.approx(usual, rel=1e-12)
+
+
 def test_where_only_the_constraints_hold_a_coordinate(tmp_path: Path) -> None:
     """The mass matrix is singular at r = 0, the motion is not; beyond both nothing is determined."""
     text = FORM.split("coordinates")[0].replace("quadratic", "spool")

@@ -18,7 +18,8 @@ from nhc.records import record
 _SPECIAL = 4  # the first of the trial points stand where careless choices are singular
 
 _NEAR = 1e-7
-"""Relative to the scale of a determinant: states closer to a frame's singular set tell of its conditioning only."""
+"""Of what a determinant changes by where the state moves by 1: states closer to a frame's singular set tell of its conditioning."""
+_SHIFT = 1e-6
 
 
 @record
@@ -55,7 +56,7 @@ def states_of(system: System, velocities: Velocities, reference: Claim) -> list[
     for point in points:
         try:
             values = dict(point)
-            if not _is_regular(system.graph, velocities.guards, values):
+            if not _is_regular(system, velocities.guards, values):
                 continue
             found = [float(x) for x in evaluate(system.graph, velocities.nodes, values)]
             values.update(zip(velocities.symbols, found, strict=True))
@@ -71,9 +72,7 @@ def measure(system: System, claim: Claim, states: Sequence[State]) -> Distance:
     """How far a claim is from the reference."""
     far_q, far_r, answered = 0.0, 0.0, 0
     for state in states:
-        found = (
-            _solve(claim, system.graph, state.values) if _is_regular(system.graph, claim.guards, state.values) else None
-        )
+        found = _solve(claim, system.graph, state.values) if _is_regular(system, claim.guards, state.values) else None
         if found is None:
             continue
         answered += 1
@@ -83,10 +82,22 @@ def measure(system: System, claim: Claim, states: Sequence[State]) -> Distance:
     return Distance(far_q, far_r, answered)
 
 
-def _is_regular(graph: Graph, guards: Guards, values: dict[Node, float]) -> bool:
-    """Whether the state is well away from where a frame does not exist."""
-    flat = [float(x) for x in evaluate(graph, [n for pair in guards for n in pair], values)]
-    return all(abs(flat[k]) > _NEAR * flat[k + 1] for k in range(0, len(flat), 2))
+def _is_regular(system: System, guards: Guards, values: dict[Node, float]) -> bool:
+    """Whether the state is well away from where a frame does not exist: a small shift changes no guard by much.
+
+    What bounds the terms of a pivot (its scale) says little after some pivots: it grows with each of them, and the pivots do not.
+    """
+    nodes = [value for value, _ in guards]
+    near = dict(values)
+    for k, symbol in enumerate((*system.q, system.t)):
+        near[symbol] += _SHIFT * max(1.0, abs(near[symbol])) * math.cos((k + 1.0) ** 1.5)
+    try:
+        here, there = (evaluate(system.graph, nodes, state) for state in (values, near))
+    except (ArithmeticError, ValueError):
+        return False
+    return all(
+        abs(x) > _NEAR * abs(x - y) / _SHIFT and x for x, y in zip(map(float, here), map(float, there), strict=True)
+    )
 
 
 def _solve(claim: Claim, graph: Graph, values: dict[Node, float]) -> tuple[list[float], list[float]] | None:

@@ -162,7 +162,7 @@ def _integrals(system: System, found: Integrability, facts: Facts, given: str = 
         return ()
     frame = coordinate_frame(system, choose_dependent(system).dependent)
     integrals = find_position_integrals(system, frame, found.hidden, found.closed)
-    data = [{"integral": i.text, "constraints": list(i.names)} for i in integrals]
+    data = [{"integral": i.whole, "constraints": list(i.names)} for i in integrals]
     lost = found.hidden - len(integrals)
     declared = {form.name for form in system.constraints if form.equation is not None}
     lines = [

@@ -29,15 +29,19 @@ from nhc.records import record
 _MOST = 150  # candidates
 _PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}  # up to a factor, integrals of each other
 _SPARE = 8  # equations more than candidates
-_LONGEST = 160  # characters of a text that is still worth printing
+_LONGEST, _WHOLE = 160, 100_000  # characters of a text that is still worth printing; of one that a program reads
 
 
 @record
 class PositionIntegral:
-    """``node`` = const on every motion; ``names`` are the constraints that imply it (several: a combination of them)."""
+    """``node`` = const on every motion; ``names`` are the constraints that imply it (several: a combination of them).
+
+    ``text`` is cut where it is too long to be read, ``whole`` is not.
+    """
 
     node: Node
     text: str
+    whole: str
     names: tuple[str, ...]
 
 
@@ -52,19 +56,21 @@ def find_position_integrals(
     leaf = leaf_of(system, [x for e in (*frame.free_vectors, frame.drift) for x in e])
     for form in system.constraints:
         if form.equation is not None and _is_new(system, leaf, found, form.equation):
-            found.append(PositionIntegral(form.equation, _text(system, form.equation), (form.name,)))
+            found.append(PositionIntegral(form.equation, *_texts(system, form.equation), (form.name,)))
     for candidates in _stages(system, closed):
         if len(found) >= hidden:
             break
         for node in _search(system, leaf, frame, candidates):
             if len(found) < hidden and _is_new(system, leaf, found, node):
                 names = tuple(form.name for form in system.constraints if _is_used(system, leaf, node, form))
-                found.append(PositionIntegral(node, _text(system, node), names))
+                found.append(PositionIntegral(node, *_texts(system, node), names))
     return tuple(found)
 
 
-def _text(system: System, node: Node) -> str:
-    return named_text(system, system.graph.split_coefficient(node)[1], _LONGEST)
+def _texts(system: System, node: Node) -> tuple[str, str]:
+    plain = system.graph.split_coefficient(node)[1]
+    text = named_text(system, plain, _LONGEST)
+    return text, named_text(system, plain, _WHOLE) if text.endswith("…") else text
 
 
 def _is_new(system: System, leaf: Leaf, found: Sequence[PositionIntegral], node: Node) -> bool:

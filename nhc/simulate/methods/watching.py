@@ -69,7 +69,7 @@ def find_event(look: Look, before: list[float], events: int, first: int) -> tupl
                     continue
                 sign = copysign(1.0, before[i])
                 place = -1 if sign * after[i] <= 0.0 else find_deep(heights[i]) if piece > 1 else 0
-                if place < 0:
+                if place < 0 or (place == 0 and heights[i][0] == 0.0 and i < events):  # what begins at zero leaves it
                     continue
                 low, high = max((place - 1) / PIECES, passed), min(place + 1, piece) / PIECES
                 dip = _find_dip(look, i, sign, (low, high), i >= events) if low < high else -1.0

@@ -239,4 +239,6 @@ def ranges_of(source: Source, spec: Spec, meter: Meter) -> tuple[tuple[str, floa
         run(open_scene(source, meter.scene, meter.formulation, needs, method=meter.method), meter.settings)
     )
     columns = zip(found.headings, zip(*found.rows, strict=True), strict=True)
-    return tuple((name, min(values), max(values), units.get(name, "")) for name, values in columns)
+    return tuple(
+        (name, min(values) + 0.0, max(values) + 0.0, units.get(name, "")) for name, values in columns
+    )  # no -0.0

@@ -1,0 +1,137 @@
+"""The equations of a steady motion, in doubles and in many digits, and the directions in which a search may go."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from nhc.algebra.calculus import gradient, reachable
+from nhc.algebra.evaluate import Mpmath, evaluate_into
+from nhc.algebra.graph import Node
+from nhc.study.field import RANK, Hold, SteadyModel
+from nhc.study.roots import Equations
+from nhc.study.units import Matrix, Vector, normal
+
+
+def turned(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> tuple[list[float], SteadyModel]:
+    """The state, and the model on axes that go along with its turns."""
+    state, turning = _parted(model, turns, y)
+    return state, model if turning is None else replace(model, turning=turning)
+
+
+def _parted(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> tuple[list[float], Matrix | None]:
+    """The state, and the turn that goes with it."""
+    count = len(model.flow.y)
+    state = [float(x) for x in y[:count]]
+    if not turns:
+        return state, None
+    return state, np.asarray(sum(speed * turn for speed, turn in zip(y[count:], turns, strict=True)))
+
+
+def equations(
+    model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]
+) -> tuple[Vector, Matrix, float]:
+    """Rates of the rest, conditions and holds, with their slopes and the size that rounding is measured by."""
+    state, own = turned(model, turns, y)
+    rates, jacobian = own.field(state)
+    off, across = model.conditions(state)
+    rest = list(model.rest)
+    wanted = np.array([model.value(state, hold.node) - hold.value for hold in holds])
+    rows = [model.slopes(state, hold.node) for hold in holds]
+    held = np.array(rows).reshape(len(holds), len(state))
+    scale = max(1.0, float(np.max(np.abs(jacobian[rest]), initial=0.0)))
+    for numbers, slopes in ((off, across), (wanted, held)):
+        factors = normal(slopes)
+        numbers *= factors
+        slopes *= factors[:, None]
+    slopes = np.vstack([jacobian[rest], across, held])
+    by_speed = np.zeros((len(slopes), len(turns)))
+    for k, turn in enumerate(turns):
+        by_speed[: len(rest), k] = -(turn @ np.array(state))[rest]
+    return np.concatenate([rates[rest], off, wanted]), np.hstack([slopes, by_speed]), scale
+
+
+def bound(model: SteadyModel, y: Vector, set_by: Matrix) -> Matrix:
+    """Directions (rows over y) in which the steps do not go: across the leaf, but for what other equations set."""
+    found = model.normals([float(x) for x in y[: len(model.flow.y)]])
+    if found is None or not len(found):
+        return np.zeros((0, len(y)))
+    normals = np.hstack([found, np.zeros((len(found), len(y) - found.shape[1]))])
+    lengths = np.linalg.norm(set_by, axis=1)
+    shares = set_by @ normals.T
+    own = shares[np.linalg.norm(shares, axis=1) > (1.0 - 1e-9) * lengths]
+    return np.asarray(_null_rows(own) @ normals) if own.any() else normals
+
+
+def _null_rows(matrix: Matrix) -> Matrix:
+    """Orthonormal rows that span the null space."""
+    _, sizes, right = np.linalg.svd(matrix)
+    return np.asarray(right[int(np.sum(sizes > RANK * sizes[0])) :])
+
+
+def all_but(across: Matrix, size: int) -> Matrix:
+    """Orthonormal rows over all directions but those of ``across``."""
+    return np.asarray(np.linalg.svd(across)[2][len(across) :]) if len(across) else np.eye(size)
+
+
+def exact_equations(model: SteadyModel, turns: Sequence[Matrix], holds: Sequence[Hold]) -> Equations:
+    """Rates of the rest, conditions and holds over the state, and the speeds of ``turns`` after it, in the model's units.
+
+    The parameters are the doubles that they are.
+    """
+    import mpmath as mp
+
+    flow, g = model.flow, model.flow.graph
+    size = len(flow.y)
+    nodes, across = model.conditions_as_nodes
+    nodes = (*nodes, *(hold.node for hold in holds))
+    across = (*across, *(tuple(gradient(g, hold.node, flow.y)) for hold in holds))
+    heads = [*flow.velocities, *flow.right, *(x for row in flow.matrix for x in row), *nodes]
+    heads += [x for row in across for x in row]
+    tails = [x for row in (*flow.velocity_slopes, *flow.residual_slopes) for x in row]
+    arithmetic, first = Mpmath(), reachable(g, heads)
+    met = set(first)
+    second = [node for node in reachable(g, tails) if node not in met]
+    states = [1.0] * size if model.units is None else list(model.units.states)
+    wanted = [0.0] * (len(nodes) - len(holds)) + [hold.value for hold in holds]
+    rest = list(model.rest)
+
+    def at(place: Sequence[Any]) -> tuple[list[Any], list[list[Any]]]:
+        known: dict[Node, Any] = {flow.system.t: mp.mpf(0)}
+        known.update((symbol, mp.mpf(x)) for symbol, x in zip(flow.system.p, model.p, strict=True))
+        known.update((symbol, x * unit) for symbol, x, unit in zip(flow.y, place, states, strict=False))
+        evaluate_into(known, g, first, arithmetic)
+        solve = _solver(mp, [[known[x] for x in row] for row in flow.matrix])
+        solution = solve([known[x] for x in flow.right])
+        known.update(zip(flow.unknowns, solution, strict=True))
+        evaluate_into(known, g, second, arithmetic)
+        columns = [solve([known[row[j]] for row in flow.residual_slopes]) for j in range(size)]
+        rates = [*(known[x] for x in flow.velocities), *solution[: flow.kept]]
+        slopes = [[known[x] for x in row] for row in flow.velocity_slopes]
+        slopes += [[column[k] for column in columns] for k in range(flow.kept)]
+        values, rows = list[Any](), list[list[Any]]()
+        for i in rest:
+            along = [sum(mp.mpf(float(x)) * y for x, y in zip(turn[i], place, strict=False)) for turn in turns]
+            speeds = place[size:]
+            values.append(rates[i] * model.tick / states[i] - sum(a * w for a, w in zip(along, speeds, strict=True)))
+            row = [x * model.tick * states[j] / states[i] for j, x in enumerate(slopes[i])]
+            for turn, speed in zip(turns, speeds, strict=True):
+                row = [x - float(turn[i, j]) * speed for j, x in enumerate(row)]
+            rows.append([*row, *(-a for a in along)])
+        for node, row_nodes, value in zip(nodes, across, wanted, strict=True):
+            values.append(known[node] - value)
+            rows.append([known[x] * unit for x, unit in zip(row_nodes, states, strict=True)] + [mp.mpf(0)] * len(turns))
+        return values, rows
+
+    return at
+
+
+def _solver(mp: Any, matrix: Sequence[Sequence[Any]]) -> Any:
+    """x with matrix @ x = right, by one decomposition for all right sides."""
+    if not matrix:
+        return lambda right: []
+    made, order = mp.mp.LU_decomp(mp.matrix([list(row) for row in matrix]))
+    return lambda right: list(mp.mp.U_solve(made, mp.mp.L_solve(made, mp.matrix(right), order)))
