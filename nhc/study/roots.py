@@ -17,9 +17,8 @@ from nhc.study.units import Matrix, Vector
 Equations = Callable[[Sequence[Any]], tuple[Sequence[Any], Sequence[Sequence[Any]]]]
 """Values, and their slopes as rows, at a place in mpmath's numbers."""
 
-_NOISE = (
-    1e-14  # singular values below this part of the largest are rounding: directions along which roots lie side by side
-)
+_NOISE = 1e-14
+"""Singular values below this part of the largest are rounding: directions along which roots lie side by side."""
 _FARTHEST = 0.03  # of 1 + |y|: no step says more than that the root may lie anywhere near
 _DIGITS = 200  # the slopes at a root of multiplicity m vanish as the (m-1)th power of the distance, and are squared
 _CLOSE = 1e-25
