@@ -23,7 +23,9 @@ from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
 MASS_LOST = "the mass matrix is singular"
 _FRAME_DIGITS, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 12.0, 1e-13, 1e-13
-_TURNED_DIGITS = 6.5  # of a determinant that stands squared in that of the mass matrix
+_TURNED_DIGITS = (
+    7.0  # of a determinant that stands squared in that of the mass matrix; its scale is a few times what it can be
+)
 _HELD_TOLERANCE = 1e-10  # six digits are left
 T_ARGUMENT = Argument("t", -1)
 

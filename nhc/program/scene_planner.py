@@ -77,8 +77,9 @@ class ScenePlanner(Planner):
         wanted = [self.solved[self.equations.motion.rates[k]] for k in self.kept_w if self.solved]
         wanted += self.known([node for node, _ in self._columns()]) if self.solved else []
         seen = set(reachable(self.graph, wanted))
-        self.mass_guards = tuple(guard for guard in self.mass_guards if seen.issuperset(self._factors(guard.value)))
-        self.turned_guards = tuple(guard for guard in self.turned_guards if guard in self.mass_guards)
+        turned = tuple(guard for guard in self.turned_guards if seen.issuperset(self._factors(guard.value)))
+        self.mass_guards = tuple(guard for guard in self.mass_guards if guard in turned or guard.value in seen)
+        self.turned_guards = turned
 
     def _factors(self, node: Node) -> list[Node]:
         """A divisor's, by each of which is divided: those of them that move."""

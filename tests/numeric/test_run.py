@@ -448,7 +448,7 @@ def test_a_page_names_units_and_says_where_a_change_of_energy_is_no_error(
     assert call(capsys, str(spec), "-o", str(tmp_path / "go.html"))[0] == 0
     page = (tmp_path / "go.html").read_text()
     assert "<td>0 to 4 s, 201 rows</td>" in page
-    assert "<td>m = 2 kg, F = 0.5 N</td>" in page
+    assert "<td>m\u00a0=\u00a02\u00a0kg, F\u00a0=\u00a00.5\u00a0N</td>" in page
     assert "<td>relative change at most 1; it need not be constant: the force on x</td>" in page
     assert call(capsys, "double_pendulum", "-o", str(tmp_path / "double.html"))[0] == 0
     assert "need not be constant" not in (tmp_path / "double.html").read_text()

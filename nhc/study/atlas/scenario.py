@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from nhc.algebra.rewriting.rules import WithoutRules
 from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.about import scene_about
@@ -63,9 +64,9 @@ def spec_path(name: str) -> Path:
     return own if own.is_file() else folder / f"{name}.yaml"
 
 
-def open_system(name: str) -> System:
-    """A gallery system, or one of the atlas's own."""
-    return resolve(decode(read(str(spec_path(name)))))
+def open_system(name: str, without: Sequence[str] = ()) -> System:
+    """A gallery system, or one of the atlas's own; derived ``without`` some rewriting rules, as one would write it by hand."""
+    return resolve(decode(read(str(spec_path(name)))), WithoutRules(without) if without else None)
 
 
 def edit_spec(name: str, drop: Sequence[str], add: str) -> Source:
