@@ -15,7 +15,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.frame import Frame, coordinate_form, make_frame, velocity_symbol
+from nhc.mechanics.frame import Frame, complete_basis, coordinate_form, make_frame, velocity_symbol
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure, rates_of_positions, velocity_forms
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import along
@@ -54,6 +54,14 @@ def find_detour(equations: Equations) -> Detour | None:
         return None
     if rates_of_positions(system).issuperset(velocity_forms(system)):
         return None
+    known: dict[tuple[Node, ...], Detour | None] = system.graph.memory.setdefault("detours", {})
+    key = (system.T, system.U, *system.Q)
+    if key not in known:
+        known[key] = _make_detour(system)
+    return known[key]
+
+
+def _make_detour(system: System) -> Detour | None:
     kinetic = kinetic_structure(system)
     forms = _choose_forms(system, kinetic)
     if not forms:
@@ -103,9 +111,8 @@ def _choose_forms(system: System, kinetic: Kinetic) -> list[Form]:
         if len(opened) == open_forms:
             closed |= opened
             opened, open_forms = set(), 0
-    for i in range(system.n) if chosen else ():
-        form = coordinate_form(system, i)
-        if len(rows) < system.n and rank(g, [*rows, list(form.coefficients)]) > len(rows):
-            rows.append(list(form.coefficients))
-            chosen.append(form)
-    return chosen
+    return (
+        [*chosen, *complete_basis(system, chosen, (coordinate_form(system, i) for i in range(system.n)))]
+        if chosen
+        else []
+    )

@@ -7,10 +7,11 @@ The coordinate coframe of Čaplygin and Voronec is the one whose free forms are 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.show import to_text
 from nhc.algebra.solving.linear import is_clearly_regular, solve_rows
@@ -206,6 +207,19 @@ def coordinate_form(system: System, i: int) -> Form:
         coefficients=tuple(g.one if j == i else g.zero for j in range(system.n)),
         constant=g.zero,
     )
+
+
+def complete_basis(system: System, given: Sequence[Form], pool: Iterable[Form]) -> list[Form]:
+    """The first forms of the pool that are independent of each other and of those given, until all are as many as coordinates."""
+    chosen: list[Form] = []
+    rows = [list(form.coefficients) for form in given]
+    for form in pool:
+        if len(rows) == system.n:
+            break
+        if rank(system.graph, [*rows, list(form.coefficients)]) > len(rows):
+            rows.append(list(form.coefficients))
+            chosen.append(form)
+    return chosen
 
 
 def kept_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:

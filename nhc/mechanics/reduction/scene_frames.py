@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.dense import Singular
-from nhc.algebra.exact.modular import Unlucky, rank
+from nhc.algebra.exact.modular import Unlucky
 from nhc.algebra.graph import Node
 from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.language.spec import Scene
@@ -14,7 +14,14 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build
 from nhc.mechanics.dependence import find_vanishing
 from nhc.mechanics.flow import flow_of
-from nhc.mechanics.frame import coordinate_form, kept_forms, make_frame, total_derivative, velocity_symbol
+from nhc.mechanics.frame import (
+    complete_basis,
+    coordinate_form,
+    kept_forms,
+    make_frame,
+    total_derivative,
+    velocity_symbol,
+)
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.properties.constancy import has_jumps, shows_jumps
 from nhc.mechanics.system import Form, System
@@ -52,15 +59,8 @@ def list_formulations(system: System, base: Formulation, kinetic: Kinetic, scene
 
 def _complete(system: System, pool: Sequence[Form], reason: str) -> Formulation | None:
     """The first forms of the pool that complete the constraints to a coframe."""
-    chosen: list[Form] = []
-    rows = [list(form.coefficients) for form in system.constraints]
-    for form in pool:
-        if len(rows) == system.n:
-            break
-        if rank(system.graph, [*rows, list(form.coefficients)]) > len(rows):
-            rows.append(list(form.coefficients))
-            chosen.append(form)
-    return _in_frame(system, chosen, reason) if len(rows) == system.n else None
+    chosen = complete_basis(system, system.constraints, pool)
+    return _in_frame(system, chosen, reason) if system.l + len(chosen) == system.n else None
 
 
 def _in_frame(system: System, forms: Sequence[Form], reason: str) -> Formulation | None:
