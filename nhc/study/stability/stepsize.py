@@ -82,16 +82,15 @@ def spectrum(bench: Bench) -> Spectrum:
 
 
 def amplification(method: Tableau, z: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """R(z) of a Runge-Kutta method; infinite at its poles."""
+    """R(z) = det(1 - z A + z e b^T) / det(1 - z A) of a Runge-Kutta method, of z's shape; infinite at its poles.
+
+    Hairer and Wanner 1996, Proposition IV.3.2.
+    """
     a, b = coefficients(method)
-    stages, flat = len(b), np.ravel(z)
-    found = np.empty(flat.shape, dtype=complex)
-    for k, value in enumerate(flat):
-        try:
-            found[k] = 1.0 + value * (b @ np.linalg.solve(np.eye(stages) - value * a, np.ones(stages)))
-        except np.linalg.LinAlgError:
-            found[k] = np.inf
-    return found.reshape(np.shape(z))
+    scaled, one = np.asarray(z)[..., None, None], np.eye(len(b))
+    above, below = np.linalg.det(one + scaled * (b - a)), np.linalg.det(one - scaled * a)
+    poles = below == 0.0
+    return np.asarray(np.where(poles, np.inf, above / np.where(poles, 1.0, below)))
 
 
 def coefficients(method: Tableau) -> tuple[Matrix, NDArray[np.float64]]:
