@@ -54,6 +54,12 @@ def parameter_ranges(system: System) -> dict[Node, tuple[float, float]]:
     return ranges
 
 
+def coordinate_ranges(system: System) -> dict[Node, tuple[float, float]]:
+    """Where the spec expects coordinates to stay, of those that it says it of."""
+    pairs = zip(system.q, system.spec.coordinates, strict=True)
+    return {symbol: (float(c.range[0]), float(c.range[1])) for symbol, c in pairs if c.range is not None}
+
+
 def constant_value(tree: Syntax, names: dict[str, float] | None = None) -> float:
     """The double of a constant expression (numbers, pi, and the given names)."""
     if isinstance(tree, Number):  # as nearly all are

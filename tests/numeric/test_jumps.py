@@ -251,3 +251,30 @@ def test_claims_about_jumps_are_for_values_that_are_given() -> None:
     assert "W0416" in [d.code for d in told]
     data, _, _ = described(STEPS.replace("V_OF", "a*atan(b*x)").replace("ROW", "z' = y*x'"))
     assert data["energy"]["conserved"] and data["energy"]["torn_elsewhere"] == []
+
+
+@pytest.mark.parametrize(
+    ("potential", "row", "ranges", "said"),
+    [
+        ("abs(x)", "z' = y*x'", {}, ["V"]),
+        ("abs(x)", "z' = y*x'", {"x": "[0.5, 2]"}, []),
+        ("abs(x)", "z' = y*x'", {"x": "[-0.5, 2]"}, ["V"]),
+        ("abs(x)", "z' = y*x'", {"y": "[0.5, 2]"}, ["V"]),
+        ("max(x, y)", "z' = y*x'", {"x": "[1, 2]", "y": "[3, 4]"}, []),
+        ("max(x, y)", "z' = y*x'", {"x": "[1, 2]", "y": "[1.5, 4]"}, ["V"]),
+        ("abs(a - 2)*x", "z' = y*x'", {}, []),  # a kink of a parameter is none of a motion's
+        ("sign(x)", "z' = y*x'", {"x": "[-2, -1]"}, []),
+        ("atan2(y, x)", "z' = y*x'", {}, ["V"]),
+        ("atan2(y, x)", "z' = y*x'", {"x": "[0.1, 2]"}, []),  # y may vanish, but not on the branch cut
+        ("atan2(y, x)", "z' = y*x'", {"x": "[-2, 2]"}, ["V"]),
+        ("0", "sign(x)*y' + z' = 0", {"x": "[1, 2]"}, []),
+        ("0", "sign(x)*y' + z' = 0", {"x": "[-1, 2]"}, ["row"]),
+    ],
+)
+def test_warnings_keep_to_the_ranges_that_a_spec_expects(
+    potential: str, row: str, ranges: dict[str, str], said: list[str]
+) -> None:
+    names = ", ".join(f"{q}: {{range: {ranges[q]}}}" if q in ranges else f"{q}: {{}}" for q in "xyz")
+    text = STEPS.replace("[x, y, z]", f"{{{names}}}").replace("V_OF", potential).replace("ROW", row)
+    _, _, told = described(text)
+    assert [d.message.split("`")[1] for d in told if d.code == "W0416"] == said

@@ -11,9 +11,10 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
-from nhc.algebra.bounds.interval import cannot_vanish
+from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import Floats, evaluate
 from nhc.algebra.graph import POW, Graph, Node
@@ -66,11 +67,17 @@ class TooLong(Exception):
 
 
 def jumps(
-    graph: Graph, root: Node, moving: Sequence[Node], known: Mapping[Node, float], keeps: Callable[[Node], bool]
+    graph: Graph,
+    root: Node,
+    moving: Sequence[Node],
+    known: Mapping[Node, float],
+    keeps: Callable[[Node], bool],
+    ranges: Mapping[Node, Interval] = MappingProxyType({}),
 ) -> bool:
     """Whether the root jumps where the symbols ``moving`` take it; all others have the values ``known``.
 
-    ``keeps`` tells functions that do not change along a motion: what breaks at their zeros alone does not break.
+    ``keeps`` tells functions that do not change along a motion: what breaks at their zeros alone does not break.  Symbols with
+    ``ranges`` go no further.
 
     Raises:
         TooLong: it was not decided.
@@ -78,9 +85,9 @@ def jumps(
     breaks = [
         (node, hard)
         for node, hard in find_breaks(graph, [root], graph.mask(moving))
-        if not cannot_vanish(graph, node, {symbol: (value, value) for symbol, value in known.items()})
+        if not cannot_vanish(graph, node, {symbol: (value, value) for symbol, value in known.items()} | dict(ranges))
     ]
-    lines = _Lines(graph, moving, known)
+    lines = _Lines(graph, moving, known, ranges)
     return any(_jumps_at(lines, root, node, hard) and not keeps(node) for node, hard in breaks)
 
 
@@ -100,10 +107,12 @@ def _jumps_at(lines: _Lines, root: Node, node: Node, hard: bool) -> bool:
 
 
 class _Lines:
-    """Values of nodes along lines through the state space, as many as there is time for."""
+    """Values of nodes along lines through the state space, as many as there is time for; folded into the ranges."""
 
-    def __init__(self, graph: Graph, moving: Sequence[Node], known: Mapping[Node, float]) -> None:
-        self.graph, self.moving, self._known = graph, moving, known
+    def __init__(
+        self, graph: Graph, moving: Sequence[Node], known: Mapping[Node, float], ranges: Mapping[Node, Interval]
+    ) -> None:
+        self.graph, self.moving, self._known, self._ranges = graph, moving, known, ranges
         self._orders: dict[Node, list[Node]] = {}
         self._left = _MOST_WORK
 
@@ -118,6 +127,8 @@ class _Lines:
             if self._left < 0:
                 raise TooLong
             place = {symbol: b + s * w for symbol, b, w in zip(self.moving, base, way, strict=True)}
+            for symbol, (low, high) in self._ranges.items():
+                place[symbol] = low + (high - low) * 0.5 * (1.0 + math.sin(place[symbol]))
             try:
                 return float(evaluate(self.graph, [root], {**self._known, **place}, _Saturated, order)[0])
             except (ArithmeticError, ValueError):

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
+from nhc.algebra.bounds.interval import Interval
 from nhc.algebra.bounds.jumps import TooLong, find_breaks
 from nhc.algebra.bounds.jumps import jumps as find_jumps
 from nhc.algebra.calculus import reachable
@@ -83,11 +85,19 @@ def jumps(sampler: Sampler, node: Node) -> bool:
         return True
 
 
-def has_jumps(system: System, nodes: Sequence[Node], *, undecided: bool = True, elsewhere: bool = False) -> bool:
+def has_jumps(
+    system: System,
+    nodes: Sequence[Node],
+    *,
+    undecided: bool = True,
+    elsewhere: bool = False,
+    ranges: Mapping[Node, Interval] = MappingProxyType({}),
+) -> bool:
     """Whether one of the functions of (q, q', t) jumps somewhere, on a motion or not, for the parameters' values in the spec or one
     of its scenes; ``undecided`` where that takes too long.
 
-    ``elsewhere``: for other values, too: of either sign, as somebody may give them to what was emitted.
+    ``elsewhere``: for other values, too: of either sign, as somebody may give them to what was emitted.  Only where coordinates
+    that have ``ranges`` keep to them.
     """
     g, moving = system.graph, (*system.q, *system.v, system.t)
     if not find_breaks(g, nodes, g.mask(moving)):
@@ -97,14 +107,23 @@ def has_jumps(system: System, nodes: Sequence[Node], *, undecided: bool = True, 
         given += [{p: rng.choice((-1.0, 1.0)) * rng.uniform(0.4, 1.6) for p in system.p} for _ in range(_DRAWN)]
     try:
         roots = dict.fromkeys(nodes)
-        return any(find_jumps(g, node, moving, values, lambda inner: False) for values in given for node in roots)
+        return any(
+            find_jumps(g, node, moving, values, lambda inner: False, ranges) for values in given for node in roots
+        )
     except TooLong:
         return undecided
 
 
-def shows_jumps(system: System, nodes: Sequence[Node], *, undecided: bool = True, elsewhere: bool = False) -> bool:
+def shows_jumps(
+    system: System,
+    nodes: Sequence[Node],
+    *,
+    undecided: bool = True,
+    elsewhere: bool = False,
+    ranges: Mapping[Node, Interval] = MappingProxyType({}),
+) -> bool:
     """The same for jumps in the open: square roots alone change their branch where coordinates are singular (a wheel lies flat)."""
     g = system.graph
     moving = g.mask((*system.q, *system.v, system.t))
     shown = any(g.op[node] in _OPEN for node in reachable(g, nodes, moving))
-    return shown and has_jumps(system, nodes, undecided=undecided, elsewhere=elsewhere)
+    return shown and has_jumps(system, nodes, undecided=undecided, elsewhere=elsewhere, ranges=ranges)

@@ -2,55 +2,69 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
+from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag
 from nhc.mechanics.properties.constancy import shows_jumps
-from nhc.mechanics.system import System
+from nhc.mechanics.system import Form, System
+from nhc.mechanics.values import coordinate_ranges, parameter_ranges
 
 _ROUGH = frozenset({"abs", "sign", "min", "max"})
 
 
 def list_torn(system: System) -> frozenset[str]:
     """The names of the constraints and quasi-velocities that jump somewhere."""
-    torn = set()
-    for form in (*system.constraints, *system.quasi):
-        held = (*form.coefficients, form.constant, *(() if form.equation is None else (form.equation,)))
-        if shows_jumps(system, held, undecided=False):
-            torn.add(form.name)
-    return frozenset(torn)
+    forms = (*system.constraints, *system.quasi)
+    return frozenset(form.name for form in forms if shows_jumps(system, _held(form), undecided=False))
+
+
+def _held(form: Form) -> tuple[Node, ...]:
+    return (*form.coefficients, form.constant, *(() if form.equation is None else (form.equation,)))
+
+
+def _kinks(system: System, node: Node, ranges: Mapping[Node, Interval]) -> list[str]:
+    """The functions with kinks that the node contains, but for those whose kinks lie beyond the ranges."""
+    g, known, found = system.graph, {**parameter_ranges(system), **ranges}, set()
+    for n in reachable(g, [node], g.mask((*system.q, *system.v, system.t))):
+        if g.op[n] in _ROUGH:
+            kink = g.sub(g.a[n], g.b[n]) if g.op[n] in ("min", "max") else g.a[n]
+            if not cannot_vanish(g, kink, known):
+                found.add(g.op[n])
+    return sorted(found)
 
 
 def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
-    """``torn``: what :func:`list_torn` found."""
-    g, spec = system.graph, system.spec
+    """Warnings of what is rough where coordinates keep to the ranges that the spec expects; ``torn`` as of :func:`list_torn`."""
+    spec, ranges = system.spec, coordinate_ranges(system)
     for key, node in (("T", system.T), (spec.potential_kind or "U", system.U)):
-        if shows_jumps(system, [node], undecided=False):
+        if shows_jumps(system, [node], undecided=False, ranges=ranges):
             bag.warning(
                 "W0416",
                 f"`{key}` jumps: no force stands for what pushes across the jump, and the energy changes there",
                 spec.key_span(key),
-                help=("use a continuous function, or keep the motion at one side",),
+                help=("use a continuous function, or give the `range` of coordinates that stay at one side",),
             )
             continue
-        found = sorted({g.op[n] for n in reachable(g, [node])} & _ROUGH)
+        found = _kinks(system, node, ranges)
         if found:
             bag.warning(
                 "W0416",
                 f"`{key}` contains {', '.join(found)}: differentiated almost everywhere",
                 spec.key_span(key),
-                help=("use a smooth function if the motion crosses the kink",),
+                help=("use a smooth function, or give the `range` of coordinates that stay at one side of the kink",),
             )
     spans = {entry.name: entry.span for entry in spec.constraints}
     spans |= {entry.name: entry.span for entry in spec.holonomic}
     spans |= {entry.name: entry.span for entry in spec.quasi_velocities}
     forms = [("constraint", form) for form in system.constraints] + [("quasi-velocity", form) for form in system.quasi]
     for kind, form in forms:
-        if form.name in spans and form.name in torn:
+        if form.name in spans and form.name in torn and (not ranges or shows_jumps(system, _held(form), ranges=ranges)):
             bag.warning(
                 "W0416",
                 f"the {kind} `{form.name}` jumps: no motion follows it across the jump",
                 spans[form.name],
-                help=("write it with continuous functions, or keep the motion at one side",),
+                help=("write it with continuous functions, or give the `range` of coordinates that stay at one side",),
             )

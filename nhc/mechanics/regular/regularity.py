@@ -15,7 +15,7 @@ from nhc.algebra.polynomial import normalise
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.regular.trials import sampled_rows, scattered_points, start_points, trial_points
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.values import parameter_ranges
+from nhc.mechanics.values import coordinate_ranges, parameter_ranges
 from nhc.records import record
 
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per row)
@@ -35,11 +35,7 @@ class Choice:
 
 def intervals(system: System) -> dict[Node, Interval]:
     """Parameters over their values in the spec and its scenes, coordinates over their declared ranges."""
-    known: dict[Node, Interval] = dict(parameter_ranges(system))
-    for symbol, coordinate in zip(system.q, system.spec.coordinates, strict=True):
-        if coordinate.range is not None:
-            known[symbol] = (float(coordinate.range[0]), float(coordinate.range[1]))
-    return known
+    return {**parameter_ranges(system), **coordinate_ranges(system)}
 
 
 def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[int]) -> float:
