@@ -125,7 +125,7 @@ class BodyReader:
             return None
         for part in walk(tree):
             if isinstance(part, Prime) or (isinstance(part, Name) and part.name in self.moving):
-                help = "bodies are said by positions; velocities belong into `constraints`, `forces` or `T`"
+                help = "bodies are described by positions; velocities belong in `constraints`, `forces` or `T`"
                 self.bag.error("E0414", f"a velocity in {what}", part.span, help=(help,))
                 return None
         return piece_of(text, tree)
@@ -151,7 +151,7 @@ class BodyReader:
         if rotation is not None:
             text = self.shapes.text(rotation, "the name of a rotation")
             if turns is not None and text is not None:
-                help = "keep one of them; what turns between can be a body without mass"
+                help = "keep one of them; for both, put a body without mass in between"
                 self.bag.error("E0318", f"`{name.value}` has both `rotation` and `turns`", text.span, help=(help,))
             return self._rotation(text) if text is not None else None
         if turns is None:
@@ -160,7 +160,7 @@ class BodyReader:
         items = self.shapes.items(turns, "a list of turns", example)
         found = [self._turn(item, example) for item in items.items] if items is not None else [None]
         if len(found) > MOST_TURNS:
-            help = "name what turns between as a body without mass, and put the others on it"
+            help = "give the first turns to a body without mass, and make it the `parent` of this one"
             message = f"`{name.value}` turns {len(found)} times, {MOST_TURNS} are the most of one body"
             self.bag.error("E0318", message, turns.span, help=(help,))
             return None
@@ -176,8 +176,8 @@ class BodyReader:
             return None
         axis, value = table.entries[0]
         if axis.value not in AXES or len(axis.value) != 1:
-            help = "write `x`, `y` or `z`: the body's first, second or third axis, where it has got to"
-            self.bag.error("E0312", f"`{axis.value}` is no axis to turn about", axis.span, help=(help,))
+            help = "write `x`, `y` or `z`: the body's first, second or third axis"
+            self.bag.error("E0312", f"`{axis.value}` is not an axis to turn about", axis.span, help=(help,))
             return None
         angle = self.piece(value, "an angle")
         return Turn(AXES.index(axis.value), angle) if angle is not None else None

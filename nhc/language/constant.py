@@ -49,7 +49,7 @@ _FUNCTIONS: dict[str, Callable[..., float]] = {
 }
 
 
-_DIVISOR = "mend the divisor"
+_DIVISOR = "correct the divisor"
 
 
 class ConstantError(Exception):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
+from nhc.diagnostics import Bag, Source, Span, SpecError, quote, several, suggest
 from nhc.records import fresh, structure
 
 from .advice import meant_key, meant_method
@@ -323,10 +323,12 @@ class _Decoder:
             if self.scope.kind(name) != "coordinate" and not self.scope.check_coordinate(text):
                 continue
             if name in found:
-                self.bag.error("E0305", f"`{name}` stands twice in `dependent`", text.span, help=("keep one of them",))
+                self.bag.error(
+                    "E0305", f"`{name}` is named twice in `dependent`", text.span, help=("keep one of them",)
+                )
             found[name] = None
         if len(items.items) != count and not (self.uncounted or self.scope.open):
-            message = f"`dependent` names {len(items.items)} velocities, the constraints are {count}"
+            message = f"`dependent` names {len(items.items)} velocities for {several(count, 'constraint')}"
             help = "name one velocity for each constraint, or leave `dependent` out and let nhc choose"
             self.bag.error("E0315", message, items.span, help=(help,))
         return tuple(found)

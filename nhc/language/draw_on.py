@@ -55,7 +55,7 @@ def _body(key: Text, table: Table, frame: Frame, reader: BodyReader) -> tuple[Te
     shape = table.get("shape")
     for text, _ in table.entries:
         if text.value in ("at", "angle"):
-            help = "leave it out: the shape stands on the body's own axes"
+            help = "leave it out: with `parent` the shape is given on the axes of that body"
             reader.bag.error("E0303", f"`{text.value}` beside `parent`", text.span, help=(help,))
     if not isinstance(shape, Items) or not shape.items:
         return key, table

@@ -101,8 +101,8 @@ class _Parser:
             return ExpressionError("E0206", f"`{name}` needs an argument", self._span(token), f"write `{name}(x)`")
         if token.kind == "=" and self.equals is not None and self.equals.end == token.start:
             return ExpressionError("E0208", "`==` in place of `=`", self._span(token), "write a single `=`")
-        advice = {"+": "leave the `+` out", "prime": "the prime stands after a name or a parenthesis: `x'`"}
-        help = advice.get(token.kind, f"leave the `{token.text}` out, or write what it stands between")
+        advice = {"+": "leave the `+` out", "prime": "the prime follows a name or a parenthesis: `x'`"}
+        help = advice.get(token.kind, f"leave the `{token.text}` out, or write the operand before it")
         return ExpressionError(
             "E0202", f"expected a number, a name or `(`, found `{token.text}`", self._span(token), help
         )

@@ -204,7 +204,7 @@ class _SceneReader:
         for name in names_in(tree):
             if self.scope.kind(name) not in ("parameter", "rotation", "") or name == "t":
                 message = f"`{name}` is not constant: a start value holds numbers, `pi` and parameters only"
-                self.bag.error("E0314", message, text.span, help=(f"put the number that `{name}` starts with",))
+                self.bag.error("E0314", message, text.span, help=(f"write the number that `{name}` starts with",))
         return tree
 
     def _need(self, node: Node | None) -> tuple[Need, ...]:

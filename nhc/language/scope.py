@@ -92,7 +92,7 @@ class Scope:
     def check_coordinate(self, text: Text, also: Sequence[str] = (), hidden: Sequence[str] = ()) -> bool:
         """Say whether a text names a coordinate or one of ``also``; report it where it does not, and propose no ``hidden`` one.
 
-        Near names are sought among all of them, but only coordinates are listed.
+        Near names are sought among all of them, but only coordinates are listed, if there are any.
         """
         name = fold(text.value)
         kind = self.kind(name)
@@ -100,7 +100,8 @@ class Scope:
             return True
         if not self.open and not self.is_unknown(name, text.span):
             proposed = [n for n in self.of_kind("coordinate") if n not in hidden]
-            help = suggest(name, [*proposed, *also], f"the coordinates are {quote(proposed)}")
+            known = f"the coordinates are {quote(proposed)}" if proposed else f"known: {quote(also)}"
+            help = suggest(name, [*proposed, *also], known)
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
 
@@ -198,7 +199,7 @@ class Scope:
             instead = (
                 f"the velocity is `{name[1:]}'`" if name != "dt" else "a velocity is written with a prime, as `x'`"
             )
-            help = f"differentials stand in `constraints` only; {instead}"
+            help = f"differentials are for `constraints` only; {instead}"
             self.bag.error("E0209", message, node.span, help=(help,))
             return
         help = ""

@@ -31,7 +31,7 @@ def _read_unit(table: Table, shapes: Shapes) -> str:
 def _of_parameter(key: str, present: Collection[str]) -> tuple[str, str]:
     """What a key of a parameter does at a coordinate."""
     return (
-        ("", "a coordinate has none: parameters stand under `parameters:`, starts in scenes")
+        ("", "a coordinate has none: parameters belong under `parameters:`, starts in scenes")
         if key == "value"
         else ("", "")
     )

@@ -126,7 +126,7 @@ class Checker:
             return base
         if exponent.number is None:
             help = "divide the base by a parameter of its unit, or write the exponent as a number"
-            self._report(node.left, base, "what has a unit takes constant exponents only", help)
+            self._report(node.left, base, "a quantity with a unit takes constant exponents only", help)
             return _UNKNOWN
         return Quantity(raise_to(base.dimension, exponent.number), base.any)
 
@@ -178,7 +178,7 @@ class Checker:
 def _lack(wanted: Dimension, found: Dimension) -> str:
     """What would make one dimension the other."""
     missing = multiply(wanted, raise_to(found, -1))
-    return f"a factor in {show(missing)} is missing here, or a unit is declared wrongly"
+    return f"a factor with the unit {show(missing)} is missing, or a unit is declared wrongly"
 
 
 def _combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction | None:

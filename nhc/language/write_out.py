@@ -66,8 +66,8 @@ class _Writer:
             help = "give bodies `mass` or `inertia`, or write `T: ...`"
             self.bag.error("E0318", "no body has a mass or an inertia, and there is no `T`", place, help=(help,))
         for span, name in self.ledger.twice.items():
-            help = "rename a body or a point: what a body brings begins with its name and `_`"
-            self.bag.error("E0305", f"`{name}` stands for two things", span, help=(help,))
+            help = "rename a body or a point: each declares names that begin with its own and `_`"
+            self.bag.error("E0305", f"`{name}` is declared by two things", span, help=(help,))
         return self._merged()
 
     def _gravity(self) -> Triple | None:
@@ -94,7 +94,7 @@ class _Writer:
             if name in path:
                 cycle = " on ".join([*path[path.index(name) :], name])
                 help = "put one of them in space: leave out its `parent`"
-                self.bag.error("E0318", f"bodies stand on one another: {cycle}", known[name].name.span, help=(help,))
+                self.bag.error("E0318", f"bodies form a cycle: {cycle}", known[name].name.span, help=(help,))
                 done.update(path)
                 continue
             parent = known[path[-1]].parent if path else None

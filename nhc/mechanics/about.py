@@ -39,12 +39,10 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
         name, equals, value = part.partition("=")
         span = Span(start, start + len(part))
         if not equals:
-            bag.error(
-                "E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, several parted by commas",)
-            )
+            bag.error("E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, separated by commas",))
             continue
         if "=" in value:
-            help = "write `name=value`, several parted by commas"
+            help = "write `name=value`, separated by commas"
             bag.error("E0208", f"`{part.strip()}` has more than one `=`", span, help=(help,))
             continue
         tree = parse_expression(value, _places_from(start + len(name) + 1), bag)

@@ -149,7 +149,9 @@ class Resolver:
         divides = op == "/" or (exponent is not None and exponent < 0)
         if divides and (exponent if op == "/" else g.value(x)) == 0:
             place = part.right.span if op == "/" else part.span
-            self.bag.error("E0417", "this divides by zero", place, help=("remove the division, or mend the divisor",))
+            self.bag.error(
+                "E0417", "this divides by zero", place, help=("remove the division, or correct the divisor",)
+            )
             return g.zero
         if op == "/":
             return g.div(x, y)
@@ -185,7 +187,7 @@ class Resolver:
                 f"{what} `{name}` is not linear in `{symbol.name}'`",
                 span,
                 help=(
-                    f"write {what} as a sum of terms `a(q, t)*x'`; a nonlinear velocity relation has no place in this theory",
+                    f"write {what} as a sum of terms `a(q, t)*x'`; other relations between velocities are outside this theory",
                 ),
             )
             constant = self.graph.zero

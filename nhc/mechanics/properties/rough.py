@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from nhc.algebra.calculus import reachable
-from nhc.diagnostics import Bag
+from nhc.diagnostics import Bag, quote
 from nhc.mechanics.properties.constancy import shows_jumps
 from nhc.mechanics.system import System
 
@@ -29,7 +29,7 @@ def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
         if shows_jumps(system, [node], undecided=False):
             bag.warning(
                 "W0416",
-                f"`{key}` jumps: no force stands for what pushes across the jump, and the energy changes there",
+                f"`{key}` jumps: the equations have no force for the jump, so the energy changes there",
                 spec.key_span(key),
                 help=("use a continuous function, or keep the motion at one side",),
             )
@@ -38,7 +38,7 @@ def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
         if found:
             bag.warning(
                 "W0416",
-                f"`{key}` contains {', '.join(found)}: differentiated almost everywhere",
+                f"`{key}` contains {quote(found)}: its derivative does not exist at every point",
                 spec.key_span(key),
                 help=("use a smooth function if the motion crosses the kink",),
             )

@@ -45,7 +45,7 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
                 "E0505",
                 f"`{need}` is in {here} here, in {base_unit} in `{base}`",
                 spec.key_span("coordinates"),
-                notes=("nhc converts no units: the numbers would be compared as they stand",),
+                notes=("nhc does not convert units: it would compare the bare numbers",),
                 help=("write both models in the same units",),
             )
     there = list_needs(spec)
