@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
+from nhc.language.advice import foreign_name, meant_rate
+from nhc.language.expressions.names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
+from nhc.language.expressions.syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
+from nhc.language.yaml_tree.nodes import Text
 from nhc.records import record
-
-from .advice import foreign_name, meant_rate
-from .names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
-from .nodes import Text
-from .syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
 
 _SEARCHES = 50  # unknown names for which a near one is looked for; the search is slow
 _ENERGY = "energy"

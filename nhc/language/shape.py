@@ -7,16 +7,15 @@ from collections.abc import Callable, Collection, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote
-
-from .constant import ConstantError, evaluate
-from .keys import Key
-from .names import FUNCTIONS, PI
-from .nodes import Items, Node, Table, Text, describe
-from .numbers import DOUBLES, exact
-from .parser import parse_expression
-from .syntax import Name, Negate, Number, Syntax, walk
-from .units import UnitError, parse_unit
-from .yaml_reader import is_empty
+from nhc.language.expressions.constant import ConstantError, evaluate
+from nhc.language.expressions.names import FUNCTIONS, PI
+from nhc.language.expressions.numbers import DOUBLES, exact
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Name, Negate, Number, Syntax, walk
+from nhc.language.keys import Key
+from nhc.language.units.dimensions import UnitError, parse_unit
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text, describe
+from nhc.language.yaml_tree.reader import is_empty
 
 Elsewhere = Callable[[str, Collection[str]], tuple[str, str]]
 _MEASURED = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*([^\W\d_][^()]*)")

@@ -9,8 +9,8 @@ from fractions import Fraction
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language import Initial, Name, Override, Prime, Scene, Spec, Syntax, walk
-from nhc.language.names import fold_typed
-from nhc.language.parser import parse_expression
+from nhc.language.expressions.names import fold_typed
+from nhc.language.expressions.parser import parse_expression
 from nhc.mechanics.expressions import Resolver
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, kept_forms

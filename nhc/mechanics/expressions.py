@@ -14,9 +14,9 @@ from nhc.algebra.nodes import NumberTooLong
 from nhc.algebra.solving.linear import NotLinear, depends, is_clearly_linear, linear_form
 from nhc.diagnostics import Bag, Span
 from nhc.language import Spec
-from nhc.language.numbers import DOUBLES
+from nhc.language.expressions.numbers import DOUBLES
+from nhc.language.expressions.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.language.spec import Rotation
-from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.mechanics import rotation as mechanics
 from nhc.mechanics.system import Form
 

@@ -14,8 +14,8 @@ from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Span, quote, several, suggest
+from nhc.language.expressions.syntax import Syntax
 from nhc.language.spec import Scene, Spec
-from nhc.language.syntax import Syntax
 from nhc.mechanics.assembly import assemble
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import choose_dependent

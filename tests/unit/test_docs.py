@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from nhc.cli.entry import VERBS
-from nhc.language.names import DOT, FUNCTIONS, PI, TIME
+from nhc.language.expressions.names import DOT, FUNCTIONS, PI, TIME
 from nhc.language.schema import reference_table
-from nhc.language.units import _PREFIXES, _UNITS, _UNPREFIXED, ONE, Dimension, show
+from nhc.language.units.dimensions import _PREFIXES, _UNITS, _UNPREFIXED, ONE, Dimension, show
 from nhc.version import __version__
 from tests.unit.fragments import ROOT, Block, blocks, complete, errors_in, is_whole
 

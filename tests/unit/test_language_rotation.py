@@ -8,7 +8,7 @@ import pytest
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec, decode, read
-from nhc.language.unparse import unparse
+from nhc.language.expressions.unparse import unparse
 
 HEAD = "nhc: 1\nsystem: s\n"
 

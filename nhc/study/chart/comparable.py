@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from pathlib import PurePath
 
 from nhc.diagnostics import Bag
-from nhc.language.derived_units import derive_units
 from nhc.language.spec import Scene, Spec
-from nhc.language.units import UnitError, base_words, parse_unit
+from nhc.language.units.derived import derive_units
+from nhc.language.units.dimensions import UnitError, base_words, parse_unit
 from nhc.mechanics.scenes import report_scene
 from nhc.simulate.opening import list_needs
 

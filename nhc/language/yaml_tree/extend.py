@@ -10,13 +10,12 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from nhc.diagnostics import Bag, Source, Span, SpecError
+from nhc.language.expressions.names import fold
+from nhc.language.keys import BODILY
+from nhc.language.spec import Body
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import read_nodes
 from nhc.records import record
-
-from .keys import BODILY
-from .names import fold
-from .nodes import Items, Node, Table, Text
-from .spec import Body
-from .yaml_reader import read_nodes
 
 KEY = "extends"
 DEEPEST = 8
@@ -103,7 +102,7 @@ def plain(root: Table, bag: Bag) -> Plain:
     """The spec with its ``bodies`` written out."""
     if not any(text.value in BODILY for text, _ in root.entries):
         return Plain(root)
-    from .write_out import write_out  # few specs need it
+    from nhc.language.bodies.write_out import write_out  # few specs need it
 
     return write_out(root, bag)
 

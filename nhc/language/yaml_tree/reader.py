@@ -9,10 +9,9 @@ from typing import Any
 import yaml
 
 from nhc.diagnostics import Bag, Label, Source, Span
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.places import align
 from nhc.records import fresh, structure
-
-from .nodes import Items, Node, Table, Text
-from .places import align
 
 _DEEPEST = 32  # lists and mappings inside one another; a valid spec needs four
 _RETOLD = 1 << 16  # characters up to which a syntax error is told by the slower parser

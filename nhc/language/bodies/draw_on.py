@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from nhc.diagnostics import Span
-
-from . import pieces
-from .bodies import BodyReader
-from .kinematics import Frame
-from .nodes import Items, Node, Table, Text
-from .pieces import Piece, Triple, each, write
+from nhc.language.bodies import pieces
+from nhc.language.bodies.declarations import BodyReader
+from nhc.language.bodies.kinematics import Frame
+from nhc.language.bodies.pieces import Piece, Triple, each, write
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 
 
 def put_into_space(table: Table, frame: Frame, reader: BodyReader) -> Table:

@@ -5,14 +5,33 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label
+from nhc.language.expressions.names import ENERGIES, PI, TIME
+from nhc.language.expressions.syntax import (
+    Binary,
+    Call,
+    Differential,
+    Name,
+    Negate,
+    Number,
+    Prime,
+    Syntax,
+    fold_tree,
+    walk,
+)
+from nhc.language.orientation import angles_in
+from nhc.language.scope import names_in
+from nhc.language.spec import Constraint, Definition, Holonomic, Initial, Spec
+from nhc.language.units.dimensions import (
+    ENERGY,
+    ONE,
+    SECOND,
+    Dimension,
+    multiply,
+    parse_unit,
+    raise_to,
+    show,
+)
 from nhc.records import record
-
-from .names import ENERGIES, PI, TIME
-from .orientation import angles_in
-from .scope import names_in
-from .spec import Constraint, Definition, Holonomic, Initial, Spec
-from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree, walk
-from .units import ENERGY, ONE, SECOND, Dimension, multiply, parse_unit, raise_to, show
 
 _RATIO = "divide it by a parameter of the same unit"
 _SAME = ("abs", "min", "max")  # functions whose value has the dimension of their arguments

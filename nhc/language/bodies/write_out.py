@@ -9,21 +9,20 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from nhc.diagnostics import Bag, Span, nearest, quote
-
-from . import kinematics, pieces
-from .advice import meant_body_key
-from .bodies import Body, BodyReader
-from .draw_on import put_into_space
-from .extend import Plain, coordinate_names
-from .keys import BODILY, POINT_KEYS
-from .kinematics import AXES, Frame, Ledger
-from .names import DOT, PI, fold
-from .nodes import Items, Node, Table, Text
-from .parser import parse_expression
-from .pieces import Piece, Triple, add, each, multiply, piece_of
-from .rotation import foretell_rotations
-from .shape import Shapes
-from .yaml_reader import is_empty
+from nhc.language.advice import meant_body_key
+from nhc.language.bodies import kinematics, pieces
+from nhc.language.bodies.declarations import Body, BodyReader
+from nhc.language.bodies.draw_on import put_into_space
+from nhc.language.bodies.kinematics import AXES, Frame, Ledger
+from nhc.language.bodies.pieces import Piece, Triple, add, each, multiply, piece_of
+from nhc.language.expressions.names import DOT, PI, fold
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.keys import BODILY, POINT_KEYS
+from nhc.language.rotation import foretell_rotations
+from nhc.language.shape import Shapes
+from nhc.language.yaml_tree.extend import Plain, coordinate_names
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import is_empty
 
 
 def write_out(root: Table, bag: Bag) -> Plain:

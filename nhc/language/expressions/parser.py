@@ -11,13 +11,12 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Span, nearest
+from nhc.language.expressions.loanwords import ACCELERATIONS, CONDITIONS, meant_call
+from nhc.language.expressions.names import DOT, FUNCTIONS
+from nhc.language.expressions.numbers import DOUBLES, exact
+from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Prime, Syntax
+from nhc.language.expressions.tokens import LONGEST, ExpressionError, Locate, Token, tokenise
 from nhc.records import fresh, structure
-
-from .loanwords import ACCELERATIONS, CONDITIONS, meant_call
-from .names import DOT, FUNCTIONS
-from .numbers import DOUBLES, exact
-from .syntax import Binary, Call, Name, Negate, Number, Prime, Syntax
-from .tokens import LONGEST, ExpressionError, Locate, Token, tokenise
 
 DEEPEST = 200  # parentheses, calls, unary minus and right-hand powers inside one another
 _LEVEL = {"+": 10, "-": 10, "*": 20, "/": 20, "^": 40}

@@ -5,21 +5,20 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from nhc.diagnostics import nearest
+from nhc.language.advice import meant_body_key
+from nhc.language.bodies.kinematics import AXES, Inertia, Turn, Turning
+from nhc.language.bodies.pieces import Piece, Triple, each, piece_of, write
+from nhc.language.expressions.names import fold
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Name, Prime, walk
+from nhc.language.keys import BODY_KEYS, INERTIA_KEYS
+from nhc.language.rotation import entry_names, foretell_rotations
+from nhc.language.scope import check_name
+from nhc.language.shape import Shapes
+from nhc.language.spec import Body as Told
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import is_empty
 from nhc.records import record
-
-from .advice import meant_body_key
-from .keys import BODY_KEYS, INERTIA_KEYS
-from .kinematics import AXES, Inertia, Turn, Turning
-from .names import fold
-from .nodes import Items, Node, Table, Text
-from .parser import parse_expression
-from .pieces import Piece, Triple, each, piece_of, write
-from .rotation import entry_names, foretell_rotations
-from .scope import check_name
-from .shape import Shapes
-from .spec import Body as Told
-from .syntax import Name, Prime, walk
-from .yaml_reader import is_empty
 
 MOST_TURNS = 6
 _VECTOR = "write `[X, Y]`, or `[X, Y, Z]`"
