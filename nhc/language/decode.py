@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, several, suggest
 from nhc.language.advice import meant_key, meant_method
+from nhc.language.bodies.plain import plain
 from nhc.language.drawing import decode_drawing
 from nhc.language.equations import Equations
 from nhc.language.expressions.names import fold, is_name
@@ -29,7 +30,7 @@ from nhc.language.sections import decode_coordinates, decode_parameters
 from nhc.language.shape import Shapes
 from nhc.language.spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Rotation, Spec
 from nhc.language.units.check import check_units
-from nhc.language.yaml_tree.extend import merge_bases, plain
+from nhc.language.yaml_tree.extend import merge_bases
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty, read_nodes
 from nhc.records import fresh, structure

@@ -20,15 +20,16 @@ from nhc.language.expressions.parser import parse_expression
 from nhc.language.keys import BODILY, POINT_KEYS
 from nhc.language.rotation import foretell_rotations
 from nhc.language.shape import Shapes
-from nhc.language.yaml_tree.extend import Plain, coordinate_names
+from nhc.language.spec import Body as Told
+from nhc.language.yaml_tree.extend import coordinate_names
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
 
-def write_out(root: Table, bag: Bag) -> Plain:
-    """The spec without ``bodies``, ``points`` and ``gravity``: with the definitions and energies that they stand for."""
+def write_out(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...], tuple[Told, ...]]:
+    """The parts of a :class:`nhc.language.bodies.plain.Plain`: definitions and energies in place of ``bodies`` and the like."""
     writer = _Writer(root, bag)
-    return Plain(writer.run(), tuple(writer.ledger.made), tuple(body.told for body in writer.bodies))
+    return writer.run(), tuple(writer.ledger.made), tuple(body.told for body in writer.bodies)
 
 
 class _Writer:

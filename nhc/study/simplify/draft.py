@@ -7,11 +7,12 @@ from dataclasses import replace
 
 from nhc.diagnostics import Bag, Source
 from nhc.language import Spec, decode
+from nhc.language.bodies.plain import plain
 from nhc.language.expressions.syntax import Binary, Name, Negate, Syntax, same
 from nhc.language.expressions.unparse import unparse
 from nhc.language.scope import names_in
 from nhc.language.spec import Scene
-from nhc.language.yaml_tree.extend import merge_bases, plain
+from nhc.language.yaml_tree.extend import merge_bases
 from nhc.language.yaml_tree.nodes import Table
 from nhc.language.yaml_tree.reader import read_nodes
 from nhc.mechanics.scenes import Start
