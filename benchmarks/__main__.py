@@ -21,11 +21,11 @@ _LOOSE = 1.30
 _HEAD = """\
 # Performance
 
-nhc's speed beside that of other tools (the *peers*) and of hand-written C: of deriving equations, of starting, of the
-emitted code, and of simulations.  `make bench` (`python -m benchmarks`) measures all of it and writes this page.  In
-each row nhc and the peer were measured in the same run, in turn, or counted in the same way.  Times are medians;
-instructions are counted by callgrind and repeat to within a percent.  Targets were set beforehand, and those that are
-missed say so.
+How fast nhc derives equations and starts, and how fast its code and its simulations run, beside other tools (the
+*peers*) and hand-written C.  `make bench` (`python -m benchmarks`) measures all of it and writes this page.  In each
+row nhc and the peer took turns in the same run, or were counted in the same way.  Times are medians; instructions are
+counted by callgrind and repeat to within a percent.  The targets were set beforehand; **no** marks those that are
+missed.
 
 Machine: {machine}.
 """
@@ -33,11 +33,11 @@ Machine: {machine}.
 _DERIVATION = """\
 ## From spec to program
 
-nhc: from the decoded spec in memory, and from the YAML text, to the program of the right-hand side, solved for the
-rates of the velocities.  The peer is SymPy: from frames and points in memory through `KanesMethod` to `cse` of mass
-matrix and forcing, not solved, without its import, with the speeds that its users choose, in the same process.  It is
-stopped after {cap:.0f} s.  The ratio is peer / nhc. SymPy's bicycle leaves out the wheels' positions and angles,
-nhc's keeps them.
+For nhc this is the time from the decoded spec in memory, and from the YAML text, to the program of the right-hand
+side, solved for the rates of the velocities.  The peer is SymPy in the same process: from frames and points in memory,
+with the speeds that its users choose, through `KanesMethod` to `cse` of mass matrix and forcing, which are not solved;
+its import does not count.  It is stopped after {cap:.0f} s.  The ratio is peer / nhc.  SymPy's bicycle leaves out the
+wheels' positions and angles, nhc's keeps them.
 """
 
 _SCALING = """\
@@ -56,36 +56,38 @@ an installed package has it.  Derived: with `--anew`, as for a spec that nhc has
 _INSTRUCTIONS = """\
 ## Instructions per right-hand side
 
-callgrind, libm included, `-O3` for x86-64 without options, averaged over 8 random states; the spec in positions with its
-quasi-velocities.  By hand: `benchmarks/hand/`, the recursion an expert writes, checked against nhc's C in the tests to
-1e-12.  CasADi: Kane's form assembled with CasADi's derivatives, the same state, its own unrolled LDL^T and cse.  PyDy: mass
-matrix and forcing from its C generator and an LU solve in C, which is kinder to it than its own call of numpy's.
+Counted by callgrind, libm included, averaged over 8 random states; `-O3` for x86-64 without further options.  The specs
+give positions and quasi-velocities.  The peers:
+
+- By hand: `benchmarks/hand/`, the recursion that an expert writes, checked against nhc's C in the tests to 1e-12.
+- CasADi: Kane's form assembled with CasADi's derivatives, the same state, its own unrolled LDL^T and cse.
+- PyDy: mass matrix and forcing from its C generator and an LU solve in C, which is faster than its own call of numpy's.
 """
 
 _VARIANTS = """\
-The same systems from other specs, as ratios to the hand-written C: the energy and constraints written out in full, and
-without quasi-velocities (nhc chooses; the state is then another one).
+The same systems from other specs, as ratios to the hand-written C: with the energy and constraints expanded in full,
+and without quasi-velocities (nhc then chooses, and the state is a different one).
 """
 
 _GALLERY = """\
-The gallery, {alike} of {all} systems at most 0.8 of CasADi: T, U, forces and rows as the spec writes them,
-derivatives by CasADi, the rates by elimination that takes constant pivots first, its LDL^T and cse, in nhc's own
-state.  The values agree to 1e-9, so that the derivation is confirmed independently.  Ratios above 0.8 occur where
-nearly all the work is sines, cosines and the final test for infinities, which CasADi's C does not have, and in
-systems without structure, with a T of arbitrary functions.
+The whole gallery against CasADi; {alike} of {all} systems take at most 0.8 of its instructions.  CasADi is given T, U, forces and
+constraints as the spec has them; it differentiates them and solves for the rates of nhc's own state, by elimination that
+takes constant pivots first, its LDL^T and cse.  The values agree to 1e-9, which also confirms the derivation independently.
+Ratios above 0.8 occur where nearly all the work is sines, cosines and the final test for infinities, which CasADi's C does
+not have, and in systems without structure, with a T of arbitrary functions.
 """
 
 _BATCH = """\
 ## Batches
 
-`rhs_batch` with `--trig inline`, per state (`{flags}`), against the scalar `rhs` (`-O3`) with libm's sine and cosine,
-and below it with the inlined ones; one C program, interleaved, the quickest of many short rounds.
+`rhs_batch` with `--trig inline`, per state (`{flags}`), against the scalar `rhs` (`-O3`), first with
+libm's sine and cosine, then with the inlined ones.  One C program runs both in turn; the quickest of many short rounds counts.
 """
 
 _COMPILE = """\
 ## Compile time
 
-`{compiler} -O2 -c` of whole files with every function: seconds of the processor, the least of three.
+Processor time of `{compiler} -O2 -c` for whole files with every function, the least of three.
 """
 
 

@@ -65,18 +65,21 @@ FUSED = (*FLAGS, "-march=x86-64-v3", "-ffp-contract=fast")
 _HEAD = """\
 # Rewriting rules
 
-Written by `python -m benchmarks.rules`; nothing here is typed in.  Additions, multiplications and divisions of one right-hand
-side (in parentheses divisions, then calls of sine, cosine and the like), from specs in positions: with all rules, then without
-one of them at a time.  A rule may buy nothing on one system and much on another, and several reach the same shorter form, so
-that the table understates each.  Every rule keeps the value: `tests/property/test_rules.py` holds each against the unrewritten
-expression modulo primes, and the compiled right-hand sides without it against those with it.
+nhc shortens the expressions that it derives by the rules on this page, none of which changes a value.  The first table shows what
+each rule is worth; the second says what it does and where it is implemented.  The page is written by `python -m benchmarks.rules`.
+
+The numbers are additions, multiplications and divisions of one right-hand side (in parentheses the divisions, then calls of
+sine, cosine and the like), from specs that give positions: with all rules, then without one of them at a time.  A rule may gain
+nothing on one system and much on another, and several rules may lead to the same shorter form, so that the table understates
+each.  `tests/property/test_rules.py` compares each rule with the unrewritten expression modulo primes, and the compiled
+right-hand sides with and without it.
 """
 
 _TRIG = """\
 
-Sine and cosine are half of the instructions of a small model; `--trig inline` puts them into the file
-([accuracy](emitted-code.md#c)).  Instructions per right-hand side, counted by callgrind: `-O3` for x86-64 without options, and with
-fused multiply-add (`{fused}`); in parentheses against the first.
+Sine and cosine take half of the instructions of a small model; `--trig inline` puts them into the file
+([accuracy](emitted-code.md#sine-and-cosine)).  The next table has the instructions per right-hand side, counted by callgrind:
+`-O3` for x86-64 without further options, and with fused multiply-add (`{fused}`); in parentheses the ratio to the first column.
 
 | | libm | inlined | libm, fused | inlined, fused |
 |---|---|---|---|---|

@@ -51,15 +51,18 @@ Solve = Callable[[Any], Any]
 _SIMULATION = """\
 ## Simulation
 
-Written by `make bench`, or alone by `python -m benchmarks.simulation --write`.  Time per start to a relative error of
-{wanted:g} at the end (largest component against the largest of the state).  One start at a time, each by a call from
-Python that copies it in and out: nhc's compiled dop853 as `nhc run` compiles it, with its tests for singular places,
-against heyoka's Taylor method on the same program, and against the best of SciPy's {scipy} on nhc's compiled
-right-hand side through ctypes.  {starts} starts: nhc's lanes in one call, against heyoka's batch mode with the lanes
-that it recommends or with eight, whichever is faster.  All are warm. The time is interpolated geometrically between
-runs at several tolerances, which take turns; the quickest round of each counts, because other programs may use the
-machine.  For many starts the error is that of the worst start.  heyoka has the parameters as numbers in its compiled
-expressions, and no such tests.
+Written by `make bench`, or alone by `python -m benchmarks.simulation --write`.  The time for one start to reach a relative
+error of {wanted:g} at the end (the largest component of the error against the largest of the state).
+
+- One start at a time, each by a call from Python that copies it in and out: nhc's compiled dop853 as `nhc run` compiles it,
+  with its tests for singular places, against heyoka's Taylor method on the same program, and against the best of SciPy's
+  {scipy} on nhc's compiled right-hand side through ctypes.
+- {starts} starts: nhc's lanes in one call, against heyoka's batch mode with eight lanes or as many as it recommends, whichever
+  is faster.  The error is that of the worst start.
+
+Everything is compiled and warm beforehand.  The time is interpolated geometrically between runs at several tolerances, which
+take turns; the quickest round of each counts, because other programs may use the machine.  heyoka's compiled expressions contain
+the parameters as numbers, and no tests for singular places.
 {missing}
 Machine of this section: {machine}.
 """

@@ -9,9 +9,9 @@ from nhc import pipeline
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source
 from nhc.language import Syntax, decode
-from nhc.language.nodes import Items, Node, Table, Text
-from nhc.language.unparse import unparse
-from nhc.language.yaml_reader import read_nodes
+from nhc.language.expressions.unparse import unparse
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import read_nodes
 from nhc.mechanics.system import System
 from nhc.pipeline import Options
 

@@ -38,7 +38,7 @@ def sweep_option(usual: int | None = None) -> Callable[[Command], Command]:
     def read(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
         if value is None:
             return None
-        from nhc.language.names import fold_typed
+        from nhc.language.expressions.names import fold_typed
 
         name, _, span = value.partition("=")
         try:

@@ -1,10 +1,22 @@
 """The spec language: reading, expressions, the Spec.  Beside them stand its `schema`, a `template` and `unparse`."""
 
 from nhc.diagnostics import Source
-
-from .decode import decode
-from .reading import read
-from .spec import (
+from nhc.language.decode import decode
+from nhc.language.expressions.syntax import (
+    Binary,
+    Call,
+    Differential,
+    Name,
+    Negate,
+    Number,
+    Prime,
+    Syntax,
+    fold_tree,
+    same,
+    walk,
+)
+from nhc.language.reading import read
+from nhc.language.spec import (
     FORMULATIONS,
     Constraint,
     Coordinate,
@@ -17,7 +29,6 @@ from .spec import (
     Scene,
     Spec,
 )
-from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree, same, walk
 
 __all__ = [
     "FORMULATIONS",

@@ -6,7 +6,7 @@ import re
 import unicodedata
 from collections.abc import Collection
 
-from .loanwords import ACCELERATIONS
+from nhc.language.expressions.loanwords import ACCELERATIONS
 
 _DOT, _DOTS = "\u0307", "\u0308"  # combining marks of first and second derivatives
 # how a rate is spelled elsewhere; the most telling first

@@ -5,31 +5,38 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
+from nhc.diagnostics import Bag, Source, Span, SpecError, quote, several, suggest
+from nhc.language.advice import meant_key, meant_method
+from nhc.language.bodies.plain import plain
+from nhc.language.drawing import decode_drawing
+from nhc.language.equations import Equations
+from nhc.language.expressions.names import fold, is_name
+from nhc.language.expressions.one_forms import check_form
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Name, Number, Syntax
+from nhc.language.keys import INSTEAD, SPEC_KEYS, SYSTEM_PATTERN, VERSION
+from nhc.language.order import order_definitions
+from nhc.language.rotation import (
+    coordinates_of,
+    decode_rotations,
+    entries_of,
+    norm_of,
+    pushes_quaternion,
+    velocities_of,
+)
+from nhc.language.scenes import decode_scenes
+from nhc.language.scope import Scope, check_reactions, names_in
+from nhc.language.sections import decode_coordinates, decode_parameters
+from nhc.language.shape import Shapes
+from nhc.language.spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Rotation, Spec
+from nhc.language.units.check import check_units
+from nhc.language.yaml_tree.extend import merge_bases
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import is_empty, read_nodes
 from nhc.records import fresh, structure
-
-from .advice import meant_key, meant_method
-from .drawing import decode_drawing
-from .extend import merge_bases, plain
-from .keys import INSTEAD, SPEC_KEYS, SYSTEM_PATTERN, VERSION
-from .names import fold, is_name
-from .nodes import Items, Node, Table, Text
-from .one_forms import check_form
-from .order import order_definitions
-from .parser import parse_equation, parse_expression
-from .rotation import coordinates_of, decode_rotations, entries_of, norm_of, pushes_quaternion, velocities_of
-from .scenes import decode_scenes
-from .scope import Scope, check_name, check_reactions, names_in
-from .sections import decode_coordinates, decode_parameters
-from .shape import Shapes
-from .spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Rotation, Spec
-from .syntax import Name, Number, Syntax
-from .unit_check import check_units
-from .yaml_reader import is_empty, read_nodes
 
 _KEYS = frozenset(key.name for key in SPEC_KEYS)
 _DECLARING = ("coordinates", "rotation", "parameters", "define", "quasi_velocities", "outputs")
-_Equation = tuple[str, Span, Syntax, Syntax]
 
 _VECTOR = "write one expression: a vector takes one name for each component, such as `X` and `Y`"
 
@@ -60,7 +67,6 @@ class _Decoder:
         self.scope = Scope(bag, self.plain.offered)
         self.scope.open = bag.has_errors
         self.draft = _Draft()
-        self.uncounted = False  # constraints may stand under a key that is misspelled
 
     def run(self) -> Spec:
         place = self.written.entries[0][0].span if self.written.entries else self.written.span
@@ -70,7 +76,7 @@ class _Decoder:
         strange = any(text.value not in _KEYS and not isinstance(node, Text) for text, node in self.root.entries)
         unknown = strange or any(key in _DECLARING for key in meant)  # what it declares is not known
         self.scope.open = self.scope.open or unknown
-        self.uncounted = strange or "constraints" in meant or "holonomic" in meant
+        uncounted = strange or "constraints" in meant or "holonomic" in meant  # they may be under a misspelled key
         version, system = self._version(), self._system()
         self._declare()
         self._resolve_named()
@@ -78,12 +84,12 @@ class _Decoder:
         potential_kind, potential = self._potential()
         forces = self._forces()
         outputs = self._entries(self.draft.outputs, "output")
-        constraints = self._constraints()
-        holonomic = self._holonomic(constraints)
-        check_reactions(self.taken, self.scope)
         rotations = self.draft.rotations
-        count = len(self._equations_of("constraints")) + len(self._equations_of("holonomic")) + len(rotations)
-        dependent = self._dependent(count)
+        equations = Equations(self.root, self.shapes, self.bag, rotations)
+        constraints, holonomic = self._constraints(equations), self._holonomic(equations)
+        check_reactions(equations.taken, self.scope)
+        counted = not (uncounted or equations.uncounted or self.scope.open)
+        dependent = self._dependent(equations.count if counted else None)
         constrained = bool(rotations) or any(map(self.root.get, ("constraints", "holonomic")))
         given = self.draft.parameters
         scenes = decode_scenes(self.root.get("scenes"), self.shapes, self.scope, given, rotations, constrained)
@@ -263,53 +269,23 @@ class _Decoder:
 
     # --- constraints ---
 
-    def _equations_of(self, key: str) -> tuple[Node, ...]:
-        node = self.root.get(key)
-        items = self.shapes.items(node, "a list of equations", "write `- name: left = right`") if node else None
-        self.uncounted = self.uncounted or (node is not None and items is None)
-        return items.items if items else ()
-
-    def _equations(self, key: str, prefix: str, taken: dict[str, Span]) -> list[_Equation]:
-        found: list[_Equation] = []
-        for index, item in enumerate(self._equations_of(key), start=1):
-            name, span, value = f"{prefix}{index}", item.span, item
-            if isinstance(item, Table):
-                if len(item.entries) != 1:
-                    message = f"an entry of `{key}` holds one name with its equation, found {len(item.entries)}"
-                    place = item.entries[1][0].span if len(item.entries) > 1 else item.span
-                    self.bag.error("E0301", message, place, help=("begin each equation with `- `",))
-                    continue
-                text, value = item.entries[0]
-                name, span = fold(text.value), text.span
-                if not check_name(text, self.bag):
-                    continue
-            if name in taken:
-                self.uncounted = True
-                self.bag.error("E0305", f"two constraints are named `{name}`", span, help=("rename one of them",))
-            taken.setdefault(name, span)
-            text_node = self.shapes.text(value, "an equation")
-            sides = parse_equation(text_node.value, text_node.locate, self.bag) if text_node else None
-            if sides is not None:
-                found.append((name, span, *sides))
-        return found
-
-    def _constraints(self) -> tuple[Constraint, ...]:
-        self.taken: dict[str, Span] = {f"{rotation.name}_norm": rotation.span for rotation in self.draft.rotations}
+    def _constraints(self, equations: Equations) -> tuple[Constraint, ...]:
         found = []
-        for name, span, left, right in self._equations("constraints", "c", self.taken):
+        for name, span, left, right in equations.read("constraints", "c"):
             left, right = self._check(left, "equation"), self._check(right, "equation")
             strange = self.scope.open or any(map(self.scope.is_strange, (*names_in(left), *names_in(right))))
             form = check_form(left, right, self.draft.velocities, Bag(self.source) if strange else self.bag)
             found.append(Constraint(name, left, right, form, span))
         return tuple(found)
 
-    def _holonomic(self, constraints: tuple[Constraint, ...]) -> tuple[Holonomic, ...]:
+    def _holonomic(self, equations: Equations) -> tuple[Holonomic, ...]:
         return tuple(
             Holonomic(name, self._check(left, ""), self._check(right, ""), span)
-            for name, span, left, right in self._equations("holonomic", "h", self.taken)
+            for name, span, left, right in equations.read("holonomic", "h")
         )
 
-    def _dependent(self, count: int) -> tuple[str, ...]:
+    def _dependent(self, count: int | None) -> tuple[str, ...]:
+        """The dependent coordinates; ``count`` is the number of constraints, None where mistakes leave it open."""
         node = self.root.get("dependent")
         items = self.shapes.items(node, "a list of coordinates", "write `[x, y]`") if node is not None else None
         if items is None:
@@ -323,10 +299,11 @@ class _Decoder:
             if self.scope.kind(name) != "coordinate" and not self.scope.check_coordinate(text):
                 continue
             if name in found:
-                self.bag.error("E0305", f"`{name}` stands twice in `dependent`", text.span, help=("keep one of them",))
+                message = f"`{name}` is named twice in `dependent`"
+                self.bag.error("E0305", message, text.span, help=("keep one of them",))
             found[name] = None
-        if len(items.items) != count and not (self.uncounted or self.scope.open):
-            message = f"`dependent` names {len(items.items)} velocities, the constraints are {count}"
+        if count is not None and len(items.items) != count:
+            message = f"`dependent` names {len(items.items)} velocities for {several(count, 'constraint')}"
             help = "name one velocity for each constraint, or leave `dependent` out and let nhc choose"
             self.bag.error("E0315", message, items.span, help=(help,))
         return tuple(found)

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from nhc.diagnostics import quote
-
-from .keys import CIRCLE_KEYS, DRAW_KEYS, DRAWN_BODY_KEYS
-from .nodes import Node, Table, Text
-from .shape import Shapes
-from .spec import FIGURES, Figure, Place
-from .syntax import Syntax
-from .yaml_reader import is_empty
+from nhc.language.expressions.syntax import Syntax
+from nhc.language.keys import CIRCLE_KEYS, DRAW_KEYS, DRAWN_BODY_KEYS
+from nhc.language.shape import Shapes
+from nhc.language.spec import FIGURES, Figure, Place
+from nhc.language.yaml_tree.nodes import Node, Table, Text
+from nhc.language.yaml_tree.reader import is_empty
 
 Read = Callable[[Node], Syntax | None]
 _IN_PLANE, _ANYWHERE, _IN_SPACE = (2,), (2, 3), (3,)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+from nhc.language.spec import FORMULATIONS, ROTATION_FRAMES
 from nhc.records import record
-
-from .spec import FORMULATIONS, ROTATION_FRAMES
 
 VERSION = 1
 SYSTEM_PATTERN = "[a-z][a-z0-9_]*"

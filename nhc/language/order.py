@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from nhc.diagnostics import Bag, Label, Span
-
-from .scope import names_in
-from .syntax import Syntax
+from nhc.language.expressions.syntax import Syntax
+from nhc.language.scope import names_in
 
 
 def order_definitions(named: Mapping[str, Syntax], spans: Mapping[str, Span], bag: Bag) -> tuple[str, ...]:

@@ -10,13 +10,12 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Span
-
-from .constant import ConstantError, evaluate
-from .keys import START_KEYS
-from .names import PI
-from .nodes import Items, Node, Table
-from .shape import Shapes
-from .syntax import Binary, Call, Name, Negate, Number, Syntax, walk
+from nhc.language.expressions.constant import ConstantError, evaluate
+from nhc.language.expressions.names import PI
+from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Syntax, walk
+from nhc.language.keys import START_KEYS
+from nhc.language.shape import Shapes
+from nhc.language.yaml_tree.nodes import Items, Node, Table
 
 Quaternion = tuple[Syntax, ...]
 Read = Callable[[Node], Syntax | None]

@@ -6,8 +6,7 @@ from pathlib import Path
 
 from nhc.diagnostics import Source
 from nhc.diagnostics.files import STDIN, read_source, read_text
-
-from .extend import DEEPEST, base_name, folder_of, refuse, what_is_wrong
+from nhc.language.yaml_tree.extend import DEEPEST, base_name, folder_of, refuse, what_is_wrong
 
 
 def read(path: str | Path) -> Source:

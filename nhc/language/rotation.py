@@ -14,15 +14,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
-
-from .keys import ROTATION_KEYS
-from .names import fold
-from .nodes import Items, Node, Table, Text
-from .parser import parse_expression
-from .scope import Scope
-from .shape import Shapes
-from .spec import ROTATION_FRAMES, Coordinate, Definition, Holonomic, Rotation
-from .syntax import Number, Syntax
+from nhc.language.expressions.names import fold
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Number, Syntax
+from nhc.language.keys import ROTATION_KEYS
+from nhc.language.scope import Scope
+from nhc.language.shape import Shapes
+from nhc.language.spec import ROTATION_FRAMES, Coordinate, Definition, Holonomic, Rotation
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 
 _SIGNS = {"body": 1, "space": -1}
 

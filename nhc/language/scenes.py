@@ -6,18 +6,17 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import nearest, quote
-
-from .advice import meant_rate, meant_scene_key
-from .keys import NEAR_KEYS, SCENE_KEYS
-from .names import fold
-from .nodes import Items, Node, Table, Text
-from .orientation import read_orientation
-from .parser import parse_expression
-from .scope import Scope, check_name, names_in
-from .shape import Shapes
-from .spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
-from .syntax import Number, Syntax
-from .yaml_reader import is_empty
+from nhc.language.advice import meant_rate, meant_scene_key
+from nhc.language.expressions.names import fold
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Number, Syntax
+from nhc.language.keys import NEAR_KEYS, SCENE_KEYS
+from nhc.language.orientation import read_orientation
+from nhc.language.scope import Scope, check_name, names_in
+from nhc.language.shape import Shapes
+from nhc.language.spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import is_empty
 
 ENERGY, REACTIONS = "energy", "reactions"
 _NEEDED = "quantity that a scene can need"
@@ -204,7 +203,7 @@ class _SceneReader:
         for name in names_in(tree):
             if self.scope.kind(name) not in ("parameter", "rotation", "") or name == "t":
                 message = f"`{name}` is not constant: a start value holds numbers, `pi` and parameters only"
-                self.bag.error("E0314", message, text.span, help=(f"put the number that `{name}` starts with",))
+                self.bag.error("E0314", message, text.span, help=(f"write the number that `{name}` starts with",))
         return tree
 
     def _need(self, node: Node | None) -> tuple[Need, ...]:

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from nhc.diagnostics import quote
-
-from .keys import (
+from nhc.language.keys import (
     BODY_KEYS,
     CIRCLE_KEYS,
     COORDINATE_KEYS,
@@ -25,7 +24,7 @@ from .keys import (
     VERSION,
     Key,
 )
-from .spec import FIGURES
+from nhc.language.spec import FIGURES
 
 _NAME = "^[A-Za-z_\\u0080-\\uffff][A-Za-z0-9_\\u0080-\\uffff]*$"
 _TARGET = "^[A-Za-z_\\u0080-\\uffff][A-Za-z0-9_\\u0080-\\uffff]*['\\u2032]?$"

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
+from nhc.language.advice import foreign_name, meant_rate
+from nhc.language.expressions.names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
+from nhc.language.expressions.syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
+from nhc.language.yaml_tree.nodes import Text
 from nhc.records import record
-
-from .advice import foreign_name, meant_rate
-from .names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
-from .nodes import Text
-from .syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
 
 _SEARCHES = 50  # unknown names for which a near one is looked for; the search is slow
 _ENERGY = "energy"
@@ -92,7 +91,7 @@ class Scope:
     def check_coordinate(self, text: Text, also: Sequence[str] = (), hidden: Sequence[str] = ()) -> bool:
         """Say whether a text names a coordinate or one of ``also``; report it where it does not, and propose no ``hidden`` one.
 
-        Near names are sought among all of them, but only coordinates are listed.
+        Near names are sought among all of them, but only coordinates are listed, if there are any.
         """
         name = fold(text.value)
         kind = self.kind(name)
@@ -100,7 +99,8 @@ class Scope:
             return True
         if not self.open and not self.is_unknown(name, text.span):
             proposed = [n for n in self.of_kind("coordinate") if n not in hidden]
-            help = suggest(name, [*proposed, *also], f"the coordinates are {quote(proposed)}")
+            known = f"the coordinates are {quote(proposed)}" if proposed else f"known: {quote(also)}"
+            help = suggest(name, [*proposed, *also], known)
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
 
@@ -198,7 +198,7 @@ class Scope:
             instead = (
                 f"the velocity is `{name[1:]}'`" if name != "dt" else "a velocity is written with a prime, as `x'`"
             )
-            help = f"differentials stand in `constraints` only; {instead}"
+            help = f"differentials are for `constraints` only; {instead}"
             self.bag.error("E0209", message, node.span, help=(help,))
             return
         help = ""

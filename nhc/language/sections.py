@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Collection
 from fractions import Fraction
 
-from .keys import COORDINATE_KEYS, PARAMETER_KEYS
-from .names import is_name
-from .nodes import Items, Node, Table, Text
-from .scope import Scope
-from .shape import Shapes
-from .spec import Coordinate, Parameter
-from .syntax import Syntax
-from .units import SPELLING, UnitError, parse_unit
-from .yaml_reader import is_empty
+from nhc.language.expressions.names import is_name
+from nhc.language.expressions.syntax import Syntax
+from nhc.language.keys import COORDINATE_KEYS, PARAMETER_KEYS
+from nhc.language.scope import Scope
+from nhc.language.shape import Shapes
+from nhc.language.spec import Coordinate, Parameter
+from nhc.language.units.dimensions import SPELLING, UnitError, parse_unit
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import is_empty
 
 
 def _read_unit(table: Table, shapes: Shapes) -> str:
@@ -31,7 +31,7 @@ def _read_unit(table: Table, shapes: Shapes) -> str:
 def _of_parameter(key: str, present: Collection[str]) -> tuple[str, str]:
     """What a key of a parameter does at a coordinate."""
     return (
-        ("", "a coordinate has none: parameters stand under `parameters:`, starts in scenes")
+        ("", "a coordinate has none: parameters belong under `parameters:`, starts in scenes")
         if key == "value"
         else ("", "")
     )

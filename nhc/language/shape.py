@@ -7,16 +7,15 @@ from collections.abc import Callable, Collection, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote
-
-from .constant import ConstantError, evaluate
-from .keys import Key
-from .names import FUNCTIONS, PI
-from .nodes import Items, Node, Table, Text, describe
-from .numbers import DOUBLES, exact
-from .parser import parse_expression
-from .syntax import Name, Negate, Number, Syntax, walk
-from .units import UnitError, parse_unit
-from .yaml_reader import is_empty
+from nhc.language.expressions.constant import ConstantError, evaluate
+from nhc.language.expressions.names import FUNCTIONS, PI
+from nhc.language.expressions.numbers import DOUBLES, exact
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Name, Negate, Number, Syntax, walk
+from nhc.language.keys import Key
+from nhc.language.units.dimensions import UnitError, parse_unit
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text, describe
+from nhc.language.yaml_tree.reader import is_empty
 
 Elsewhere = Callable[[str, Collection[str]], tuple[str, str]]
 _MEASURED = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*([^\W\d_][^()]*)")
@@ -97,7 +96,7 @@ class Shapes:
             self.bag.error("E0303", f"unknown key `{text.value}` in {what}", text.span, help=(help,))
         for key in keys:
             if key.required and key.name not in present and key.name not in meant:
-                about = f"`{key.name}`: {key.about}"
+                about = f"add `{key.name}`: {key.about}"
                 self.bag.error("E0304", f"missing key `{key.name}` in {what}", place, help=(about,))
         return tuple(meant)
 
@@ -114,13 +113,13 @@ class Shapes:
             parse_unit(unit)
         except UnitError:
             return False
-        help = f"write `{number}`; units are said where parameters and coordinates are declared"
+        help = f"write `{number}`; units are given where parameters and coordinates are declared"
         if unit == "deg":
             help = f"write `{number}*pi/180`: angles are in radians"
         elif declares:
             help = f"write `{{value: {number}, unit: {unit}}}`"
         place = text.locate(*found.span(2))
-        self.bag.error("E0203", f"`{unit}` behind a number: a value has no unit in its text", place, help=(help,))
+        self.bag.error("E0203", f"`{unit}` after a number: a value is written without its unit", place, help=(help,))
         return True
 
     def constant(self, node: Node, what: str, *, declares: bool = False) -> Fraction | Syntax | None:
@@ -159,9 +158,9 @@ class Shapes:
                     self.bag.error("E0206", message, node.span, help=(f"write `{node.name}(1)`",))
                     return False
                 message = f"`{node.name}` is not constant: {what} holds numbers and `pi` only"
-                help = f"put the number in the place of `{node.name}`"
+                help = f"write the number in place of `{node.name}`"
                 if declares:
-                    help += ", or move the whole to `define`: there it may hold other names"
+                    help += ", or move the expression to `define`, where it may contain other names"
                 self.bag.error("E0314", message, node.span, help=(help,))
                 return False
         try:

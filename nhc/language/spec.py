@@ -5,9 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.diagnostics import Source, Span
+from nhc.language.expressions.syntax import Syntax
 from nhc.records import record
-
-from .syntax import Syntax
 
 DEFAULT_TOLERANCE = Fraction(1, 10**8)
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from .keys import SYSTEM_PATTERN
-from .names import fold
+from nhc.language.expressions.names import fold
+from nhc.language.keys import SYSTEM_PATTERN
 
 _TEXT = """\
 # yaml-language-server: $schema=./nhc.schema.json

@@ -9,8 +9,8 @@ from fractions import Fraction
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language import Initial, Name, Override, Prime, Scene, Spec, Syntax, walk
-from nhc.language.names import fold_typed
-from nhc.language.parser import parse_expression
+from nhc.language.expressions.names import fold_typed
+from nhc.language.expressions.parser import parse_expression
 from nhc.mechanics.expressions import Resolver
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, kept_forms
@@ -39,12 +39,10 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
         name, equals, value = part.partition("=")
         span = Span(start, start + len(part))
         if not equals:
-            bag.error(
-                "E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, several parted by commas",)
-            )
+            bag.error("E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, separated by commas",))
             continue
         if "=" in value:
-            help = "write `name=value`, several parted by commas"
+            help = "write `name=value`, separated by commas"
             bag.error("E0208", f"`{part.strip()}` has more than one `=`", span, help=(help,))
             continue
         tree = parse_expression(value, _places_from(start + len(name) + 1), bag)

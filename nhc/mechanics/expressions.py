@@ -14,9 +14,9 @@ from nhc.algebra.nodes import NumberTooLong
 from nhc.algebra.solving.linear import NotLinear, depends, is_clearly_linear, linear_form
 from nhc.diagnostics import Bag, Span
 from nhc.language import Spec
-from nhc.language.numbers import DOUBLES
+from nhc.language.expressions.numbers import DOUBLES
+from nhc.language.expressions.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.language.spec import Rotation
-from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.mechanics import rotation as mechanics
 from nhc.mechanics.system import Form
 
@@ -149,7 +149,9 @@ class Resolver:
         divides = op == "/" or (exponent is not None and exponent < 0)
         if divides and (exponent if op == "/" else g.value(x)) == 0:
             place = part.right.span if op == "/" else part.span
-            self.bag.error("E0417", "this divides by zero", place, help=("remove the division, or mend the divisor",))
+            self.bag.error(
+                "E0417", "this divides by zero", place, help=("remove the division, or correct the divisor",)
+            )
             return g.zero
         if op == "/":
             return g.div(x, y)
@@ -185,7 +187,7 @@ class Resolver:
                 f"{what} `{name}` is not linear in `{symbol.name}'`",
                 span,
                 help=(
-                    f"write {what} as a sum of terms `a(q, t)*x'`; a nonlinear velocity relation has no place in this theory",
+                    f"write {what} as a sum of terms `a(q, t)*x'`; other relations between velocities are outside this theory",
                 ),
             )
             constant = self.graph.zero

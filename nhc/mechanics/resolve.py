@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from nhc.algebra.graph import Graph, Node
 from nhc.language import Spec
-from nhc.language.syntax import Syntax
+from nhc.language.expressions.syntax import Syntax
 from nhc.mechanics.expressions import Resolver, define_names, tangent_slopes
 from nhc.mechanics.forces import resolve_forces
 from nhc.mechanics.regular.dependent_rows import check_freedom, check_rank

@@ -14,8 +14,8 @@ from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Span, quote, several, suggest
+from nhc.language.expressions.syntax import Syntax
 from nhc.language.spec import Scene, Spec
-from nhc.language.syntax import Syntax
 from nhc.mechanics.assembly import assemble
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import choose_dependent
@@ -124,7 +124,9 @@ def _initial_values(scene: Scene, names: dict[str, float], bag: Bag) -> dict[tup
         value = _constant(entry.value, names)
         if not math.isfinite(value) and not any(d.labels[0].span == entry.span for d in bag.diagnostics):
             what = f"the start of `{entry.name}` in the scene `{scene.name}` has no real, finite value"
-            advice = "mend the expression, or the parameters' values in this scene; a rotation starts from no zero quaternion"
+            advice = (
+                "correct the expression, or the values of the parameters in the scene; a quaternion must not be zero"
+            )
             bag.error("E0313", what, entry.span, help=(advice,))
         given[entry.kind, entry.name] = value
     return given
@@ -155,7 +157,7 @@ def _parameters(system: System, scene: Scene, bag: Bag) -> tuple[float, ...]:
         if not math.isfinite(number):
             what = f"`{parameter.name}` has no real, finite value in the scene `{scene.name}`"
             place = next((entry.span for entry in scene.parameters if entry.name == parameter.name), scene.span)
-            bag.error("E0313", what, place, help=("mend the expression: it may divide by what is exactly zero",))
+            bag.error("E0313", what, place, help=("correct the expression: it may divide by zero",))
         names[parameter.name] = number
         values.append(number)
     return tuple(values)
@@ -174,7 +176,7 @@ def _check_positions(system: System, scene: Scene, place: dict[Node, float], bag
     more = ", ..." if len(names) > 6 else ""
     near = _near(system, scene)
     left = left_at_zero(system, scene, place, [node for _, _, node in off])
-    notes = [f"{left} at 0, for `initial` does not say where"] if left else []
+    notes = [f"{left} at 0, since `initial` does not give a value"] if left else []
     if near:
         names = [f"`{system.q_names[i]}`" for i in near]
         notes.append(f"this is left at the best place for {', '.join(names)} near what `initial` says")
@@ -259,7 +261,7 @@ def _velocities(
             "E0409",
             f"the scene `{scene.name}` starts at a singular point of the constraints",
             scene.span,
-            help=("start a little beside it",),
+            help=("start a little away from it",),
         )
         return (0.0,) * system.n
     order = _free_order(system, given)

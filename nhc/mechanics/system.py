@@ -14,7 +14,7 @@ from nhc.algebra.calculus import derivative
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.linear import linear_form
 from nhc.language import Spec
-from nhc.language.derived_units import derive_units
+from nhc.language.units.derived import derive_units
 from nhc.mechanics.rotation import Rotation
 from nhc.records import record
 

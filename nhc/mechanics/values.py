@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
-from nhc.language.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
+from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
 from nhc.mechanics.system import System
 
 

@@ -62,7 +62,7 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     nodes += [system.U, *system.Q] if undefined else []
     left = "" if zero else left_at_zero(system, start.scene, start.values(system), nodes)
     if left:
-        notes = (f"{left} at 0, for `initial` does not say where",)
+        notes = (f"{left} at 0, since `initial` does not give a value",)
         help = f"say in `initial` where {left}"
     bag.warning(
         "W0421",
@@ -93,7 +93,7 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
             spans.get(form.name, system.spec.kinetic.span),
             notes=(
                 "the reactions are not determined, and the equations of motion have no solution, or more than one",
-                "what is said of the constraints besides holds elsewhere only",
+                "other statements about the constraints hold for other values or positions only",
             ),
             help=("remove it" if held else "remove it, or give the parameters other values",),
         )

@@ -7,11 +7,11 @@ from dataclasses import replace
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Source, Span, SpecError, suggest
 from nhc.language import Spec, decode
-from nhc.language.names import ENERGIES, fold_typed
-from nhc.language.parser import parse_expression
+from nhc.language.expressions.names import ENERGIES, fold_typed
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Name, Syntax, fold_tree, rebuild
 from nhc.language.scope import Declared, Scope
 from nhc.language.spec import Definition, Scene
-from nhc.language.syntax import Name, Syntax, fold_tree, rebuild
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.expressions import Resolver, define_names
 from nhc.mechanics.formulate import equations_of

@@ -10,9 +10,9 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nhc.diagnostics import SpecError, suggest
-from nhc.language.names import fold_typed
+from nhc.language.expressions.names import fold_typed
+from nhc.language.expressions.syntax import Number
 from nhc.language.spec import Initial, Override, Scene, Spec
-from nhc.language.syntax import Number
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.records import record

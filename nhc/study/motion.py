@@ -14,7 +14,7 @@ from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
-from nhc.language.names import fold_typed
+from nhc.language.expressions.names import fold_typed
 from nhc.language.scope import names_in
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations

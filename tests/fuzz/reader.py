@@ -15,12 +15,12 @@ from types import FrameType, SimpleNamespace
 
 import mpmath  # noqa: F401 - what an input may import for the first time must not look as if the input did it
 
-import nhc.language.write_out  # noqa: F401 - few specs need it
+import nhc.language.bodies.write_out  # noqa: F401 - few specs need it
 from nhc.diagnostics import Bag, Source, Span, SpecError, render_concise, render_text, to_json
 from nhc.language import decode, read
-from nhc.language.parser import parse_equation, parse_expression
-from nhc.language.syntax import same
-from nhc.language.unparse import unparse
+from nhc.language.expressions.parser import parse_equation, parse_expression
+from nhc.language.expressions.syntax import same
+from nhc.language.expressions.unparse import unparse
 from nhc.mechanics.resolve import resolve
 from tests.fuzz.inputs import draw_expression, draw_spec
 from tests.fuzz.watch import Watch

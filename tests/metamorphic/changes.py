@@ -11,7 +11,7 @@ from functools import partial
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Differential, Name, Number, Prime, Syntax, decode, walk
-from nhc.language.syntax import Binary
+from nhc.language.expressions.syntax import Binary
 from nhc.mechanics.choosing.choose import NotApplicable, build
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.resolve import resolve

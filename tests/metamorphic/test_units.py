@@ -15,7 +15,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.minors import balance_columns, relative_minors
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec, decode
-from nhc.language.units import parse_unit
+from nhc.language.units.dimensions import parse_unit
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.choosing.conditioning import conditioning
 from nhc.mechanics.formulate import equations_of

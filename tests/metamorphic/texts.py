@@ -9,9 +9,9 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span
 from nhc.language import Differential, Name, Number, Prime, Spec, Syntax, decode, fold_tree, walk
-from nhc.language.parser import parse_expression
-from nhc.language.syntax import Binary, Call, Negate, rebuild
-from nhc.language.unparse import unparse
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Binary, Call, Negate, rebuild
+from nhc.language.expressions.unparse import unparse
 
 
 @dataclass(frozen=True)

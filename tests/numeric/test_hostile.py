@@ -15,7 +15,7 @@ import pytest
 
 from nhc.diagnostics import Source, SpecError, render_text
 from nhc.emit import EmitError
-from nhc.language.names import RESERVED
+from nhc.language.expressions.names import RESERVED
 from nhc.pipeline import Options, check, derive, emit
 from tests.support import STRICT, python_model
 

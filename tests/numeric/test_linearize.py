@@ -192,7 +192,7 @@ def test_the_matrix_of_the_disk_is_printed_in_symbols() -> None:
 def _number(text: str, values: dict[str, float]) -> float:
     """A printed entry, read back by the language's own parser."""
     from nhc.diagnostics import Bag, Span
-    from nhc.language.parser import parse_expression
+    from nhc.language.expressions.parser import parse_expression
     from nhc.mechanics.values import constant_value
 
     bag = Bag(Source("entry", text))

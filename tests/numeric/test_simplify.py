@@ -14,10 +14,10 @@ import pytest
 
 from nhc.cli.entry import main
 from nhc.language import Source, Spec, decode, read
-from nhc.language.parser import parse_expression
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Syntax
+from nhc.language.expressions.unparse import unparse
 from nhc.language.spec import Scene
-from nhc.language.syntax import Syntax
-from nhc.language.unparse import unparse
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import Start, start_of
 from nhc.report.ladder import reduced_spec

@@ -15,7 +15,7 @@ from nhc.algebra.probe import bounded
 from nhc.algebra.solving.blocks import size_of
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.language.names import FUNCTIONS
+from nhc.language.expressions.names import FUNCTIONS
 from nhc.mechanics.resolve import resolve
 
 # On all of the line where nothing else is said; (first operand, second operand), away from kinks.

@@ -11,8 +11,8 @@ from nhc.algebra.exact.signs import degree_in_signs
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.probe import signed_probes
 from nhc.diagnostics import Bag, Source, Span
-from nhc.language.parser import parse_expression
-from nhc.language.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
 
 IDENTITIES = [
     ("sin(x) + sin(x + 2*pi/3) + sin(x + 4*pi/3)", "0"),

@@ -8,8 +8,8 @@ import pytest
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import decode, read
+from nhc.language.expressions.unparse import unparse
 from nhc.language.spec import Spec
-from nhc.language.unparse import unparse
 from nhc.mechanics.pairs.verdict import compare_systems
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import derive

@@ -6,9 +6,9 @@ import pytest
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import decode, read
-from nhc.language.derived_units import derive_units
-from nhc.language.names import FUNCTIONS
-from nhc.language.units import parse_unit
+from nhc.language.expressions.names import FUNCTIONS
+from nhc.language.units.derived import derive_units
+from nhc.language.units.dimensions import parse_unit
 from tests.support import GALLERY, spec_path
 
 SLEIGH = """nhc: 1

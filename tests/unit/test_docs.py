@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 
 from nhc.cli.entry import VERBS
-from nhc.language.names import DOT, FUNCTIONS, PI, TIME
+from nhc.language.expressions.names import DOT, FUNCTIONS, PI, TIME
 from nhc.language.schema import reference_table
-from nhc.language.units import _PREFIXES, _UNITS, _UNPREFIXED, ONE, Dimension, show
+from nhc.language.units.dimensions import _PREFIXES, _UNITS, _UNPREFIXED, ONE, Dimension, show
+from nhc.version import __version__
 from tests.unit.fragments import ROOT, Block, blocks, complete, errors_in, is_whole
 
 DOCUMENTS = sorted((ROOT / "docs").rglob("*.md"))
@@ -123,6 +124,10 @@ def test_every_document_is_reachable_from_the_index() -> None:
     linked = re.findall(r"\]\(([^)#\s]+)", INDEX.read_text())
     names = [path.relative_to(ROOT / "docs").as_posix() for path in DOCUMENTS if path != INDEX]
     assert [name for name in names if name not in linked] == []
+
+
+def test_the_citation_has_the_version() -> None:
+    assert f"\nversion: {__version__}\n" in (ROOT / "CITATION.cff").read_text()
 
 
 def test_every_verb_is_described() -> None:

@@ -32,7 +32,7 @@ SLIPS = [
     ("+ x'^2", "+ √(m)*x'^2", "E0201", "write `sqrt(...)`", "+ sqrt(m)*x'^2"),
     ("+ x'^2", "+ 1 000*x'^2", "E0203", "`1000`", "+ 1000*x'^2"),
     ("coordinates: [x, θ]", "coordinates: [x, θ, X]", "E0305", "leave `X` out of `coordinates`", "coordinates: [x, θ]"),
-    ("l: 0.5", "l: m/4", "E0314", "move the whole to `define`", "l: 0.5"),
+    ("l: 0.5", "l: m/4", "E0314", "move the expression to `define`", "l: 0.5"),
     ("l: 0.5", "l: .inf", "E0313", "write a finite number", "l: 0.5"),
     ("l: 0.5", "l: 1 000", "E0203", "`1000`", "l: 1000"),
     ("l: 0.5", "l: '1,5'", "E0202", "decimal numbers are written with `.`", "l: 1.5"),
@@ -216,7 +216,7 @@ def test_one_mistake_is_said_once(right: str, wrong: str, code: str) -> None:
 def test_parameters_among_the_coordinates() -> None:
     found = find(SKATE.replace("[x, y, θ]", "\n  x: {unit: m}\n  y: {value: 2}\n  θ: {unit: rad}"))
     assert [(d.code, d.help) for d in found if d.code.startswith("E")] == [
-        ("E0303", ("a coordinate has none: parameters stand under `parameters:`, starts in scenes",))
+        ("E0303", ("a coordinate has none: parameters belong under `parameters:`, starts in scenes",))
     ]
 
 
@@ -239,7 +239,7 @@ def test_dissipation_is_a_force() -> None:
 def test_positions_that_were_forgotten() -> None:
     text = "nhc: 1\nsystem: rod\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nholonomic: [x^2 + y^2 = 1]\n"
     (found,) = find(text + "scenes: {go: {initial: {x': 1}, time: [0, 1]}}\n")
-    assert (found.code, found.notes) == ("E0409", ("`x`, `y` start at 0, for `initial` does not say where",))
+    assert (found.code, found.notes) == ("E0409", ("`x`, `y` start at 0, since `initial` does not give a value",))
     (found,) = find(text + "scenes: {go: {initial: {x: 0, y: 2}, time: [0, 1]}}\n")
     assert (found.code, found.notes) == ("E0409", ())
 
@@ -251,7 +251,7 @@ def test_positions_that_were_forgotten() -> None:
         ("dependent: [y, R_0]", "dependent [y, R_0]", "a key without its `:`", "write `key: value`"),
         ("m: {value: 2}", "m: {value: 2", "expected ',' or '}'", "part the entries by commas"),
         ("[y, R_0]", "[y, R_0", "expected ',' or ']'", "close the list"),
-        ("V: k*x^2", "V: k*x^2: 1", "mapping values are not allowed here", "between quotes"),
+        ("V: k*x^2", "V: k*x^2: 1", "mapping values are not allowed here", "in quotes"),
         ("nhc: 1", "%YAML 9.0\n---\nnhc: 1", "incompatible YAML document", "leave the line out"),
     ],
 )

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from nhc.cli.specs import EXTENDS
-from nhc.language.extend import KEY
+from nhc.language.yaml_tree.extend import KEY
 
 ROOT = Path(__file__).resolve().parents[2]
 MODULES = sorted((ROOT / "nhc").rglob("*.py"))

@@ -9,7 +9,8 @@ import pytest
 import yaml
 
 from nhc.diagnostics import Source, SpecError, codes, render_text
-from nhc.language import decode, read, yaml_reader
+from nhc.language import decode, read
+from nhc.language.yaml_tree import reader
 
 BAD = sorted((Path(__file__).resolve().parents[1] / "bad").glob("*.yaml"))
 EXPECTED = re.compile(r"# expect: ([EW]\d{4}) (\d+):(\d+) (.+)")
@@ -60,5 +61,5 @@ def test_every_code_of_this_floor_is_met() -> None:
 def test_the_same_without_libyaml(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     source = read(path)
     expected = diagnose(source)
-    monkeypatch.setattr(yaml_reader, "_FAST", yaml.SafeLoader)
+    monkeypatch.setattr(reader, "_FAST", yaml.SafeLoader)
     assert diagnose(source) == expected

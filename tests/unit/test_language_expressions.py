@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from nhc.diagnostics import Bag, Source, Span
 from nhc.language import Binary, Call, Name, Negate, Number, Prime, Syntax, same, walk
-from nhc.language.constant import ConstantError, evaluate
-from nhc.language.names import FUNCTIONS, GREEK, fold, is_name
-from nhc.language.parser import parse_equation, parse_expression
-from nhc.language.unparse import unparse
+from nhc.language.expressions.constant import ConstantError, evaluate
+from nhc.language.expressions.names import FUNCTIONS, GREEK, fold, is_name
+from nhc.language.expressions.parser import parse_equation, parse_expression
+from nhc.language.expressions.unparse import unparse
 
 HERE = Span(0, 0)
 

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from nhc.diagnostics import Bag, Source, SpecError, render_text
 from nhc.language import decode, read
-from nhc.language.nodes import Items, Table, Text
-from nhc.language.numbers import exact
-from nhc.language.yaml_reader import read_nodes
+from nhc.language.expressions.numbers import exact
+from nhc.language.yaml_tree.nodes import Items, Table, Text
+from nhc.language.yaml_tree.reader import read_nodes
 
 START = "nhc: 1\nsystem: s\ncoordinates: [x, y]\nparameters: {m: 1}\nT: m*(x'^2 + y'^2)\n"
 

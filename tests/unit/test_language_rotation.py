@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from nhc.diagnostics import Source
+import pytest
+
+from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec, decode, read
-from nhc.language.unparse import unparse
+from nhc.language.expressions.unparse import unparse
 
 HEAD = "nhc: 1\nsystem: s\n"
 
@@ -78,3 +80,9 @@ def test_a_spec_may_extend_one_with_a_rotation(tmp_path: Path) -> None:
     (tmp_path / "own.yaml").write_text("nhc: 1\nextends: base.yaml\nrotation: {R: {frame: space}, Q: {}}\n")
     spec = decode(read(tmp_path / "own.yaml"))
     assert [(r.name, r.frame, r.velocities[0]) for r in spec.rotations] == [("R", "space", "a"), ("Q", "body", "Q_w1")]
+
+
+def test_a_misspelt_torque_is_told_what_there_is_although_no_coordinate_is_declared() -> None:
+    with pytest.raises(SpecError) as raised:
+        make("rotation: {R: {velocities: [turn, roll, lean]}}\nT: turn^2 + roll^2 + lean^2\nforces: {zzz: 1}")
+    assert raised.value.diagnostics[0].help == ("known: `turn`, `roll`, `lean`",)

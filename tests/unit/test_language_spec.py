@@ -13,11 +13,11 @@ import yaml
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Differential, Name, Number, Prime, Spec, decode, walk
+from nhc.language.expressions.unparse import unparse
 from nhc.language.keys import COORDINATE_KEYS, PARAMETER_KEYS, SCENE_KEYS, SPEC_KEYS
 from nhc.language.schema import reference_table, schema
 from nhc.language.template import template
-from nhc.language.units import UnitError, parse_unit, show
-from nhc.language.unparse import unparse
+from nhc.language.units.dimensions import UnitError, parse_unit, show
 from nhc.resources import find_specs
 
 FULL = """\

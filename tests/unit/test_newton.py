@@ -46,5 +46,5 @@ def test_reasons(energy: str, reasons: list[str]) -> None:
 
 def test_it_knows_no_constraint() -> None:
     assert broken_hypotheses(make("x'^2/2 + y'^2/2", "constraints: [x' = y']\n")) == [
-        "the system has 1 constraint(s); II.1 knows none"
+        "the system has 1 constraint; Newton's equations (II.1) are for free points"
     ]

@@ -22,20 +22,18 @@ class Rule:
 
 
 RULES = (
-    Rule(
-        "common factors", "k P + l P becomes (k + l) P, for a factor P that stands in both products", "algebra/graph.py"
-    ),
+    Rule("common factors", "k P + l P becomes (k + l) P, for a factor P of both products", "algebra/graph.py"),
     Rule("cancelled terms", "x + (u - x) becomes u", "algebra/graph.py"),
     Rule("cancelled factors", "(u P^m) P^-n becomes u P^(m-n)", "algebra/graph.py"),
     Rule("circle", "k sin^2 a + k cos^2 a becomes k", "algebra/graph.py"),
     Rule(
         "canonical forms",
-        "what is short becomes a polynomial modulo sin^2 + cos^2 = 1 with common factors taken out, where that costs less",
+        "a short expression becomes a polynomial modulo sin^2 + cos^2 = 1 with common factors taken out, if that costs less",
         "algebra/rewriting/shorten.py",
     ),
     Rule(
         "gathered sums",
-        "a sum of products over the same mass and speed has them in front once",
+        "a mass or speed that many products of a sum share is taken out of the sum",
         "algebra/rewriting/gather.py",
     ),
     Rule(
@@ -45,55 +43,59 @@ RULES = (
     ),
     Rule(
         "moving axes",
-        "vectors of T stand on axes that move, where constraints make them short",
+        "velocities in T are written on axes that turn with a body, if constraints make them short there",
         "mechanics/moving/move.py",
     ),
     Rule(
         "leaning joints",
-        "a turn before a joint that leans by a constant angle goes by the sum of both angles, and the lean is gone",
+        "a turn and the constant lean of the joint behind it, in the same plane, become one turn by the sum of both angles",
         "mechanics/moving/askew.py",
     ),
     Rule(
         "trees",
-        "accelerations of chains and trees from the leaves to the root, not by L D L^T",
+        "accelerations of chains and trees are solved from the leaves to the root, not by L D L^T",
         "program/mass_route.py",
     ),
     Rule(
         "detours",
-        "Lagrange's equations are solved for the rates of T's own angular velocities, and these turned back",
+        "Lagrange's equations are solved for the rates of T's own angular velocities, then transformed back",
         "mechanics/detour.py",
     ),
     Rule(
         "order of pivots",
-        "L D L^T takes rows with few entries first, where fewer entries arise on the way",
+        "L D L^T takes rows with few entries first, if this creates fewer new entries",
         "program/plan.py",
     ),
     Rule(
         "shared products",
-        "pairs of factors that stand in several products are multiplied once; parameters stand together in front",
+        "pairs of factors that occur in several products are multiplied once; parameters are multiplied with one another first",
         "algebra/rewriting/products.py",
     ),
     Rule(
         "pieces",
-        "where a spec has numbers, or is large, the trees between shared nodes become canonical forms over these, if shorter",
+        "in a spec that is large or contains numbers, expressions between shared nodes become canonical forms, if shorter",
         "algebra/rewriting/pieces.py",
     ),
     Rule(
         "related angles",
-        "sines and cosines of sums, differences and multiples of angles at hand come from theirs",
+        "sines and cosines of sums, differences and multiples of angles come from those of the angles, if these are needed anyway",
         "algebra/rewriting/related.py",
     ),
     Rule(
         "equal values",
-        "nodes of one value, or of opposite ones, become one, however they were made; so do products of values at hand",
+        "expressions of equal or opposite value are computed once, however they were derived; so are products of such values",
         "algebra/rewriting/values.py",
     ),
     Rule(
         "shared powers",
-        "x^12 is (x^6)^2, x^6 is (x^3)^2, together with whatever else needs them; 1/x^2 and 1/x^3 are powers of 1/x",
+        "x^12 is computed as (x^6)^2, x^6 as (x^3)^2, shared with other powers; 1/x^2 and 1/x^3 are powers of 1/x",
         "program/powers.py",
     ),
-    Rule("shared reciprocals", "x / d is x times 1/d, computed once; 1/d of parameters first", "program/lower.py"),
+    Rule(
+        "shared reciprocals",
+        "several quotients by d become products with 1/d, which is computed once, in advance if d consists of parameters",
+        "program/lower.py",
+    ),
 )
 NAMES = frozenset(rule.name for rule in RULES)
 

@@ -122,9 +122,8 @@ def build(system: System, name: str) -> Formulation:
         return Formulation(name, NUMBERS[name], None, None, (), "free particles with constant masses")
     if name == "lagrange":
         if system.constraints:
-            raise NotApplicable(
-                name, [f"the system has {system.l} constraint(s), and Lagrange's equations of T* are wrong"]
-            )
+            held = several(system.l, "constraint")
+            raise NotApplicable(name, [f"the system has {held}, and Lagrange's equations of T* are wrong"])
         return Formulation(name, NUMBERS[name], None, None, (), "no constraints")
     if name == "multipliers":
         reason = "all velocities kept, reactions as unknowns"
@@ -186,7 +185,7 @@ def dependent_of(system: System) -> DependentChoice:
     block = [[form.coefficients[j] for j in dependent] for form in system.constraints]
     if rank(system.graph, block) < system.l:
         names = ", ".join(f"`{system.q_names[i]}'`" for i in dependent)
-        reasons = [f"the constraints cannot be solved for {names}: the block is singular everywhere"]
+        reasons = [f"the constraints cannot be solved for {names}: their coefficients are singular everywhere"]
         raise NotApplicable("voronec", reasons, "E0407", "dependent")
     return judge(system, dependent)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.exact.modular import are_zero, is_zero
+from nhc.diagnostics import several
 from nhc.exterior import Form, basis_form, one_form, wedge
 from nhc.mechanics.formulations.lagrange import momenta, phase_coframe
 from nhc.mechanics.system import System
@@ -14,7 +15,9 @@ def broken_hypotheses(system: System) -> list[str]:
     """Why Newton's form does not apply; empty where it does."""
     g, reasons = system.graph, []
     if system.constraints:
-        reasons.append(f"the system has {system.l} constraint(s); II.1 knows none")
+        reasons.append(
+            f"the system has {several(system.l, 'constraint')}; Newton's equations (II.1) are for free points"
+        )
     moving = g.mask((*system.q, *system.v, system.t))
     p = momenta(system)
     for i, momentum in enumerate(p):

@@ -9,7 +9,7 @@ from dataclasses import replace
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.language.units import UnitError, base_words, parse_unit
+from nhc.language.units.dimensions import UnitError, base_words, parse_unit
 from nhc.mechanics.certificates.certificate import SURE, log10_of_passing
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of

@@ -63,7 +63,7 @@ def _warn_of_lost_digits(system: System, forms: Sequence[Form], bag: Bag) -> Non
     lost = min(16, math.ceil(-2 * math.log10(least)))
     bag.warning(
         "W0425",
-        f"the quasi-velocities are hardly independent on what the constraints allow: about {lost} of 16 digits are lost",
+        f"the quasi-velocities are hardly independent under the constraints: about {lost} of 16 digits are lost",
         system.spec.key_span("quasi_velocities" if len(system.quasi) > 3 * len(system.rotations) else "rotation"),
         help=("leave `quasi_velocities` out, and nhc chooses; or take velocities of other bodies of the chain",),
     )

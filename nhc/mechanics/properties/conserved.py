@@ -189,7 +189,7 @@ def _idle_forces(system: System) -> list[bool]:
 
 
 def _stepping(system: System) -> list[str]:
-    """The energies that jump, in words: no force stands for what pushes there."""
+    """The energies that jump, in words: the equations have no force for the jump."""
     return [f"{name} jumps" for name in _list_jumps(system)] or ["T + V may jump"]
 
 

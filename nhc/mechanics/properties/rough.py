@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag
+from nhc.diagnostics import Bag, quote
 from nhc.mechanics.properties.constancy import shows_jumps
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import coordinate_ranges, parameter_ranges
@@ -43,7 +43,7 @@ def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
         if shows_jumps(system, [node], undecided=False, ranges=ranges):
             bag.warning(
                 "W0416",
-                f"`{key}` jumps: no force stands for what pushes across the jump, and the energy changes there",
+                f"`{key}` jumps: the equations have no force for the jump, so the energy changes there",
                 spec.key_span(key),
                 help=("use a continuous function, or give the `range` of coordinates that stay at one side",),
             )
@@ -52,7 +52,7 @@ def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
         if found:
             bag.warning(
                 "W0416",
-                f"`{key}` contains {', '.join(found)}: differentiated almost everywhere",
+                f"`{key}` contains {quote(found)}: its derivative does not exist at every point",
                 spec.key_span(key),
                 help=("use a smooth function, or give the `range` of coordinates that stay at one side of the kink",),
             )

@@ -75,14 +75,14 @@ def check_freedom(bag: Bag, spec: Spec, system: System) -> None:
             "E0402",
             f"the constraint `{form.name}` follows from the others where the equations under `holonomic:` hold",
             span,
-            notes=("elsewhere the constraints leave no free velocity, so that nothing can be derived with it",),
+            notes=("at other positions the constraints leave no free velocity, so nothing can be derived with it",),
             help=("remove it",),
         )
         return
     leave = "leaves" if system.l == 1 else "leave"
     bag.error(
         "E0420",
-        f"{several(system.l, 'constraint')} {leave} no free velocity in {several(system.n, 'coordinate')}",
+        f"{several(system.l, 'constraint')} on {several(system.n, 'coordinate')} {leave} no velocity free",
         spec.key_span("constraints" if spec.constraints else "holonomic"),
         help=("remove a constraint, or declare the coordinate that is missing",),
     )
@@ -124,7 +124,7 @@ def _advise(system: System, form: Form, empty: bool) -> str:
     g = system.graph
     if form.equation is None and any(g.depends(form.constant, g.deps[x]) for x in system.q):
         return (
-            "a relation of positions stands under `holonomic:`"
+            "a relation between positions belongs under `holonomic:`"
             if empty
             else "remove it, or correct its terms: together they leave no velocity, and a relation of positions"
         )

@@ -6,7 +6,7 @@ import re
 from fractions import Fraction
 
 from nhc.language import Scene
-from nhc.language.unparse import show_number, unparse
+from nhc.language.expressions.unparse import show_number, unparse
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
 from nhc.program.sheets.formulas import NOTATION
 from nhc.program.sheets.model import Mark, Table

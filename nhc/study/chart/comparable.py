@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from pathlib import PurePath
 
 from nhc.diagnostics import Bag
-from nhc.language.derived_units import derive_units
 from nhc.language.spec import Scene, Spec
-from nhc.language.units import UnitError, base_words, parse_unit
+from nhc.language.units.derived import derive_units
+from nhc.language.units.dimensions import UnitError, base_words, parse_unit
 from nhc.mechanics.scenes import report_scene
 from nhc.simulate.opening import list_needs
 
@@ -45,7 +45,7 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
                 "E0505",
                 f"`{need}` is in {here} here, in {base_unit} in `{base}`",
                 spec.key_span("coordinates"),
-                notes=("nhc converts no units: the numbers would be compared as they stand",),
+                notes=("nhc does not convert units: it would compare the bare numbers",),
                 help=("write both models in the same units",),
             )
     there = list_needs(spec)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from itertools import combinations
 
 from nhc.diagnostics import Span
-from nhc.language.syntax import Binary, Differential, Name, Prime, Syntax
+from nhc.language.expressions.syntax import Binary, Differential, Name, Prime, Syntax
 from nhc.records import identity_record
 from nhc.study.simplify.zero import INFINITE, ZERO, is_named
 

@@ -7,13 +7,14 @@ from dataclasses import replace
 
 from nhc.diagnostics import Bag, Source
 from nhc.language import Spec, decode
-from nhc.language.extend import merge_bases, plain
-from nhc.language.nodes import Table
+from nhc.language.bodies.plain import plain
+from nhc.language.expressions.syntax import Binary, Name, Negate, Syntax, same
+from nhc.language.expressions.unparse import unparse
 from nhc.language.scope import names_in
 from nhc.language.spec import Scene
-from nhc.language.syntax import Binary, Name, Negate, Syntax, same
-from nhc.language.unparse import unparse
-from nhc.language.yaml_reader import read_nodes
+from nhc.language.yaml_tree.extend import merge_bases
+from nhc.language.yaml_tree.nodes import Table
+from nhc.language.yaml_tree.reader import read_nodes
 from nhc.mechanics.scenes import Start
 from nhc.records import record
 from nhc.study.simplify.candidate import Candidate, expand, group, hold

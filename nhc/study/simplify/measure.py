@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec
-from nhc.language.derived_units import derive_units
+from nhc.language.units.derived import derive_units
 from nhc.program.scene_model import count_operations_of
 from nhc.records import record
 from nhc.simulate.auto import choose_method

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from nhc.diagnostics import Span
-from nhc.language.names import fold
-from nhc.language.nodes import Items, Node, Table, Text
+from nhc.language.expressions.names import fold
+from nhc.language.expressions.syntax import Syntax, same
+from nhc.language.expressions.unparse import unparse
 from nhc.language.scope import names_in
-from nhc.language.syntax import Syntax, same
-from nhc.language.unparse import unparse
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.records import record
 from nhc.study.simplify.draft import Changed, Draft, Place, reach
 from nhc.study.simplify.yaml_writer import write_nodes

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 
-from nhc.language.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 
 _PLAIN = re.compile(r"[A-Za-z0-9_(][A-Za-z0-9_ .+*/^()'=-]*")
 _DEPTH = 2  # mappings inside one another that get lines of their own; deeper ones stand in braces

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Set
 from fractions import Fraction
 
 from nhc.diagnostics import Span
-from nhc.language.syntax import (
+from nhc.language.expressions.syntax import (
     Binary,
     Call,
     Differential,

@@ -7,8 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from nhc.diagnostics import Span
-
-from .syntax import Binary, Call, Name, Negate, Number, Prime, Syntax, fold_tree
+from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Prime, Syntax, fold_tree
 
 _ROUNDING = 2.0**-50  # of an angle that was a multiple of pi
 _MOST = 1e3  # turns beyond it are no longer told from others
@@ -49,7 +48,7 @@ _FUNCTIONS: dict[str, Callable[..., float]] = {
 }
 
 
-_DIVISOR = "mend the divisor"
+_DIVISOR = "correct the divisor"
 
 
 class ConstantError(Exception):

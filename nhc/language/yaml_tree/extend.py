@@ -10,13 +10,9 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from nhc.diagnostics import Bag, Source, Span, SpecError
-from nhc.records import record
-
-from .keys import BODILY
-from .names import fold
-from .nodes import Items, Node, Table, Text
-from .spec import Body
-from .yaml_reader import read_nodes
+from nhc.language.expressions.names import fold
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import read_nodes
 
 KEY = "extends"
 DEEPEST = 8
@@ -88,24 +84,6 @@ def _merge_roots(base: Table, own: Table) -> Table:
         base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value not in _POTENTIALS))
     base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value != KEY))
     return _merge(base, own, coordinate_names(base, own))
-
-
-@record
-class Plain:
-    """A spec without bodies: ``offered`` are all names that they bring, used or not, ``bodies`` what is told of them."""
-
-    root: Table
-    offered: tuple[str, ...] = ()
-    bodies: tuple[Body, ...] = ()
-
-
-def plain(root: Table, bag: Bag) -> Plain:
-    """The spec with its ``bodies`` written out."""
-    if not any(text.value in BODILY for text, _ in root.entries):
-        return Plain(root)
-    from .write_out import write_out  # few specs need it
-
-    return write_out(root, bag)
 
 
 def _merge(base: Table, own: Table, rates: frozenset[str] = frozenset()) -> Table:

@@ -11,11 +11,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.diagnostics import Span
+from nhc.language.bodies import pieces
+from nhc.language.bodies.pieces import Piece, Triple, add, each, multiply, write
+from nhc.language.yaml_tree.nodes import Text
 from nhc.records import fresh, record, structure
-
-from . import pieces
-from .nodes import Text
-from .pieces import Piece, Triple, add, each, multiply, write
 
 AXES = "xyz"
 Axes = tuple[Triple, Triple, Triple]

@@ -6,10 +6,9 @@ import re
 from collections.abc import Callable, Iterator
 
 from nhc.diagnostics import Span
+from nhc.language.expressions.loanwords import meant_sign
+from nhc.language.expressions.names import continues_name, fold, is_folded, starts_name
 from nhc.records import record
-
-from .loanwords import meant_sign
-from .names import continues_name, fold, is_folded, starts_name
 
 LONGEST = 100_000  # characters of an expression
 _NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")

@@ -5,8 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from nhc.diagnostics import Bag, Label
-
-from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree, walk
+from nhc.language.expressions.syntax import (
+    Binary,
+    Call,
+    Differential,
+    Name,
+    Negate,
+    Number,
+    Prime,
+    Syntax,
+    fold_tree,
+    walk,
+)
 
 _ANY = -1  # of a zero, which is a form of each degree
 _NONE = -2  # of what has been reported

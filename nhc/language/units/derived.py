@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 from nhc.diagnostics import Bag
-
-from .names import ENERGIES
-from .spec import Constraint, Holonomic, Spec
-from .syntax import Binary, Call, Differential, Name, Negate, Prime, Syntax, fold_tree, walk
-from .unit_check import Checker, list_units
-from .units import ENERGY, SECOND, Dimension, base_words, multiply, parse_unit, raise_to, show
+from nhc.language.expressions.names import ENERGIES
+from nhc.language.expressions.syntax import Binary, Call, Differential, Name, Negate, Prime, Syntax, fold_tree, walk
+from nhc.language.spec import Constraint, Holonomic, Spec
+from nhc.language.units.check import Checker, list_units
+from nhc.language.units.dimensions import (
+    ENERGY,
+    SECOND,
+    Dimension,
+    base_words,
+    multiply,
+    parse_unit,
+    raise_to,
+    show,
+)
 
 _RATE = raise_to(SECOND, -1)
 _SECOND = SECOND.index(1)

@@ -9,10 +9,9 @@ from typing import Any
 import yaml
 
 from nhc.diagnostics import Bag, Label, Source, Span
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.places import align
 from nhc.records import fresh, structure
-
-from .nodes import Items, Node, Table, Text
-from .places import align
 
 _DEEPEST = 32  # lists and mappings inside one another; a valid spec needs four
 _RETOLD = 1 << 16  # characters up to which a syntax error is told by the slower parser
@@ -29,7 +28,7 @@ _SYNTAX = (
     (
         "mapping values are not allowed here",
         "",
-        "put a text that holds `: ` between quotes; a key stands in the column of its neighbours",
+        "put a text that contains `: ` in quotes; align each key with its neighbours",
     ),
     (
         "expected <block end>",
@@ -38,7 +37,7 @@ _SYNTAX = (
     ),
     ("could not find expected ':'", "a key without its `:`", "write `key: value`; what goes on is indented below its key"),
     ("expected ',' or '}'", "", "part the entries by commas, as in `{a: 1, b: 2}`, and put texts with commas between quotes"),
-    ("expected ',' or ']'", "", "close the list, part its entries by commas, and put texts with commas between quotes"),
+    ("expected ',' or ']'", "", "close the list, separate its entries by commas, and put texts with commas in quotes"),
     ("sequence entries are not allowed", "", "begin each `- ` on its own line below its key; quote a text that begins so"),
     ("expected '<document start>'", "this does not continue what stands above", "let all keys of a spec begin in one column"),
     ("incompatible YAML document", "", "leave the line out"),
@@ -263,7 +262,7 @@ def _check_filled(source: Source, node: Node, place: Span, what: str, bag: Bag) 
         help = "give it a value, or remove it"
         if span == place and not after_colon:
             pair = re.fullmatch(r"([\w']+?)\s*[=:]\s*(\S.*)", source.text[place.start : place.end])
-            help = "commas part entries here: write a list as `[a, b]`, and a text with commas between quotes"
+            help = "commas separate entries here: write a list as `[a, b]`, and a text with commas in quotes"
             if pair:
                 help = f"write `{pair[1]}: {pair[2]}`"
         bag.error("E0109", f"empty {what}", span, help=(help,))

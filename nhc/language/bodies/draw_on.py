@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from nhc.diagnostics import Span
-
-from . import pieces
-from .bodies import BodyReader
-from .kinematics import Frame
-from .nodes import Items, Node, Table, Text
-from .pieces import Piece, Triple, each, write
+from nhc.language.bodies import pieces
+from nhc.language.bodies.declarations import BodyReader
+from nhc.language.bodies.kinematics import Frame
+from nhc.language.bodies.pieces import Piece, Triple, each, write
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 
 
 def put_into_space(table: Table, frame: Frame, reader: BodyReader) -> Table:
@@ -55,7 +54,7 @@ def _body(key: Text, table: Table, frame: Frame, reader: BodyReader) -> tuple[Te
     shape = table.get("shape")
     for text, _ in table.entries:
         if text.value in ("at", "angle"):
-            help = "leave it out: the shape stands on the body's own axes"
+            help = "leave it out: with `parent` the shape is given on the axes of that body"
             reader.bag.error("E0303", f"`{text.value}` beside `parent`", text.span, help=(help,))
     if not isinstance(shape, Items) or not shape.items:
         return key, table

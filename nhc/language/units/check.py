@@ -5,14 +5,33 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label
+from nhc.language.expressions.names import ENERGIES, PI, TIME
+from nhc.language.expressions.syntax import (
+    Binary,
+    Call,
+    Differential,
+    Name,
+    Negate,
+    Number,
+    Prime,
+    Syntax,
+    fold_tree,
+    walk,
+)
+from nhc.language.orientation import angles_in
+from nhc.language.scope import names_in
+from nhc.language.spec import Constraint, Definition, Holonomic, Initial, Spec
+from nhc.language.units.dimensions import (
+    ENERGY,
+    ONE,
+    SECOND,
+    Dimension,
+    multiply,
+    parse_unit,
+    raise_to,
+    show,
+)
 from nhc.records import record
-
-from .names import ENERGIES, PI, TIME
-from .orientation import angles_in
-from .scope import names_in
-from .spec import Constraint, Definition, Holonomic, Initial, Spec
-from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree, walk
-from .units import ENERGY, ONE, SECOND, Dimension, multiply, parse_unit, raise_to, show
 
 _RATIO = "divide it by a parameter of the same unit"
 _SAME = ("abs", "min", "max")  # functions whose value has the dimension of their arguments
@@ -126,7 +145,7 @@ class Checker:
             return base
         if exponent.number is None:
             help = "divide the base by a parameter of its unit, or write the exponent as a number"
-            self._report(node.left, base, "what has a unit takes constant exponents only", help)
+            self._report(node.left, base, "a quantity with a unit takes constant exponents only", help)
             return _UNKNOWN
         return Quantity(raise_to(base.dimension, exponent.number), base.any)
 
@@ -178,7 +197,7 @@ class Checker:
 def _lack(wanted: Dimension, found: Dimension) -> str:
     """What would make one dimension the other."""
     missing = multiply(wanted, raise_to(found, -1))
-    return f"a factor in {show(missing)} is missing here, or a unit is declared wrongly"
+    return f"a factor with the unit {show(missing)} is missing, or a unit is declared wrongly"
 
 
 def _combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction | None:

@@ -11,12 +11,11 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Span
+from nhc.language.expressions.names import FUNCTIONS, continues_name, fold, starts_name
+from nhc.language.expressions.syntax import Binary, Name, Negate, Number, Syntax
+from nhc.language.shape import literal
+from nhc.language.yaml_tree.nodes import Text
 from nhc.records import record
-
-from .names import FUNCTIONS, continues_name, fold, starts_name
-from .nodes import Text
-from .shape import literal
-from .syntax import Binary, Name, Negate, Number, Syntax
 
 SUM, PRODUCT, ATOM = range(3)
 _WORD = re.compile(r"(?<![\w.])[^\W\d]\w*")  # what follows a digit or a point belongs to a number, as in 1e5

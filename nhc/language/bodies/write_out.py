@@ -9,27 +9,27 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from nhc.diagnostics import Bag, Span, nearest, quote
+from nhc.language.advice import meant_body_key
+from nhc.language.bodies import kinematics, pieces
+from nhc.language.bodies.declarations import Body, BodyReader
+from nhc.language.bodies.draw_on import put_into_space
+from nhc.language.bodies.kinematics import AXES, Frame, Ledger
+from nhc.language.bodies.pieces import Piece, Triple, add, each, multiply, piece_of
+from nhc.language.expressions.names import DOT, PI, fold
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.keys import BODILY, POINT_KEYS
+from nhc.language.rotation import foretell_rotations
+from nhc.language.shape import Shapes
+from nhc.language.spec import Body as Told
+from nhc.language.yaml_tree.extend import coordinate_names
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import is_empty
 
-from . import kinematics, pieces
-from .advice import meant_body_key
-from .bodies import Body, BodyReader
-from .draw_on import put_into_space
-from .extend import Plain, coordinate_names
-from .keys import BODILY, POINT_KEYS
-from .kinematics import AXES, Frame, Ledger
-from .names import DOT, PI, fold
-from .nodes import Items, Node, Table, Text
-from .parser import parse_expression
-from .pieces import Piece, Triple, add, each, multiply, piece_of
-from .rotation import foretell_rotations
-from .shape import Shapes
-from .yaml_reader import is_empty
 
-
-def write_out(root: Table, bag: Bag) -> Plain:
-    """The spec without ``bodies``, ``points`` and ``gravity``: with the definitions and energies that they stand for."""
+def write_out(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...], tuple[Told, ...]]:
+    """The parts of a :class:`nhc.language.bodies.plain.Plain`: definitions and energies in place of ``bodies`` and the like."""
     writer = _Writer(root, bag)
-    return Plain(writer.run(), tuple(writer.ledger.made), tuple(body.told for body in writer.bodies))
+    return writer.run(), tuple(writer.ledger.made), tuple(body.told for body in writer.bodies)
 
 
 class _Writer:
@@ -66,8 +66,8 @@ class _Writer:
             help = "give bodies `mass` or `inertia`, or write `T: ...`"
             self.bag.error("E0318", "no body has a mass or an inertia, and there is no `T`", place, help=(help,))
         for span, name in self.ledger.twice.items():
-            help = "rename a body or a point: what a body brings begins with its name and `_`"
-            self.bag.error("E0305", f"`{name}` stands for two things", span, help=(help,))
+            help = "rename a body or a point: each declares names that begin with its own and `_`"
+            self.bag.error("E0305", f"`{name}` is declared by two things", span, help=(help,))
         return self._merged()
 
     def _gravity(self) -> Triple | None:
@@ -94,7 +94,7 @@ class _Writer:
             if name in path:
                 cycle = " on ".join([*path[path.index(name) :], name])
                 help = "put one of them in space: leave out its `parent`"
-                self.bag.error("E0318", f"bodies stand on one another: {cycle}", known[name].name.span, help=(help,))
+                self.bag.error("E0318", f"bodies form a cycle: {cycle}", known[name].name.span, help=(help,))
                 done.update(path)
                 continue
             parent = known[path[-1]].parent if path else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
+from nhc.language.expressions.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
 
 _LEVEL = {"+": 10, "-": 10, "*": 20, "/": 20, "^": 40}
 _NEGATE, _WHOLE = 30, 100

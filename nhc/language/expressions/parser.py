@@ -11,13 +11,12 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Span, nearest
+from nhc.language.expressions.loanwords import ACCELERATIONS, CONDITIONS, meant_call
+from nhc.language.expressions.names import DOT, FUNCTIONS
+from nhc.language.expressions.numbers import DOUBLES, exact
+from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Prime, Syntax
+from nhc.language.expressions.tokens import LONGEST, ExpressionError, Locate, Token, tokenise
 from nhc.records import fresh, structure
-
-from .loanwords import ACCELERATIONS, CONDITIONS, meant_call
-from .names import DOT, FUNCTIONS
-from .numbers import DOUBLES, exact
-from .syntax import Binary, Call, Name, Negate, Number, Prime, Syntax
-from .tokens import LONGEST, ExpressionError, Locate, Token, tokenise
 
 DEEPEST = 200  # parentheses, calls, unary minus and right-hand powers inside one another
 _LEVEL = {"+": 10, "-": 10, "*": 20, "/": 20, "^": 40}
@@ -101,8 +100,8 @@ class _Parser:
             return ExpressionError("E0206", f"`{name}` needs an argument", self._span(token), f"write `{name}(x)`")
         if token.kind == "=" and self.equals is not None and self.equals.end == token.start:
             return ExpressionError("E0208", "`==` in place of `=`", self._span(token), "write a single `=`")
-        advice = {"+": "leave the `+` out", "prime": "the prime stands after a name or a parenthesis: `x'`"}
-        help = advice.get(token.kind, f"leave the `{token.text}` out, or write what it stands between")
+        advice = {"+": "leave the `+` out", "prime": "the prime follows a name or a parenthesis: `x'`"}
+        help = advice.get(token.kind, f"leave the `{token.text}` out, or write the operand before it")
         return ExpressionError(
             "E0202", f"expected a number, a name or `(`, found `{token.text}`", self._span(token), help
         )

@@ -5,21 +5,20 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from nhc.diagnostics import nearest
+from nhc.language.advice import meant_body_key
+from nhc.language.bodies.kinematics import AXES, Inertia, Turn, Turning
+from nhc.language.bodies.pieces import Piece, Triple, each, piece_of, write
+from nhc.language.expressions.names import fold
+from nhc.language.expressions.parser import parse_expression
+from nhc.language.expressions.syntax import Name, Prime, walk
+from nhc.language.keys import BODY_KEYS, INERTIA_KEYS
+from nhc.language.rotation import entry_names, foretell_rotations
+from nhc.language.scope import check_name
+from nhc.language.shape import Shapes
+from nhc.language.spec import Body as Told
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
+from nhc.language.yaml_tree.reader import is_empty
 from nhc.records import record
-
-from .advice import meant_body_key
-from .keys import BODY_KEYS, INERTIA_KEYS
-from .kinematics import AXES, Inertia, Turn, Turning
-from .names import fold
-from .nodes import Items, Node, Table, Text
-from .parser import parse_expression
-from .pieces import Piece, Triple, each, piece_of, write
-from .rotation import entry_names, foretell_rotations
-from .scope import check_name
-from .shape import Shapes
-from .spec import Body as Told
-from .syntax import Name, Prime, walk
-from .yaml_reader import is_empty
 
 MOST_TURNS = 6
 _VECTOR = "write `[X, Y]`, or `[X, Y, Z]`"
@@ -125,7 +124,7 @@ class BodyReader:
             return None
         for part in walk(tree):
             if isinstance(part, Prime) or (isinstance(part, Name) and part.name in self.moving):
-                help = "bodies are said by positions; velocities belong into `constraints`, `forces` or `T`"
+                help = "bodies are described by positions; velocities belong in `constraints`, `forces` or `T`"
                 self.bag.error("E0414", f"a velocity in {what}", part.span, help=(help,))
                 return None
         return piece_of(text, tree)
@@ -151,7 +150,7 @@ class BodyReader:
         if rotation is not None:
             text = self.shapes.text(rotation, "the name of a rotation")
             if turns is not None and text is not None:
-                help = "keep one of them; what turns between can be a body without mass"
+                help = "keep one of them; for both, put a body without mass in between"
                 self.bag.error("E0318", f"`{name.value}` has both `rotation` and `turns`", text.span, help=(help,))
             return self._rotation(text) if text is not None else None
         if turns is None:
@@ -160,7 +159,7 @@ class BodyReader:
         items = self.shapes.items(turns, "a list of turns", example)
         found = [self._turn(item, example) for item in items.items] if items is not None else [None]
         if len(found) > MOST_TURNS:
-            help = "name what turns between as a body without mass, and put the others on it"
+            help = "give the first turns to a body without mass, and make it the `parent` of this one"
             message = f"`{name.value}` turns {len(found)} times, {MOST_TURNS} are the most of one body"
             self.bag.error("E0318", message, turns.span, help=(help,))
             return None
@@ -176,8 +175,8 @@ class BodyReader:
             return None
         axis, value = table.entries[0]
         if axis.value not in AXES or len(axis.value) != 1:
-            help = "write `x`, `y` or `z`: the body's first, second or third axis, where it has got to"
-            self.bag.error("E0312", f"`{axis.value}` is no axis to turn about", axis.span, help=(help,))
+            help = "write `x`, `y` or `z`: the body's first, second or third axis"
+            self.bag.error("E0312", f"`{axis.value}` is not an axis to turn about", axis.span, help=(help,))
             return None
         angle = self.piece(value, "an angle")
         return Turn(AXES.index(axis.value), angle) if angle is not None else None

@@ -1,0 +1,1 @@
+"""Units: their dimensions, the check that they fit, and those of what declares none."""

@@ -1,0 +1,1 @@
+"""YAML as this language sees it: nodes with their places, and the specs that a spec extends."""
