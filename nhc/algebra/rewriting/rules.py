@@ -69,6 +69,11 @@ RULES = (
         "program/plan.py",
     ),
     Rule(
+        "still pivots",
+        "behind a pivot that does not move, entries of L D L^T lose the angles that they do not depend on",
+        "program/plan.py",
+    ),
+    Rule(
         "shared products",
         "pairs of factors that stand in several products are multiplied once; parameters stand together in front",
         "algebra/rewriting/products.py",
