@@ -47,6 +47,7 @@ class Equations:
     ``definite``: the matrix is symmetric and positive wherever the motion is regular, so that LDL^T needs no pivoting.
     ``reactions`` are the rows of the constraints' own vectors (empty for the bordered system, whose unknowns they are);
     ``react`` makes them.
+    ``kinetic`` makes T on the motion where the rows' axes have shorter words for it than the spec, else it gives None.
     ``guards`` are (quantity, scale) pairs that must not vanish for the frame to exist.
     """
 
@@ -59,6 +60,7 @@ class Equations:
     multipliers: tuple[Node, ...]
     react: Callable[[], tuple[Row, ...]]
     sweep: Callable[[], tuple[Node, ...] | None]
+    kinetic: Callable[[], Node | None]
     guards: tuple[tuple[Node, Node], ...]
     tree: Elimination | None = None
 
@@ -158,6 +160,10 @@ class Projector:
         slopes = self._to_motion.of(tangent(g, [self.kinetic.tau], direction.seeds))[0]
         potential = self._on_places.of(tangent(g, [self._potential], direction.seeds))[0]
         return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
+
+    def kinetic_energy(self) -> Node:
+        """T on the motion, in the values of its forms."""
+        return self._to_motion.of([self.kinetic.tau])[0]
 
     def work_on_constraints(self, moved: Moved) -> tuple[Node, ...] | None:
         """lambda_alpha with the rates' symbols, all by one reverse sweep of the virtual power over the constraints' forms.

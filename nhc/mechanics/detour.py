@@ -21,7 +21,7 @@ from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import along
 from nhc.records import record
 
-_MOST = 12
+_MOST = 20
 """Coordinates beyond which a second matrix is not assembled."""
 
 

@@ -62,6 +62,7 @@ class _Route:
     rows: list[Row]
     react: Callable[[], tuple[Row, ...]]
     sweep: Callable[[], tuple[Node, ...] | None]
+    kinetic: Callable[[], Node | None]
 
     def cost(self, graph: Graph) -> int:
         """Operations of the matrix, the right side and the kinematics; a single rate's as it will be solved."""
@@ -91,6 +92,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         multipliers=_multipliers(system) if bordered else (),
         react=route.react,
         sweep=route.sweep,
+        kinetic=route.kinetic,
         guards=route.guards,
     )
 
@@ -150,6 +152,7 @@ def _from_leaves(system: System, formulation: Formulation, tree: Elimination, ki
         multipliers=(),
         react=react,
         sweep=lambda: None,
+        kinetic=lambda: None,
         guards=formulation.frame.guards if formulation.frame is not None else (),
         tree=tree,
     )
@@ -204,8 +207,11 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
     def sweep() -> tuple[Node, ...] | None:
         return projector.work_on_constraints(moved) if moved is not None else None
 
+    def kinetic_energy() -> Node | None:
+        return projector.kinetic_energy() if moved is not None else None
+
     guards = frame.guards if frame is not None else ()
-    return _Route(motion, guards, _polish(system.graph, rows, motion.velocities), react, sweep)
+    return _Route(motion, guards, _polish(system.graph, rows, motion.velocities), react, sweep, kinetic_energy)
 
 
 def _assemble(rows: Sequence[Row]) -> tuple[Matrix, tuple[Node, ...]]:

@@ -115,7 +115,7 @@ def _other_tree(equations: Equations) -> Elimination | None:
 
 def _dense(equations: Equations) -> MassRoute:
     g = equations.system.graph
-    factors = factor(g, equations.mass)
+    factors = factor(g, equations.mass, g.mask(equations.system.p))
     values = shorten(g, solve_factored(g, factors, equations.force))
     pivots = [(pivot, equations.mass[k][k]) for k, pivot in zip(factors.order, factors.pivots, strict=True)]
     return MassRoute(values, pivots, lambda right: solve_factored(g, factors, right))

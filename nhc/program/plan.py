@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.program.ir import Argument, Origin
 from nhc.records import record
 
@@ -147,8 +148,12 @@ class _Elimination:
                 self._rows[i] = (self._rows[i] | own) & ~(1 << i) & ~(1 << k)
 
 
-def factor(graph: Graph, matrix: Sequence[Sequence[Node]]) -> Factors:
-    """L D L^T of a symmetric matrix, unrolled; structural zeros cost nothing."""
+def factor(graph: Graph, matrix: Sequence[Sequence[Node]], constants: int = 0) -> Factors:
+    """L D L^T of a symmetric matrix, unrolled; structural zeros cost nothing.
+
+    What is left of a matrix behind a pivot of ``constants`` (a mask) alone is made shorter: for a free body's place in the plane
+    it is a matrix about the centre of mass, in which sin^2 + cos^2 stand together.
+    """
     size = len(matrix)
     pattern = [sum(1 << j for j, x in enumerate(row) if x != graph.zero) for row in matrix]
     order = list(range(size)) if "order of pivots" in graph.off else elimination_order(pattern)
@@ -170,7 +175,20 @@ def factor(graph: Graph, matrix: Sequence[Sequence[Node]]) -> Factors:
                 if work[j][k] != graph.zero:
                     work[i][j] = graph.sub(work[i][j], graph.mul(lower[i][k], work[j][k]))
                     work[j][i] = work[i][j]
+        if not graph.deps[pivot] & ~constants and "still pivots" not in graph.off:
+            _shorten_rest(graph, work, k + 1)
     return Factors(tuple(tuple(row) for row in lower), tuple(pivots), tuple(reciprocals), tuple(order))
+
+
+def _shorten_rest(graph: Graph, work: list[list[Node]], first: int) -> None:
+    """What is left of a symmetric matrix from this row on, in place, where an entry turns out not to depend on all that it is
+    written with.
+    """
+    places = [(i, j) for i in range(first, len(work)) for j in range(first, i + 1)]
+    made = shorten(graph, [work[i][j] for i, j in places])
+    for (i, j), node in zip(places, made, strict=True):
+        if graph.deps[node] != graph.deps[work[i][j]]:
+            work[i][j] = work[j][i] = node
 
 
 def solve_factored(graph: Graph, factors: Factors, right: Sequence[Node]) -> list[Node]:

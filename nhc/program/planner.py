@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from nhc.algebra.calculus import substitute
+from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import NEG, Node
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
@@ -171,8 +171,22 @@ class PlannerBase:
 
     def on_motion(self, nodes: Sequence[Node]) -> list[Node]:
         """Functions of (q, q', t) in terms of the kept state, shortened."""
-        on = moving(self.system, self.equations.motion.velocities)
-        return shorten(self.graph, substitute(self.graph, nodes, on))
+        g, on = self.graph, moving(self.system, self.equations.motion.velocities)
+        made = shorten(g, substitute(g, nodes, on))
+        shorter = self._kinetic_on_motion(nodes)
+        if not shorter:
+            return made
+        other = shorten(g, substitute(g, nodes, {**on, **shorter}))
+        return min(made, other, key=lambda found: count(g, found))
+
+    def _kinetic_on_motion(self, nodes: Sequence[Node]) -> dict[Node, Node]:
+        """T, and T + V, in the words of the axes on which the rows were made, where the nodes contain them."""
+        g, system = self.graph, self.system
+        energies = {system.T, system.energy}
+        if not g.kids[system.T] or energies.isdisjoint(reachable(g, nodes, g.mask(system.v))):
+            return {}
+        kinetic = self.equations.kinetic()
+        return {} if kinetic is None else {system.T: kinetic, system.energy: g.sub(kinetic, system.U)}
 
     def known(self, nodes: Sequence[Node]) -> list[Node]:
         """Nodes with the rates' symbols replaced by their values (dense unknowns stay symbols)."""

@@ -66,11 +66,11 @@ class ScenePlanner(Planner):
         moving = [(guards[k], guards[k + 1]) for k in range(0, len(guards), 2) if g.value(guards[k]) is None]
         pairs = tuple(dict.fromkeys(moving))
         if not equations.definite:
-            return replace(equations, motion=made, guards=pairs)
+            return replace(equations, motion=made, guards=pairs, kinetic=lambda: None)
         flat = self.fix([*(x for row in equations.mass for x in row), *equations.force])
         mass = tuple(tuple(flat[k * size : (k + 1) * size]) for k in range(size))
         force = tuple(flat[size * size :])
-        return replace(equations, motion=made, assemble=lambda: (mass, force), guards=pairs)
+        return replace(equations, motion=made, assemble=lambda: (mass, force), guards=pairs, kinetic=lambda: None)
 
     def _solve(self) -> None:
         super()._solve()

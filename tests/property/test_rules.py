@@ -43,6 +43,7 @@ WHOLE = {
     "trees": "pendulum5",
     "detours": "smooth_tippe_top",
     "order of pivots": "satellite3",
+    "still pivots": "smooth_tippe_top",
     "pieces": "voronec_particle",
     "related angles": "snakeboard",
     "equal values": "trailers3",

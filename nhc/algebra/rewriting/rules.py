@@ -67,6 +67,11 @@ RULES = (
         "program/plan.py",
     ),
     Rule(
+        "still pivots",
+        "behind a pivot that does not move, entries of L D L^T lose the angles that they do not depend on",
+        "program/plan.py",
+    ),
+    Rule(
         "shared products",
         "pairs of factors that occur in several products are multiplied once; parameters are multiplied with one another first",
         "algebra/rewriting/products.py",
