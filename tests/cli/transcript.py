@@ -16,7 +16,10 @@ import shlex
 import subprocess
 import sys
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
+
+from tests.cli.serve import start
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -56,20 +59,28 @@ def parse(text: str) -> tuple[list[Step], tuple[str, ...]]:
     return steps, tuple(before)
 
 
+@cache
+def _start(environment: tuple[tuple[str, str], ...]) -> str:
+    return start(dict(environment))
+
+
 def run(command: str, folder: Path, *, merged: bool = False) -> list[str]:
     """Run ``command`` with ``nhc`` on the path and return what it gave, in the form of a transcript.
 
     With ``merged`` stderr is not marked and stands where the terminal would show it.
     """
+    keep = {name: value for name, value in os.environ.items() if name in ("HOME", "LD_LIBRARY_PATH", "CC")}
+    environment = {**keep, "PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "error", "LC_ALL": "C.UTF-8"}
     tools = folder.parent / f"{folder.name}-bin"
     if not tools.exists():
         tools.mkdir()
+        (tools / "call.py").write_text(_start(tuple(environment.items())))
         shim = tools / "nhc"
-        shim.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m nhc "$@"\n')
+        shim.write_text(
+            f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -IS {shlex.quote(str(tools / "call.py"))} "$@"\n'
+        )
         shim.chmod(0o755)
-    keep = {name: value for name, value in os.environ.items() if name in ("HOME", "LD_LIBRARY_PATH", "CC")}
-    path = f"{tools}{os.pathsep}{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
-    environment = {**keep, "PATH": path, "PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "error", "LC_ALL": "C.UTF-8"}
+    environment["PATH"] = f"{tools}{os.pathsep}{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     done = subprocess.run(
         ["bash", "-c", command],
         cwd=folder,

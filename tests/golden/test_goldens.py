@@ -5,10 +5,12 @@ from __future__ import annotations
 import ctypes
 import random
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import pytest
 
+from nhc import pipeline
 from nhc.dump import DUMPS
 from nhc.language import read
 from nhc.pipeline import Options, emit
@@ -38,7 +40,9 @@ def test_golden_program(name: str, golden: Callable[[Path, str], None]) -> None:
 
 
 @pytest.mark.parametrize("name", GALLERY)
-def test_golden(name: str, golden: Callable[[Path, str], None]) -> None:
+def test_golden(name: str, golden: Callable[[Path, str], None], monkeypatch: pytest.MonkeyPatch) -> None:
+    for stage in ("derivation", "program"):  # made once for all that is printed of it
+        monkeypatch.setattr(pipeline, stage, cache(getattr(pipeline, stage)))
     found = artefacts(name)
     assert tuple(sorted(found)) == tuple(sorted(FILES))
     for file in FILES:

@@ -54,9 +54,6 @@ scenes:
 """
 
 
-pytestmark = pytest.mark.usefixtures("optimised_models")
-
-
 def run_table(name: str, table: str, settings: Settings, formulation: str = "") -> Ensemble:
     source = read(str(spec_path(name)))
     job = open_scene(source, "", formulation, method=settings.method, whole=True)

@@ -47,8 +47,6 @@ scenes:
   throw: {initial: {x': 1, y': 2}, time: [0, 3]}
 """
 
-pytestmark = pytest.mark.usefixtures("optimised_models")
-
 
 def open_job(name: str, until: str = "") -> Job:
     texts = {"followers": FOLLOWERS, "free_point": FREE}

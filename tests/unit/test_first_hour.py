@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import pytest
 
 from nhc.diagnostics import Diagnostic, Source, SpecError
@@ -86,6 +88,7 @@ SLIPS = [
 ]  # fmt: skip
 
 
+@cache
 def find(text: str) -> tuple[Diagnostic, ...]:
     try:
         return check(Source("first.yaml", text)).diagnostics
