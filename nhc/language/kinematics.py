@@ -58,8 +58,9 @@ class Frame:
     """``axes[k]`` are the components in space of the axis k, ``omega`` the angular velocity on the axes, ``origin`` in space.
 
     ``at`` is the origin on the axes of ``on``, and ``relative`` the angular velocity against them, on them.  ``before`` is the
-    angular velocity on the axes before the body's own last turn, that turn included, and ``last`` its axis.  ``heading`` is
-    the whole angle about the z axis of space where there are no other turns.
+    angular velocity on the axes before the last turn of these axes, that turn included, and ``last`` its axis, None where no
+    turn stands last (on the axes of space, after a rotation).  ``heading`` is the whole angle about the z axis of space where
+    there are no other turns.
     """
 
     name: str
@@ -127,11 +128,13 @@ def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turni
     here, span = name.span.start, name.span
     offset = each(lambda k: pieces.dot(at, _row(on.axes, k), here))
     origin = ledger.names(f"{name.value}_", AXES, pieces.plus(on.origin, offset, here), span)
-    spin, before, last, heading = None, on.before, on.last, None
+    spin, last, heading = None, None, None
     if isinstance(turns, Turning):
         axes, omega, relative = _rotated(on, turns, here)
+        before = omega
     elif not turns:
         axes, omega, relative, spin, heading = on.axes, on.omega, space(here).omega, on.spin, on.heading
+        before, last = on.before, on.last
     else:
         spin, before, relative = _spin(on, turns, ledger, here)
         angle = ledger.name(f"{name.value}_angle", spin.angle, span)

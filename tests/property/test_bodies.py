@@ -190,8 +190,9 @@ def tensor(inertia: str) -> Any:
 
 @pytest.mark.parametrize("frame", ["body", "space"])
 @pytest.mark.parametrize("nested", [False, True])
-def test_rotations(frame: str, nested: bool) -> None:
-    """A body by quaternion in space or on a turned one; the quaternion needs no length."""
+@pytest.mark.parametrize("inertia", ["[A, B, C]", "A", "[A, B, A]"])
+def test_rotations(frame: str, nested: bool, inertia: str) -> None:
+    """A body by quaternion in space or on a turned one, round about the last axis of that or not, its quaternion of any length."""
     mpmath.mp.dps = 60
     names = (*COORDINATES, "R_0", "R_1", "R_2", "R_3")
     _, q, v = draw(7 + nested, names)
@@ -205,7 +206,7 @@ def test_rotations(frame: str, nested: bool) -> None:
     reference.add("top", on, ["a", "0", "b"], matrix)
     bodies = "bodies:\n  base: {at: [x, y, z], turns: [z: p, y: q], mass: m}\n"
     place = "parent: base, " if nested else ""
-    bodies += f"  top: {{{place}at: [a, 0, b], rotation: R, mass: m, centre: [0, c, 0], inertia: [A, B, C]}}\n"
+    bodies += f"  top: {{{place}at: [a, 0, b], rotation: R, mass: m, centre: [0, c, 0], inertia: {inertia}}}\n"
     bodies += "points: {s: {parent: top, at: [a, b, c]}, k: {parent: base, of: top, at: [r, 0, b]}}\n"
     bodies += "T: " + " + ".join(f"{n}'^2" for n in COORDINATES) + "\n"
     omega = reference.omega("top")
@@ -213,7 +214,7 @@ def test_rotations(frame: str, nested: bool) -> None:
         lambda t: reference.origin["top"](t) + matrix_of(reference, t) * mpmath.matrix([0, PARAMETERS["c"], 0])
     )
     base = rate(reference.origin["base"])
-    J = mpmath.diag([PARAMETERS[n] for n in "ABC"])
+    J = tensor(inertia)
     energy = (PARAMETERS["m"] * ((middle.T * middle)[0] + (base.T * base)[0]) + (omega.T * J * omega)[0]) / 2
     energy += sum(mpmath.mpf(v[n]) ** 2 for n in COORDINATES)
     outputs = [f"top_w{j}" for j in "123"] + [f"s_v{x}" for x in "xyz"] + [f"k_v{x}" for x in "123"]
