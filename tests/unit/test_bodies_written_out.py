@@ -109,6 +109,13 @@ def test_a_round_body_is_written_without_its_spin() -> None:
     assert made["w_T"] == "k/2*phi'^2 + I/2*f_w3^2"
 
 
+def test_a_minus_stands_before_the_whole_of_a_sum() -> None:
+    """The matter of a wheel that turns with t, seen from space: -(z - a), not -z - a."""
+    wheel = "bodies: {w: {at: [0, 0, a], turns: [x: t]}}\npoints: {s: {of: w, at: [x, phi, z]}}\noutputs: {o: s_vy}\n"
+    made = {d.name: unparse(d.value) for d in spec(wheel, "T: x'^2 + z'^2 + phi'^2\n").definitions}
+    assert made["s_vy"] == "-(z - a)"
+
+
 def test_a_body_may_have_the_name_of_its_rotation() -> None:
     parts = "rotation: [R]\nbodies: {R: {at: [x, 0, z], rotation: R, mass: m, centre: [a, 0, 0], inertia: I}}\n"
     by_hand = "rotation: [R]\nT: phi'^2 + m/2*((x + a*R_x1)'^2 + (a*R_y1)'^2 + (z + a*R_z1)'^2) + I/2*(R_w1^2 + R_w2^2 + R_w3^2)\n"
