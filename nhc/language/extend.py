@@ -92,11 +92,15 @@ def _merge_roots(base: Table, own: Table) -> Table:
 
 @record
 class Plain:
-    """A spec without bodies: ``offered`` are all names that they bring, used or not, ``bodies`` what is told of them."""
+    """A spec without bodies: ``offered`` are all names that they bring, used or not, ``bodies`` what is told of them.
+
+    ``velocities`` are the names among those offered that stand for components of velocities.
+    """
 
     root: Table
     offered: tuple[str, ...] = ()
     bodies: tuple[Body, ...] = ()
+    velocities: frozenset[str] = frozenset()
 
 
 def plain(root: Table, bag: Bag) -> Plain:

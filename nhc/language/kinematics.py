@@ -81,11 +81,12 @@ class Frame:
 class Ledger:
     """The definitions that are made, by name, in an order in which each uses earlier ones or those of the spec.
 
-    ``constant`` are the names of what never changes, ``twice`` the first that a
-    body or point would bring once more.
+    ``constant`` are the names of what never changes, ``velocities`` those of velocities, also where nothing but the time moves
+    what they belong to, ``twice`` the first that a body or point would bring once more.
     """
 
     constant: set[str]
+    velocities: set[str] = fresh(factory=set)
     made: dict[str, tuple[Piece, Span]] = fresh(factory=dict)
     twice: dict[Span, str] = fresh(factory=dict)
 
@@ -103,6 +104,11 @@ class Ledger:
     def names(self, prefix: str, letters: Sequence[str], values: Triple, span: Span) -> Triple:
         """Define the components of a vector."""
         return each(lambda k: self.name(f"{prefix}{letters[k]}", values[k], span))
+
+    def rates(self, prefix: str, letters: Sequence[str], values: Triple, span: Span) -> Triple:
+        """Define the components of a velocity."""
+        self.velocities.update(f"{prefix}{letter}" for letter in letters)
+        return self.names(prefix, letters, values, span)
 
     def is_still(self, piece: Piece) -> bool:
         """Whether an expression is a constant."""
@@ -143,7 +149,7 @@ def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turni
         if on.heading is not None and all(step.axis == 2 for step in turns):
             heading = add([on.heading, *(step.angle for step in turns)], here)
     named = tuple(ledger.names(f"{name.value}_", [f"{x}{k + 1}" for x in AXES], axes[k], span) for k in range(3))
-    spoken = ledger.names(f"{name.value}_w", "123", omega, span)
+    spoken = ledger.rates(f"{name.value}_w", "123", omega, span)
     return Frame(
         name.value,
         here,
@@ -249,12 +255,12 @@ def place_point(name: Text, on: Frame, of: Frame | None, at: Triple, ledger: Led
             omega = each(lambda k: pieces.dot(of.omega, _row(of.axes, k), here))
             swept = pieces.cross(omega, pieces.minus(spot, of.origin, here), here)
         velocity = pieces.plus(carried, swept, here)
-    moving = ledger.names(f"{name.value}_v", AXES, velocity, span)
+    moving = ledger.rates(f"{name.value}_v", AXES, velocity, span)
     if on.name:
         if turned is None:
             carried = moving
         own = each(lambda k: pieces.dot(on.axes[k], carried, here))
-        ledger.names(f"{name.value}_v", "123", pieces.plus(own, turned, here) if turned else own, span)
+        ledger.rates(f"{name.value}_v", "123", pieces.plus(own, turned, here) if turned else own, span)
 
 
 # --- energies -------------------------------------------------------------------------------------------------

@@ -29,7 +29,8 @@ from .yaml_reader import is_empty
 def write_out(root: Table, bag: Bag) -> Plain:
     """The spec without ``bodies``, ``points`` and ``gravity``: with the definitions and energies that they stand for."""
     writer = _Writer(root, bag)
-    return Plain(writer.run(), tuple(writer.ledger.made), tuple(body.told for body in writer.bodies))
+    root, made = writer.run(), writer.ledger
+    return Plain(root, tuple(made.made), tuple(body.told for body in writer.bodies), frozenset(made.velocities))
 
 
 class _Writer:

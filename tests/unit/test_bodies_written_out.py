@@ -116,6 +116,12 @@ def test_a_minus_stands_before_the_whole_of_a_sum() -> None:
     assert made["s_vy"] == "-(z - a)"
 
 
+def test_gravity_on_a_unit_mass_along_an_incline() -> None:
+    """V = -(g X - k Y): both of its signs change."""
+    tilted = "bodies: {b: {at: [x, z], mass: 1}}\ngravity: [g, -k]\n"
+    assert same(spec(tilted, "T: phi'^2\n"), spec("T: phi'^2 + (x'^2 + z'^2)/2\nV: k*z - g*x\n"))
+
+
 def test_a_body_may_have_the_name_of_its_rotation() -> None:
     parts = "rotation: [R]\nbodies: {R: {at: [x, 0, z], rotation: R, mass: m, centre: [a, 0, 0], inertia: I}}\n"
     by_hand = "rotation: [R]\nT: phi'^2 + m/2*((x + a*R_x1)'^2 + (a*R_y1)'^2 + (z + a*R_z1)'^2) + I/2*(R_w1^2 + R_w2^2 + R_w3^2)\n"
