@@ -109,6 +109,15 @@ def test_a_round_body_is_written_without_its_spin() -> None:
     assert made["w_T"] == "k/2*phi'^2 + I/2*f_w3^2"
 
 
+@pytest.mark.parametrize(("height", "kind"), [("0", "body"), ("a", "line")])
+def test_a_box_on_a_body_that_stays_level(height: str, kind: str) -> None:
+    """Corners above the plane are seen in space, though the body only turns about the vertical."""
+    corners = f"[[0, 0, 0], [1, 0, 0], [1, 0, {height}]]"
+    drawn = f"draw: [{{parent: rod, body: {{shape: {corners}}}}}]\n"
+    (made,) = spec("bodies: {rod: {at: [x, z], turns: [z: phi], mass: m, inertia: I}}\n", drawn).draw
+    assert made.kind == kind and made.spatial == (kind == "line")
+
+
 def test_a_minus_stands_before_the_whole_of_a_sum() -> None:
     """The matter of a wheel that turns with t, seen from space: -(z - a), not -z - a."""
     wheel = "bodies: {w: {at: [0, 0, a], turns: [x: t]}}\npoints: {s: {of: w, at: [x, phi, z]}}\noutputs: {o: s_vy}\n"
