@@ -128,8 +128,9 @@ def _make(cls: type[T], base: type) -> type[T]:
     made_anew = {k: body[name] for k, name in enumerate(names) if isinstance(body.get(name), _Fresh)}
     defaults = tuple(body.pop(name) for name in names if name in body)
     setters: dict[str, Any] = {}
-    spare = tuple(f"_spare{k}" for k in range(len(names), WIDEST)) if len(names) >= len(_CONSTRUCTORS) else ()
-    code = (_wide if spare else _CONSTRUCTORS[len(names)]).__code__
+    is_wide = len(names) >= len(_CONSTRUCTORS)
+    spare = tuple(f"_spare{k}" for k in range(len(names), WIDEST)) if is_wide else ()
+    code = (_wide if is_wide else _CONSTRUCTORS[len(names)]).__code__
     code = code.replace(co_varnames=("self", *names, *spare), co_qualname=f"{cls.__qualname__}.__init__")
     defaults += (_NOTHING,) * len(spare)
     made = type(

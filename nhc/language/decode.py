@@ -120,6 +120,7 @@ class _Decoder:
             key_spans=tuple((text.value, text.span) for text, _ in self.root.entries),
             rotations=tuple(rotations),
             bodies=self.plain.bodies,
+            velocities=self.plain.velocities,
         )
         if not self.bag.has_errors:
             check_units(spec, self.bag)

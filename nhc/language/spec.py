@@ -194,6 +194,7 @@ class Spec:
     such an order of the names of definitions and quasi-velocities together, without what rotations bring.
     ``potential_kind`` is "U", "V" or "". ``T``, ``U``, ``V`` and ``energy`` may stand in outputs and then mean nhc's,
     unless the spec declares them. An output may bear the name of a definition; its value is that name then.
+    ``velocities`` are names of definitions that stand for velocities of bodies and points, whatever they hold.
     """
 
     origin: Source
@@ -220,6 +221,7 @@ class Spec:
     key_spans: tuple[tuple[str, Span], ...]
     rotations: tuple[Rotation, ...] = ()
     bodies: tuple[Body, ...] = ()
+    velocities: frozenset[str] = frozenset()
 
     def key_span(self, key: str) -> Span:
         """Return the place of a top-level key (``constraints``); the spec's start where it is not written."""

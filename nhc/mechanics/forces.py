@@ -44,12 +44,15 @@ def resolve_forces(
 
 
 def _moved(build: Resolver, force: Definition) -> Form:
-    """The velocity that a force on a defined position or velocity does its work with."""
+    """The velocity that a force on a defined position or velocity does its work with.
+
+    What holds no velocities is a position, but for a velocity of a body that nothing but the time moves this way.
+    """
     g, node = build.graph, build.names[force.name]
-    moves = any(tangent_slopes(g, node, build.v))
+    moves = force.name in build.spec.velocities or any(tangent_slopes(g, node, build.v))
     rate = node if moves else build.derivation.of(node)
     form = build.form(force.name, rate, force.span, "E0424", "the velocity")
     if not any(tangent_slopes(g, rate, build.v)):
-        help = ("name a position or a velocity that depends on the coordinates",)
+        help = ("name a position that depends on the coordinates, or a velocity that depends on theirs",)
         build.bag.error("E0424", f"`{force.name}` does not move: a force on it does no work", force.span, help=help)
     return form

@@ -275,13 +275,14 @@ def named_quantity(flow: Flow, name: str, option: str, parameters: Sequence[str]
 
 
 def branch_of(model: SteadyModel, guess: Sequence[float], name: str, holds: tuple[Hold, ...] = ()) -> Branch:
-    """Steady motions along a parameter, or along a quantity of the state that is held at each value."""
+    """Steady motions along a parameter, or along a quantity of the state that is held at each value, in place of any other."""
     parameters = [p.name for p in model.flow.system.spec.parameters]
     if name in parameters:
         index = parameters.index(name)
         return Branch(lambda value: (model.with_parameter(index, value), holds), guess)
     node = named_quantity(model.flow, name, "--sweep", parameters)
-    return Branch(lambda value: (model, (*holds, Hold(name, node, value))), guess)
+    others = tuple(hold for hold in holds if hold.node != node)
+    return Branch(lambda value: (model, (*others, Hold(name, node, value))), guess)
 
 
 def _sweep(

@@ -148,9 +148,11 @@ def test_the_disk_needs_its_speed_to_roll_upright(A: float, C: float) -> None:
     assert not crossing.unstable_above
 
 
+@pytest.mark.parametrize("holds", [(), ("w_u",)])
 @pytest.mark.parametrize("A", [0.0625, 0.125])
-def test_the_disk_needs_its_speed_to_spin_upright(A: float) -> None:
-    found = find("rolling_disk", "theta=pi/2", settings=(f"A={A}",), sweep=("w_u", 0.5, 8.0, 4))
+def test_the_disk_needs_its_speed_to_spin_upright(A: float, holds: tuple[str, ...]) -> None:
+    """What is swept is held at each of its values, whatever it was to be held at."""
+    found = find("rolling_disk", "theta=pi/2", settings=(f"A={A}",), holds=holds, sweep=("w_u", 0.5, 8.0, 4))
     assert found.swept is not None
     (crossing,) = found.swept.crossings
     assert crossing.value == pytest.approx(math.sqrt(9.81 * 0.5 / (A + 0.25)), abs=1e-9)

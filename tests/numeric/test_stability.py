@@ -325,3 +325,13 @@ def test_growth_of_a_slow_scene_and_of_one_that_is_over_at_once() -> None:
     law, rate, horizon = fit(t, [1 + 0.1 * math.exp(1.5e-9 * x) for x in t])
     assert law == "exponential" and rate == pytest.approx(1.5e-9, rel=0.05) and 20e9 < horizon < 26e9
     assert fit([1e-300 * k for k in range(41)], [1.0] * 41)[2] == math.inf
+
+
+def test_a_state_beside_the_scene_may_be_out_of_the_domain(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A ten thousandth of what x comes to is more than it starts at, and sqrt(x) has no value there."""
+    spec = tmp_path / "edge.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: edge\ncoordinates: [x]\nT: x'^2/2\nV: -sqrt(x)\nscenes: {s: {initial: {x: 1e-5}, time: [0, 5]}}\n"
+    )
+    assert main(["stability", str(spec)]) == 0
+    assert "drift until t = 50 by dop853" in capsys.readouterr().out

@@ -82,6 +82,12 @@ class Reference:
 
         return matrix
 
+    def carried(self, R: str) -> Path:
+        """The matrix of a rotation; its quaternion may have any length."""
+        return lambda t: of_quaternion(
+            [mpmath.mpf(self.q[f"{R}_{k}"]) + mpmath.mpf(self.v[f"{R}_{k}"]) * t for k in range(4)]
+        )
+
     def omega(self, body: str) -> Any:
         """On the body's axes: R^T R' = [omega]."""
         R = self.matrix[body]
@@ -128,13 +134,19 @@ def check(found: list[float], expected: list[Any]) -> None:
 
 
 PLACES = (["x", "y"], ["x", "y", "z"], ["a", "0", "b"], ["a + x^2".replace("^", "**"), "b*y", "0"], ["0", "0", "c"])
+INERTIAS = ("A", "[A, B, C]", "[A, B, A]", "[B, A, A]", "[A, A, C]", "{xx: A, yy: B, zz: C, xz: D, xy: -D, yz: 0.2}")
 ANGLES = ("p", "q", "r", "-p", "a", "p - q", "2*r + b", "0.5", "-b", "t", "3*t + p")
 
 
-@pytest.mark.parametrize("seed", range(24))
-def test_trees_of_bodies(seed: int) -> None:
+TREES = [*((seed, ()) for seed in range(24)), *((seed, ("R", "S")) for seed in range(12))]
+
+
+@pytest.mark.parametrize(("seed", "rotations"), TREES)
+def test_trees_of_bodies(seed: int, rotations: tuple[str, ...]) -> None:
+    """Turns and rotations one on another, in any order."""
     mpmath.mp.dps = 60
-    chance, q, v = draw(seed, COORDINATES)
+    chance, q, v = draw(seed, (*COORDINATES, *(f"{R}_{k}" for R in rotations for k in range(4))))
+    carried = {R: chance.choice(("body", "space")) for R in rotations}
     reference = Reference(q, v)
     bodies, known, outputs, expected = "bodies:\n", [""], [], []
     energy = mpmath.mpf(0)
@@ -143,11 +155,14 @@ def test_trees_of_bodies(seed: int) -> None:
         at = chance.choice(PLACES)
         turns = [(chance.choice("xyz"), chance.choice(ANGLES)) for _ in range(chance.randint(0, 3))]
         centre = chance.choice(PLACES)
-        inertia = chance.choice(("A", "[A, B, C]", "[A, B, A]", "{xx: A, yy: B, zz: C, xz: D, xy: -D, yz: 0.2}"))
-        shown = ", ".join(f"{axis}: {angle}" for axis, angle in turns)
-        bodies += f"  {name}: {{{f'parent: {on}, ' if on else ''}at: {listed(at)}, turns: [{shown}], mass: m, "
+        inertia = chance.choice(INERTIAS)
+        shown, turned = f"turns: [{', '.join(f'{axis}: {angle}' for axis, angle in turns)}]", reference.turned(turns)
+        if carried and chance.random() < 0.4:
+            R = chance.choice(list(carried))
+            shown, turned = f"rotation: {R}", reference.carried(R)
+        bodies += f"  {name}: {{{f'parent: {on}, ' if on else ''}at: {listed(at)}, {shown}, mass: m, "
         bodies += f"centre: {listed(centre)}, inertia: {inertia}}}\n"
-        reference.add(name, on, at, reference.turned(turns))
+        reference.add(name, on, at, turned)
         known.append(name)
         omega, R = reference.omega(name), reference.matrix[name]
         middle = rate(
@@ -170,8 +185,10 @@ def test_trees_of_bodies(seed: int) -> None:
             outputs += [f"s{k}_v{j}" for j in "123"]
             expected += [*(reference.matrix[on](0).T * moved)]
     bodies += "T: " + " + ".join(f"{n}'^2" for n in COORDINATES) + "\n"
-    own = sum(mpmath.mpf(x) ** 2 for x in v.values())
-    check(values(spec_of(bodies, outputs), q, v), [*expected, energy + own])
+    own = sum(mpmath.mpf(v[n]) ** 2 for n in COORDINATES)
+    declared = "".join(f"  {R}: {{frame: {frame}}}\n" for R, frame in carried.items())
+    system = spec_of(bodies, outputs, f"rotation:\n{declared}" if declared else "")
+    check(values(system, q, v), [*expected, energy + own])
 
 
 def listed(at: list[str]) -> str:
@@ -185,27 +202,26 @@ def tensor(inertia: str) -> Any:
         "A": mpmath.diag([A, A, A]),
         "[A, B, C]": mpmath.diag([A, B, C]),
         "[A, B, A]": mpmath.diag([A, B, A]),
+        "[B, A, A]": mpmath.diag([B, A, A]),
+        "[A, A, C]": mpmath.diag([A, A, C]),
     }.get(inertia, mpmath.matrix([[A, -D, D], [-D, B, tenth], [D, tenth, C]]))
 
 
 @pytest.mark.parametrize("frame", ["body", "space"])
 @pytest.mark.parametrize("nested", [False, True])
-def test_rotations(frame: str, nested: bool) -> None:
-    """A body by quaternion in space or on a turned one; the quaternion needs no length."""
+@pytest.mark.parametrize("inertia", ["[A, B, C]", "A", "[A, B, A]"])
+def test_rotations(frame: str, nested: bool, inertia: str) -> None:
+    """A body by quaternion in space or on a turned one, round about the last axis of that or not, its quaternion of any length."""
     mpmath.mp.dps = 60
     names = (*COORDINATES, "R_0", "R_1", "R_2", "R_3")
     _, q, v = draw(7 + nested, names)
     reference = Reference(q, v)
     reference.add("base", "", ["x", "y", "z"], reference.turned([("z", "p"), ("y", "q")]))
-
-    def matrix(t: Any) -> Any:
-        return of_quaternion([mpmath.mpf(q[f"R_{k}"]) + mpmath.mpf(v[f"R_{k}"]) * t for k in range(4)])
-
-    on = "base" if nested else ""
+    matrix, on = reference.carried("R"), "base" if nested else ""
     reference.add("top", on, ["a", "0", "b"], matrix)
     bodies = "bodies:\n  base: {at: [x, y, z], turns: [z: p, y: q], mass: m}\n"
     place = "parent: base, " if nested else ""
-    bodies += f"  top: {{{place}at: [a, 0, b], rotation: R, mass: m, centre: [0, c, 0], inertia: [A, B, C]}}\n"
+    bodies += f"  top: {{{place}at: [a, 0, b], rotation: R, mass: m, centre: [0, c, 0], inertia: {inertia}}}\n"
     bodies += "points: {s: {parent: top, at: [a, b, c]}, k: {parent: base, of: top, at: [r, 0, b]}}\n"
     bodies += "T: " + " + ".join(f"{n}'^2" for n in COORDINATES) + "\n"
     omega = reference.omega("top")
@@ -213,7 +229,7 @@ def test_rotations(frame: str, nested: bool) -> None:
         lambda t: reference.origin["top"](t) + matrix_of(reference, t) * mpmath.matrix([0, PARAMETERS["c"], 0])
     )
     base = rate(reference.origin["base"])
-    J = mpmath.diag([PARAMETERS[n] for n in "ABC"])
+    J = tensor(inertia)
     energy = (PARAMETERS["m"] * ((middle.T * middle)[0] + (base.T * base)[0]) + (omega.T * J * omega)[0]) / 2
     energy += sum(mpmath.mpf(v[n]) ** 2 for n in COORDINATES)
     outputs = [f"top_w{j}" for j in "123"] + [f"s_v{x}" for x in "xyz"] + [f"k_v{x}" for x in "123"]

@@ -109,6 +109,28 @@ def test_a_round_body_is_written_without_its_spin() -> None:
     assert made["w_T"] == "k/2*phi'^2 + I/2*f_w3^2"
 
 
+@pytest.mark.parametrize(("height", "kind"), [("0", "body"), ("a", "line")])
+def test_a_box_on_a_body_that_stays_level(height: str, kind: str) -> None:
+    """Corners above the plane are seen in space, though the body only turns about the vertical."""
+    corners = f"[[0, 0, 0], [1, 0, 0], [1, 0, {height}]]"
+    drawn = f"draw: [{{parent: rod, body: {{shape: {corners}}}}}]\n"
+    (made,) = spec("bodies: {rod: {at: [x, z], turns: [z: phi], mass: m, inertia: I}}\n", drawn).draw
+    assert made.kind == kind and made.spatial == (kind == "line")
+
+
+def test_a_minus_stands_before_the_whole_of_a_sum() -> None:
+    """The matter of a wheel that turns with t, seen from space: -(z - a), not -z - a."""
+    wheel = "bodies: {w: {at: [0, 0, a], turns: [x: t]}}\npoints: {s: {of: w, at: [x, phi, z]}}\noutputs: {o: s_vy}\n"
+    made = {d.name: unparse(d.value) for d in spec(wheel, "T: x'^2 + z'^2 + phi'^2\n").definitions}
+    assert made["s_vy"] == "-(z - a)"
+
+
+def test_gravity_on_a_unit_mass_along_an_incline() -> None:
+    """V = -(g X - k Y): both of its signs change."""
+    tilted = "bodies: {b: {at: [x, z], mass: 1}}\ngravity: [g, -k]\n"
+    assert same(spec(tilted, "T: phi'^2\n"), spec("T: phi'^2 + (x'^2 + z'^2)/2\nV: k*z - g*x\n"))
+
+
 def test_a_body_may_have_the_name_of_its_rotation() -> None:
     parts = "rotation: [R]\nbodies: {R: {at: [x, 0, z], rotation: R, mass: m, centre: [a, 0, 0], inertia: I}}\n"
     by_hand = "rotation: [R]\nT: phi'^2 + m/2*((x + a*R_x1)'^2 + (a*R_y1)'^2 + (z + a*R_z1)'^2) + I/2*(R_w1^2 + R_w2^2 + R_w3^2)\n"

@@ -9,7 +9,7 @@ from functools import cached_property
 
 import pytest
 
-from nhc.records import fresh, identity_record, record, structure
+from nhc.records import WIDEST, fresh, identity_record, record, structure
 
 
 @record
@@ -55,6 +55,13 @@ def test_wide_ones_take_their_fields_in_every_way() -> None:
     for mistaken in (lambda: Wide(1, 2, 3, 4, 5), lambda: Wide(*range(9)), lambda: Wide(*range(6), a=1)):
         with pytest.raises(TypeError, match="Wide"):
             mistaken()
+
+
+def test_the_widest_has_no_field_to_spare() -> None:
+    names = [f"f{k}" for k in range(WIDEST)]
+    broad = record(type("Broad", (), {"__annotations__": dict.fromkeys(names, int)}))
+    made = broad(*range(WIDEST))
+    assert [getattr(made, name) for name in names] == list(range(WIDEST)) and made == broad(*range(WIDEST))
 
 
 def test_equal_by_value_and_class() -> None:

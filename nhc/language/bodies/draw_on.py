@@ -50,7 +50,7 @@ def _circle(table: Table, frame: Frame, reader: BodyReader) -> Table:
 
 
 def _body(key: Text, table: Table, frame: Frame, reader: BodyReader) -> tuple[Text, Node]:
-    """A polygon in the plane where the body stays in it; in space the outline, as a line."""
+    """A polygon in the plane where the body stays in it and its corners lie there; in space the outline, as a line."""
     shape = table.get("shape")
     for text, _ in table.entries:
         if text.value in ("at", "angle"):
@@ -58,15 +58,21 @@ def _body(key: Text, table: Table, frame: Frame, reader: BodyReader) -> tuple[Te
             reader.bag.error("E0303", f"`{text.value}` beside `parent`", text.span, help=(help,))
     if not isinstance(shape, Items) or not shape.items:
         return key, table
-    if frame.heading is not None and frame.origin[2].is_zero:
+    read = [(reader.vector(node, frame.place, "a place"), node.span) for node in shape.items]
+    corners = [(vector, span) for vector, span in read if vector is not None]
+    if len(corners) < len(read):
+        return key, table
+    flat = frame.origin[2].is_zero and all(vector[2].is_zero for vector, _ in corners)
+    if frame.heading is not None and flat:
+        polygon = Items(tuple(_listed(vector, 2, span) for vector, span in corners), shape.span)
         entries: list[tuple[Text, Node]] = [
             (Text("at", key.span, True), _listed(frame.origin, 2, key.span)),
             (Text("angle", key.span, True), frame.heading.as_text(key.span)),
-            *table.entries,
+            *((text, polygon if text.value == "shape" else node) for text, node in table.entries),
         ]
         return key, Table(tuple(entries), table.span)
-    corners = _points((*shape.items, shape.items[0]), frame, reader)
-    return Text("line", key.span, True), Items(corners, shape.span)
+    outline = _points((*shape.items, shape.items[0]), frame, reader)
+    return Text("line", key.span, True), Items(outline, shape.span)
 
 
 def _points(nodes: tuple[Node, ...], frame: Frame, reader: BodyReader) -> tuple[Node, ...]:

@@ -57,8 +57,9 @@ class Frame:
     """``axes[k]`` are the components in space of the axis k, ``omega`` the angular velocity on the axes, ``origin`` in space.
 
     ``at`` is the origin on the axes of ``on``, and ``relative`` the angular velocity against them, on them.  ``before`` is the
-    angular velocity on the axes before the body's own last turn, that turn included, and ``last`` its axis.  ``heading`` is
-    the whole angle about the z axis of space where there are no other turns.
+    angular velocity on the axes before the last turn of these axes, that turn included, and ``last`` its axis, None where no
+    turn stands last (on the axes of space, after a rotation).  ``heading`` is the whole angle about the z axis of space where
+    there are no other turns.
     """
 
     name: str
@@ -79,11 +80,12 @@ class Frame:
 class Ledger:
     """The definitions that are made, by name, in an order in which each uses earlier ones or those of the spec.
 
-    ``constant`` are the names of what never changes, ``twice`` the first that a
-    body or point would bring once more.
+    ``constant`` are the names of what never changes, ``velocities`` those of velocities, also where nothing but the time moves
+    what they belong to, ``twice`` the first that a body or point would bring once more.
     """
 
     constant: set[str]
+    velocities: set[str] = fresh(factory=set)
     made: dict[str, tuple[Piece, Span]] = fresh(factory=dict)
     twice: dict[Span, str] = fresh(factory=dict)
 
@@ -101,6 +103,11 @@ class Ledger:
     def names(self, prefix: str, letters: Sequence[str], values: Triple, span: Span) -> Triple:
         """Define the components of a vector."""
         return each(lambda k: self.name(f"{prefix}{letters[k]}", values[k], span))
+
+    def rates(self, prefix: str, letters: Sequence[str], values: Triple, span: Span) -> Triple:
+        """Define the components of a velocity."""
+        self.velocities.update(f"{prefix}{letter}" for letter in letters)
+        return self.names(prefix, letters, values, span)
 
     def is_still(self, piece: Piece) -> bool:
         """Whether an expression is a constant."""
@@ -126,11 +133,13 @@ def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turni
     here, span = name.span.start, name.span
     offset = each(lambda k: pieces.dot(at, _row(on.axes, k), here))
     origin = ledger.names(f"{name.value}_", AXES, pieces.plus(on.origin, offset, here), span)
-    spin, before, last, heading = None, on.before, on.last, None
+    spin, last, heading = None, None, None
     if isinstance(turns, Turning):
         axes, omega, relative = _rotated(on, turns, here)
+        before = omega
     elif not turns:
         axes, omega, relative, spin, heading = on.axes, on.omega, space(here).omega, on.spin, on.heading
+        before, last = on.before, on.last
     else:
         spin, before, relative = _spin(on, turns, ledger, here)
         angle = ledger.name(f"{name.value}_angle", spin.angle, span)
@@ -139,7 +148,7 @@ def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turni
         if on.heading is not None and all(step.axis == 2 for step in turns):
             heading = add([on.heading, *(step.angle for step in turns)], here)
     named = tuple(ledger.names(f"{name.value}_", [f"{x}{k + 1}" for x in AXES], axes[k], span) for k in range(3))
-    spoken = ledger.names(f"{name.value}_w", "123", omega, span)
+    spoken = ledger.rates(f"{name.value}_w", "123", omega, span)
     return Frame(
         name.value,
         here,
@@ -245,12 +254,12 @@ def place_point(name: Text, on: Frame, of: Frame | None, at: Triple, ledger: Led
             omega = each(lambda k: pieces.dot(of.omega, _row(of.axes, k), here))
             swept = pieces.cross(omega, pieces.minus(spot, of.origin, here), here)
         velocity = pieces.plus(carried, swept, here)
-    moving = ledger.names(f"{name.value}_v", AXES, velocity, span)
+    moving = ledger.rates(f"{name.value}_v", AXES, velocity, span)
     if on.name:
         if turned is None:
             carried = moving
         own = each(lambda k: pieces.dot(on.axes[k], carried, here))
-        ledger.names(f"{name.value}_v", "123", pieces.plus(own, turned, here) if turned else own, span)
+        ledger.rates(f"{name.value}_v", "123", pieces.plus(own, turned, here) if turned else own, span)
 
 
 # --- energies -------------------------------------------------------------------------------------------------

@@ -47,11 +47,12 @@ class Piece:
 
     @property
     def shown(self) -> Piece:
-        """The same with its minus as a part of the text."""
+        """The same with its minus as a part of the text; it stands before the whole of a sum."""
         if not self.minus:
             return self
-        binds = SUM if self.binds == ATOM else self.binds
-        return Piece(f"-{self.text}", (self.places[0], *self.places), binds, number=self.number)
+        whole = self.within(PRODUCT)
+        binds = SUM if whole.binds == ATOM else whole.binds
+        return Piece(f"-{whole.text}", (whole.places[0], *whole.places), binds, number=self.number)
 
     def negative(self) -> Piece:
         """The same with the other sign."""
@@ -136,15 +137,11 @@ def add(terms: Sequence[Piece], place: int) -> Piece:
         return write("0", place)
     if len(kept) == 1:
         return kept[0]
-    parts: list[str | Piece] = [_first(kept[0])]
+    parts: list[str | Piece] = [kept[0].shown]
     for term in kept[1:]:
         inner = term.within(ATOM) if term.text[0] == "-" else term
         parts += [" - " if term.minus else " + ", inner.within(PRODUCT) if term.minus else inner]
     return join(parts, SUM, place)
-
-
-def _first(term: Piece) -> Piece:
-    return term.within(PRODUCT).shown if term.minus else term
 
 
 def multiply(first: Piece, second: Piece, place: int) -> Piece:

@@ -11,11 +11,15 @@ from nhc.records import record
 
 @record
 class Plain:
-    """A spec without bodies: ``offered`` are all names that they declare, used or not; a derivation shows ``bodies``."""
+    """A spec without bodies: ``offered`` are all names that they declare, used or not; a derivation shows ``bodies``.
+
+    ``velocities`` are the names among those offered that stand for components of velocities.
+    """
 
     root: Table
     offered: tuple[str, ...] = ()
     bodies: tuple[Body, ...] = ()
+    velocities: frozenset[str] = frozenset()
 
 
 def plain(root: Table, bag: Bag) -> Plain:

@@ -26,10 +26,11 @@ from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
 
-def write_out(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...], tuple[Told, ...]]:
+def write_out(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...], tuple[Told, ...], frozenset[str]]:
     """The parts of a :class:`nhc.language.bodies.plain.Plain`: definitions and energies in place of ``bodies`` and the like."""
     writer = _Writer(root, bag)
-    return writer.run(), tuple(writer.ledger.made), tuple(body.told for body in writer.bodies)
+    root, made = writer.run(), writer.ledger
+    return root, tuple(made.made), tuple(body.told for body in writer.bodies), frozenset(made.velocities)
 
 
 class _Writer:

@@ -32,8 +32,8 @@ from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.run import list_times
 from nhc.simulate.source import write_natural, write_source
-from nhc.simulate.task import DONE, Outcome, Task
-from nhc.study.units import Matrix, sizes_of
+from nhc.simulate.task import DONE, ModelError, Outcome, Task
+from nhc.study.units import Matrix, cleaned, sizes_of, trials
 
 ROWS = 201
 MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, (20_000, 500)
@@ -149,22 +149,33 @@ class Bench:
     def sizes(self) -> Matrix:
         """The size of each component of the state in the scene; see :func:`nhc.study.units.sizes_of`."""
         picked = range(0, ROWS, ROWS // 8)
-        slopes = np.max([np.abs(self.jacobian(self.times[k], self.reference[k].tolist())) for k in picked], axis=0)
+        slopes = np.max([np.abs(self._slopes_at(k)) for k in picked], axis=0)
         return sizes_of(np.max(np.abs(self.reference), axis=0), slopes, self.duration, self.equations.system.n)
+
+    def _slopes_at(self, row: int) -> Matrix:
+        """The Jacobian at a row of the reference, without what is no more than rounding: that would tie what has nothing to do."""
+        t, y = self.times[row], self.reference[row].tolist()
+        return cleaned(self.jacobian(t, y), [self.jacobian(t, near) for near, _ in trials(y, ())])
 
     @cached_property
     def column_sizes(self) -> Matrix:
         """What each column can be in the scene: its slopes times the sizes of the state, or its own largest magnitude."""
         found: Matrix = np.max(np.abs(self.table), axis=0, initial=0.0)
         for k in range(0, ROWS, ROWS // 5):
-            base = self.reference[k].tolist()
-            moved = [list(base) for _ in range(2 * len(base))]
-            for i, size in enumerate(self.sizes):
-                moved[2 * i][i] -= 1e-4 * size
-                moved[2 * i + 1][i] += 1e-4 * size
-            rows = self.quantities([self.times[k]] * len(moved), moved)
-            found = np.asarray(np.maximum(found, np.sum(np.abs(rows[1::2] - rows[::2]), axis=0) / 2e-4))
+            changes = [self._change(k, i, 1e-4 * float(size)) for i, size in enumerate(self.sizes)]
+            found = np.asarray(np.maximum(found, np.sum(changes, axis=0) / 2e-4))
         return found
+
+    def _change(self, row: int, entry: int, move: float) -> Matrix:
+        """By how much the columns differ on both sides of a row of the reference; 0 where one side is out of the model's domain."""
+        moved = [self.reference[row].tolist() for _ in range(2)]
+        moved[0][entry] -= move
+        moved[1][entry] += move
+        try:
+            low, high = self.quantities([self.times[row]] * 2, moved)
+        except ModelError:
+            return np.zeros(len(self.columns))
+        return np.asarray(np.abs(high - low))
 
 
 def open_bench(equations: Equations, formulation: Formulation, start: Start, compiled: bool = True) -> Bench:
