@@ -17,7 +17,7 @@ def relative_minors(matrix: Sequence[Sequence[float]], subsets: Sequence[Sequenc
     """
     if not matrix:
         return [1.0] * len(subsets)
-    scale = math.prod(math.sqrt(sum(x * x for x in row)) for row in matrix)
+    scale = row_size(matrix)
     if len(subsets) == 1 and scale != 0.0:
         determinant = float_determinant([[row[j] for j in subsets[0]] for row in matrix])
         return [(abs(determinant) / scale) ** (1.0 / len(matrix))]
@@ -33,6 +33,11 @@ def relative_minors(matrix: Sequence[Sequence[float]], subsets: Sequence[Sequenc
         minor = float_determinant([[reduced[i][j] for j in taken] for i in rows])
         found.append((abs(determinant * minor) / scale) ** (1.0 / len(matrix)))
     return found
+
+
+def row_size(matrix: Sequence[Sequence[float]]) -> float:
+    """The product of the norms of the rows."""
+    return math.prod(math.sqrt(sum(x * x for x in row)) for row in matrix)
 
 
 def _reduce(matrix: Sequence[Sequence[float]]) -> tuple[list[int], list[list[float]], float]:

@@ -9,10 +9,12 @@ from pathlib import Path
 
 import pytest
 
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.minors import float_determinant
 from nhc.diagnostics import Source
 from nhc.mechanics.certificates.certificate import certify
-from nhc.mechanics.regular.regularity import choose_dependent, relative_determinant, score
-from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
+from nhc.mechanics.regular.regularity import choose_dependent, judge, relative_determinant, score
+from nhc.mechanics.regular.trials import ordinary_points, sampled_rows, trial_points
 from nhc.pipeline import Options, check, emit, model, program
 from tests.support import compile_c
 
@@ -55,6 +57,58 @@ constraints:
     made = model(Source("mecanum.yaml", text))
     assert [made.system.q_names[i] for i in choose_dependent(made.system).dependent] == ["f1", "f2", "f3", "f4"]
     assert choose_dependent(made.system).regular
+
+
+def wheelchair(casters: int) -> Source:
+    """Two driven wheels, and casters that trail behind their pivots: two constraints each."""
+    across = [
+        "th'*0.45*cos(s{k}) + b{k}*th'*sin(s{k}) + (-sin(th + s{k})*x' + cos(th + s{k})*y') - d*(th' + s{k}') = 0"
+    ]
+    along = ["cos(th + s{k})*x' + sin(th + s{k})*y' + th'*0.45*sin(s{k}) - b{k}*th'*cos(s{k}) - c*r{k}' = 0"]
+    rows = ["-sin(th)*x' + cos(th)*y' = 0"]
+    rows += [
+        f"cos(th)*x' + sin(th)*y' {sign} w*th' - r*{wheel}' = 0" for sign, wheel in (("-", "left"), ("+", "right"))
+    ]
+    rows += [row.format(k=k) for k in range(casters) for row in (*across, *along)]
+    listed = "\n".join(f'  - "{row}"' for row in rows)
+    names = ["x", "y", "th", "left", "right", *(f"{c}{k}" for k in range(casters) for c in "sr")]
+    places = ", ".join(f"b{k}: {0.3 - 0.4 * k}" for k in range(casters))
+    turns = " + ".join(f"0.01*(th' + s{k}')^2 + 0.002*r{k}'^2" for k in range(casters))
+    text = f"""nhc: 1
+system: wheelchair
+coordinates: [{", ".join(names)}]
+parameters: {{m: 80, J: 6, I: 0.07, w: 0.3, r: 0.3, c: 0.08, d: 0.06, {places}}}
+T: (m*(x'^2 + y'^2) + J*th'^2 + I*(left'^2 + right'^2) + {turns})/2
+constraints:
+{listed}
+"""
+    return Source("wheelchair.yaml", text)
+
+
+@pytest.mark.parametrize("casters", [1, 2, 3])
+def test_casters_follow_from_the_wheels_that_drive(casters: int) -> None:
+    """Any two velocities could be free; those of the driven wheels leave the same determinant at all states."""
+    made = model(wheelchair(casters))
+    system, choice = made.system, choose_dependent(made.system)
+    g, determinant = system.graph, choice.determinant
+    assert system.l == 3 + 2 * casters and choice.regular and made.formulation.name == "voronec"
+    assert {system.q_names[i] for i in range(system.n) if i not in choice.dependent} == {"left", "right"}
+    assert determinant is not None and not g.deps[determinant] & g.mask(system.q)
+    assert certify(system, points=1).holds
+
+
+def test_the_determinant_of_many_rows_is_a_product_with_its_sign() -> None:
+    """For every choice of dependent velocities of seven rows, against elimination at one state."""
+    system, found = model(wheelchair(2)).system, 0
+    (point, *_) = trial_points(system)
+    (rows, *_) = sampled_rows(system, system.constraints, [point])
+    for columns in itertools.combinations(range(system.n), system.l):
+        choice = judge(system, columns)
+        if choice.determinant is not None:
+            expected = float_determinant([[row[j] for j in columns] for row in rows])
+            assert float(evaluate(system.graph, [choice.determinant], point)[0]) == pytest.approx(expected, abs=1e-12)
+            found += 1
+    assert found > 10
 
 
 def test_many_subsets_are_judged_at_the_starts_first() -> None:

@@ -8,19 +8,22 @@ from itertools import combinations
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.calculus import reachable
+from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate_into
-from nhc.algebra.graph import Node
-from nhc.algebra.minors import list_entries, relative_minors, subtract
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.minors import list_entries, relative_minors, row_size, subtract
 from nhc.algebra.polynomial import normalise
-from nhc.algebra.solving.blocks import determinant_of
+from nhc.algebra.solving.blocks import block_order, determinant_of
 from nhc.mechanics.regular.trials import sampled_rows, scattered_points, start_points, trial_points
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import coordinate_ranges, parameter_ranges
 from nhc.records import record
 
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per row)
+_SAME = 1e-9  # by which the sizes of a determinant differ that is the same at all states
 _NOTHING = 1e-9  # what rounding leaves of a pivot
 _MANY = 250  # subsets of columns that are tried one by one
+_LARGEST = 5  # rows of a block whose determinant is expanded
 _JUDGED = 8  # choices whose determinants are looked at
 
 
@@ -146,7 +149,7 @@ def _choose(system: System) -> Choice:
     own = _own_columns(system, samples)
     scored = score(candidates, samples, begun, _JUDGED)
     best: Choice | None = None
-    for first, weak, _, columns in scored[:_JUDGED]:
+    for first, weak, _, _, columns in scored[:_JUDGED]:
         choice = judge(system, tuple(columns))
         if best is None or (choice.regular and not best.regular):
             best = choice
@@ -163,8 +166,9 @@ def score(
     samples: Sequence[Sequence[Sequence[float]]],
     begun: Sequence[Sequence[Sequence[float]]],
     enough: int,
-) -> list[tuple[int, int, float, list[int]]]:
-    """(how often lost at the scenes' starts, how often weak, how weak, columns) of each candidate, the best first.
+) -> list[tuple[int, int, bool, float, list[int]]]:
+    """(how often lost at the scenes' starts, how often weak, whether its determinant changes, how weak, columns) of each candidate,
+    the best first.
 
     Where ``enough`` are lost less often than the others, these come behind them in any case and are left out.
     """
@@ -175,9 +179,15 @@ def score(
     most = sorted(lost)[min(enough, len(lost)) - 1]
     left = [k for k, times in enumerate(lost) if times <= most]
     minors = [relative_minors(matrix, [candidates[k] for k in left]) for matrix in samples]
-    return sorted(
-        (lost[k], *weakness([row[place] for row in minors]), list(candidates[k])) for place, k in enumerate(left)
-    )
+    sizes = [row_size(matrix) ** (1.0 / len(matrix)) for matrix in samples]
+    scored = []
+    for place, k in enumerate(left):
+        values = [row[place] for row in minors]
+        weak, strength = weakness(values)
+        whole = [value * size for value, size in zip(values, sizes, strict=True)]
+        changes = not whole or max(whole) - min(whole) > _SAME * max(whole)
+        scored.append((lost[k], weak, changes, strength, list(candidates[k])))
+    return sorted(scored)
 
 
 def ranked(system: System, columns: Sequence[int], fits: Callable[[Sequence[int]], bool]) -> list[Choice]:
@@ -190,7 +200,7 @@ def ranked(system: System, columns: Sequence[int], fits: Callable[[Sequence[int]
     begun = sampled_rows(system, system.constraints, start_points(system))
     candidates = [list(c) for c in combinations(columns, system.l)]
     scored = score(candidates, samples, begun, len(candidates))
-    found = [judge(system, tuple(chosen)) for _, weak, _, chosen in scored if weak < len(samples) and fits(chosen)]
+    found = [judge(system, tuple(chosen)) for _, weak, _, _, chosen in scored if weak < len(samples) and fits(chosen)]
     return sorted(found, key=lambda choice: not choice.regular)
 
 
@@ -237,10 +247,32 @@ def _greedy(system: System, samples: Sequence[Sequence[Sequence[float]]]) -> lis
 
 
 def judge(system: System, dependent: tuple[int, ...]) -> Choice:
-    """The block's determinant in canonical form (None for large blocks) and whether it can vanish."""
-    g = system.graph
+    """The block's determinant in canonical form (None for what is large) and whether it can vanish."""
+    g, known = system.graph, intervals(system)
     block = [[form.coefficients[j] for j in dependent] for form in system.constraints]
-    if len(block) > 5:
+    factors = [block] if len(block) <= _LARGEST else _diagonal_blocks(g, block)
+    if any(len(factor) > _LARGEST for factor in factors):
         return Choice(dependent, None, False)
-    determinant = normalise(g, determinant_of(g, block), 200)
-    return Choice(dependent, determinant, cannot_vanish(g, determinant, intervals(system)))
+    determinants = [normalise(g, determinant_of(g, factor), 200) for factor in factors]
+    return Choice(dependent, g.product(determinants), all(cannot_vanish(g, x, known) for x in determinants))
+
+
+def _diagonal_blocks(graph: Graph, block: Sequence[Sequence[Node]]) -> list[list[list[Node]]]:
+    """Blocks whose determinants have the block's as their product: wheels follow from the body that they carry.
+
+    The first has its first row with the other sign where rows and columns change places an odd number of times.
+    """
+    size = len(block)
+    try:
+        parts = block_order(size, lambda i, j: block[i][j] != graph.zero)
+    except Singular:
+        return [[[graph.zero]]]
+    blocks = [[[block[i][j] for j in part[1]] for i in part[0]] for part in parts]
+    rows, columns = ([place for part in parts for place in part[k]] for k in (0, 1))
+    if _is_odd(rows) != _is_odd(columns):
+        blocks[0][0] = [graph.neg(entry) for entry in blocks[0][0]]
+    return blocks
+
+
+def _is_odd(order: Sequence[int]) -> bool:
+    return sum(x > y for k, x in enumerate(order) for y in order[k + 1 :]) % 2 == 1
