@@ -254,7 +254,9 @@ def judge(system: System, dependent: tuple[int, ...]) -> Choice:
     if any(len(factor) > _LARGEST for factor in factors):
         return Choice(dependent, None, False)
     determinants = [normalise(g, determinant_of(g, factor), 200) for factor in factors]
-    return Choice(dependent, g.product(determinants), all(cannot_vanish(g, x, known) for x in determinants))
+    still = [x for x in determinants if not g.deps[x] & g.mask((*system.q, system.t))]
+    whole = g.product([normalise(g, g.product(still), 200), *(x for x in determinants if x not in still)])
+    return Choice(dependent, whole, all(cannot_vanish(g, x, known) for x in determinants))
 
 
 def _diagonal_blocks(graph: Graph, block: Sequence[Sequence[Node]]) -> list[list[list[Node]]]:
