@@ -123,7 +123,7 @@ def _motion_lines(found: Findings) -> list[str]:
     flow, steady = found.flow, found.linearisation.steady
     kind = "equilibrium" if steady.equilibrium else "steady motion"
     head = f"{flow.system.name}, {found.formulation.name} ({found.formulation.number}): {kind}"
-    lines = [head, f"  the rates that must vanish do, {_short(steady.residual)}"]
+    lines = [head, f"  the rates that must be zero are zero {_short(steady.residual)}"]
     width = max(len(name) for name in flow.names)
     for i, (name, value) in enumerate(zip(flow.names, steady.y, strict=True)):
         lines.append(

@@ -55,6 +55,10 @@ def show_origin(origin: Origin) -> str:
     return f"({origin.equation}) {origin.place}".rstrip() if origin.equation else origin.place
 
 
+OPERATIONS = "Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):"
+"""The line above the counts of :func:`count_operations`."""
+
+
 def count_operations(adds: int, multiplications: int, divisions: int, calls: int) -> str:
     """The operation counts of one function, as a header prints them."""
     return f"{adds} +-, {multiplications} *, {divisions} /, {calls} calls"

@@ -70,35 +70,59 @@ def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
     Raises:
         Unlucky: the motion is singular everywhere, or holds too many signs.
     """
-    g, size, roots = flow.graph, len(flow.y), _roots(flow, needs)
-    occurring = [any(g.depends(node, g.deps[y]) for node in roots) for y in flow.y]
-    depends = [[False] * size for _ in range(size + len(needs))]
-    zero = [True] * (size + len(needs))
-    compared = [not found for found in occurring]
-    changes = [_Change(flow, needs, j) if found else None for j, found in enumerate(occurring)]
+    g, roots = flow.graph, _roots(flow, needs)
+    occurring = [j for j, y in enumerate(flow.y) if any(g.depends(node, g.deps[y]) for node in roots)]
+    changes = {j: _Change(flow, needs, j) for j in occurring}
+    found = _Findings(len(flow.y), len(flow.y) + len(needs))
     whole, planned = _Evaluation(flow, needs), frozenset(reachable(g, roots))
     seed, primes = 0, primes_of(g)
     for index in range(_count_points(flow, needs)):
         base, values, seed = _base(whole, seed, primes[index % len(primes)])
-        zero = [z and not value for z, value in zip(zero, values, strict=True)]
+        found.note_values(values)
         others = base.values.keys() - planned  # what the point needed besides: factors of arguments in canonical form
-        for j, change in enumerate(changes):
-            if change is None or (compared[j] and not change.signs and all(depends[k][j] for k in change.open)):
-                continue  # nothing is left to be found
+        for j, change in changes.items():
+            if not change.signs and found.is_settled(j, change.open):
+                continue
             changed = change.compare(base, others, random.Random(1_000_003 * seed + j), values)
-            compared[j] = compared[j] or bool(changed)
-            for row, differs in zip(depends, changed, strict=bool(changed)):
-                row[j] = row[j] or differs
-            for found in change.cross(base, others) if index < _POINTS else ():
-                zero = [z and not value for z, value in zip(zero, found, strict=True)]
-                for row, x, y in zip(depends, found, values, strict=True):
-                    row[j] = row[j] or x != y
-    for j in range(size):
-        if not compared[j]:  # no other regular value was found: nothing is known
-            for row in depends:
+            found.note_changes(j, changed)
+            for crossed in change.cross(base, others) if index < _POINTS else ():
+                found.note_values(crossed)
+                found.note_changes(j, [x != y for x, y in zip(crossed, values, strict=True)], compared=False)
+    return found.conclude(changes)
+
+
+class _Findings:
+    """What has been seen so far at points: ``depends[k][j]``, that row k (a rate or need) depends on entry j of the state."""
+
+    def __init__(self, size: int, rows: int) -> None:
+        self.size = size
+        self.depends = [[False] * size for _ in range(rows)]
+        self.zero = [True] * rows  # as far as has been seen
+        self.compared: set[int] = set()  # entries for which another regular value was found
+
+    def note_values(self, values: Sequence[int]) -> None:
+        """The rates and needs at a point: what has a value is not zero."""
+        self.zero = [zero and not value for zero, value in zip(self.zero, values, strict=True)]
+
+    def note_changes(self, j: int, changed: Sequence[bool], compared: bool = True) -> None:
+        """What changed with entry j; nothing was found where ``changed`` is empty."""
+        if changed and compared:
+            self.compared.add(j)
+        for row, differs in zip(self.depends, changed, strict=bool(changed)):
+            row[j] = row[j] or differs
+
+    def is_settled(self, j: int, open_rows: Sequence[int]) -> bool:
+        """Whether everything that may depend on entry j is known to."""
+        return j in self.compared and all(self.depends[k][j] for k in open_rows)
+
+    def conclude(self, changes: Iterable[int]) -> Dependence:
+        """``changes`` are the entries that occur; one for which no other regular value was found may matter anywhere."""
+        for j in set(changes) - self.compared:
+            for row in self.depends:
                 row[j] = True
-    sets = [frozenset(j for j, found in enumerate(row) if found) for row in depends]
-    return Dependence(tuple(sets[:size]), tuple(sets[size:]), tuple(zero[:size]), tuple(zero[size:]))
+        sets = [frozenset(j for j, found in enumerate(row) if found) for row in self.depends]
+        size, zero = self.size, tuple(self.zero)
+        return Dependence(tuple(sets[:size]), tuple(sets[size:]), zero[:size], zero[size:])
 
 
 def _count_points(flow: Flow, needs: Sequence[Node]) -> int:

@@ -237,53 +237,57 @@ def left_at_zero(system: System, scene: Scene, place: dict[Node, float], nodes: 
 def _velocities(
     system: System, scene: Scene, place: dict[Node, float], given: dict[tuple[str, str], float], bag: Bag
 ) -> tuple[float, ...]:
-    rows: list[list[float]] = []
-    right: list[float] = []
-    names: list[str] = []
-
-    def add(form: Form, value: float, what: str) -> None:
-        numbers = [float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place)]
-        rows.append(numbers[:-1])
-        right.append(value - numbers[-1])
-        names.append(what)
-
+    """The start of all velocities: they satisfy the constraints, then what is given, then zeros for what is left free."""
     try:
-        for form in system.constraints:
-            add(form, 0.0, f"the constraint `{form.name}`")
-        fixed = len(rows)
-        for (kind, name), value in given.items():
-            if kind == "velocity":
-                add(coordinate_form(system, system.q_names.index(name)), value, _FOUND_AS[kind].format(name))
-            elif kind == "quasi":
-                add(next(f for f in system.quasi if f.name == name), value, _FOUND_AS[kind].format(name))
+        held = [(form, 0.0, f"the constraint `{form.name}`") for form in system.constraints]
+        equations = _equations_at(system, place, [*held, *_given_velocities(system, given)])
     except (ArithmeticError, ValueError):
-        bag.error(
-            "E0409",
-            f"the scene `{scene.name}` starts at a singular point of the constraints",
-            scene.span,
-            help=("start a little away from it",),
-        )
+        what = f"the scene `{scene.name}` starts at a singular point of the constraints"
+        bag.error("E0409", what, scene.span, help=("start a little away from it",))
         return (0.0,) * system.n
-    order = _free_order(system, given)
-    solver = RowSpace(system.n)
-    units = velocity_units(system)
+    solver, units = RowSpace(system.n), velocity_units(system)
+    rows, right = [row for row, _, _ in equations], [value for _, value, _ in equations]
     sizes = term_sizes(system, rows, right, _unseen(system, scene, place))
-    together = "the constraint" if fixed == 1 else f"the {fixed} constraints"
-    for k, (row, value) in enumerate(zip(rows, right, strict=True)):
+    together = "the constraint" if system.l == 1 else f"the {system.l} constraints"
+    for (row, value, name), size in zip(equations, sizes, strict=True):
         off = solver.add([a * u for a, u in zip(row, units, strict=True)], value)
-        if off is None or abs(off) <= TOLERANCE * sizes[k]:
+        if off is None or abs(off) <= TOLERANCE * size:
             continue
         bag.error(
             "E0409",
             f"the initial velocities of the scene `{scene.name}` violate the constraints by {abs(off):.3g}",
-            next((e.span for e in scene.initial if names[k] == _FOUND_AS.get(e.kind, "").format(e.name)), scene.span),
-            notes=(f"{names[k]} does not fit {together} and the values before it",),
+            next((e.span for e in scene.initial if name == _FOUND_AS.get(e.kind, "").format(e.name)), scene.span),
+            notes=(f"{name} does not fit {together} and the values before it",),
             help=("leave the dependent velocities out: they follow from the constraints",),
         )
-    for form in order:
-        numbers = [float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place)]
-        solver.add([a * u for a, u in zip(numbers[:-1], units, strict=True)], -numbers[-1])
+    for row, value, _ in _equations_at(system, place, [(form, 0.0, "") for form in _free_order(system, given)]):
+        solver.add([a * u for a, u in zip(row, units, strict=True)], value)
     return tuple(x * u for x, u in zip(solver.solution(), units, strict=True))
+
+
+def _given_velocities(system: System, given: dict[tuple[str, str], float]) -> list[tuple[Form, float, str]]:
+    """The forms that a scene gives a value, with this value, and how a message calls them."""
+    found = []
+    for (kind, name), value in given.items():
+        if kind == "velocity":
+            form = coordinate_form(system, system.q_names.index(name))
+        elif kind == "quasi":
+            form = next(form for form in system.quasi if form.name == name)
+        else:
+            continue
+        found.append((form, value, _FOUND_AS[kind].format(name)))
+    return found
+
+
+def _equations_at(
+    system: System, place: dict[Node, float], forms: Sequence[tuple[Form, float, str]]
+) -> list[tuple[list[float], float, str]]:
+    """Coefficients of the velocities and right side of form = value at a place, each with its name."""
+    found = []
+    for form, value, name in forms:
+        *row, constant = (float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place))
+        found.append((row, value - constant, name))
+    return found
 
 
 def _unseen(system: System, scene: Scene, place: dict[Node, float]) -> list[float]:

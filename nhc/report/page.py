@@ -43,7 +43,7 @@ def list_check_charts(found: Trajectory) -> list[Chart]:
     charts: list[Chart] = []
     for group, title in (
         ("energy", "energy: change relative to the largest of |T + V| and T"),
-        ("residual", "constraints: left sides"),
+        ("residual", "residuals of the constraints"),
         ("position", "holonomic constraints: position residuals"),
     ):
         indices = [k for k, column in enumerate(checks) if column.group == group]

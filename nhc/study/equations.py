@@ -82,51 +82,70 @@ def exact_equations(model: SteadyModel, turns: Sequence[Matrix], holds: Sequence
 
     The parameters are the doubles that they are.
     """
-    import mpmath as mp
+    return _Exact(model, turns, holds).at
 
-    flow, g = model.flow, model.flow.graph
-    size = len(flow.y)
-    nodes, across = model.conditions_as_nodes
-    nodes = (*nodes, *(hold.node for hold in holds))
-    across = (*across, *(tuple(gradient(g, hold.node, flow.y)) for hold in holds))
-    heads = [*flow.velocities, *flow.right, *(x for row in flow.matrix for x in row), *nodes]
-    heads += [x for row in across for x in row]
-    tails = [x for row in (*flow.velocity_slopes, *flow.residual_slopes) for x in row]
-    arithmetic, first = Mpmath(), reachable(g, heads)
-    met = set(first)
-    second = [node for node in reachable(g, tails) if node not in met]
-    states = [1.0] * size if model.units is None else list(model.units.states)
-    wanted = [0.0] * (len(nodes) - len(holds)) + [hold.value for hold in holds]
-    rest = list(model.rest)
 
-    def at(place: Sequence[Any]) -> tuple[list[Any], list[list[Any]]]:
+class _Exact:
+    """The equations of a steady motion in mpmath's numbers.
+
+    ``conditions`` are the nodes that shall have the values ``wanted``, ``across`` their slopes by the state.
+    """
+
+    def __init__(self, model: SteadyModel, turns: Sequence[Matrix], holds: Sequence[Hold]) -> None:
+        import mpmath
+
+        self.mp: Any = mpmath  # imported late: most searches do without
+        self.model, self.turns, flow = model, turns, model.flow
+        nodes, across = model.conditions_as_nodes
+        self.conditions = (*nodes, *(hold.node for hold in holds))
+        self.across = (*across, *(tuple(gradient(flow.graph, hold.node, flow.y)) for hold in holds))
+        self.wanted = [0.0] * len(nodes) + [hold.value for hold in holds]
+        self.units = [1.0] * len(flow.y) if model.units is None else list(model.units.states)
+        before = [*flow.velocities, *flow.right, *(x for row in (*flow.matrix, *self.across) for x in row)]
+        self.before = reachable(flow.graph, [*before, *self.conditions])
+        """What is known before the accelerations and multipliers are."""
+        met, slopes = set(self.before), [x for row in (*flow.velocity_slopes, *flow.residual_slopes) for x in row]
+        self.after = [node for node in reachable(flow.graph, slopes) if node not in met]
+
+    def at(self, place: Sequence[Any]) -> tuple[list[Any], list[list[Any]]]:
+        """What is left of each equation at a place, and its slopes by the state and the speeds of the turns."""
+        known, rates, slopes = self._rates(place)
+        values, rows = list[Any](), list[list[Any]]()
+        for i in self.model.rest:
+            value, row = self._still(i, place, rates[i], slopes[i])
+            values.append(value)
+            rows.append(row)
+        no_turns = [self.mp.mpf(0)] * len(self.turns)
+        for node, row_nodes, value in zip(self.conditions, self.across, self.wanted, strict=True):
+            values.append(known[node] - value)
+            rows.append([known[x] * unit for x, unit in zip(row_nodes, self.units, strict=True)] + no_turns)
+        return values, rows
+
+    def _rates(self, place: Sequence[Any]) -> tuple[dict[Node, Any], list[Any], list[list[Any]]]:
+        """The values of all nodes at a place, the rates of the state, and their slopes by it."""
+        mp, flow, arithmetic = self.mp, self.model.flow, Mpmath()
         known: dict[Node, Any] = {flow.system.t: mp.mpf(0)}
-        known.update((symbol, mp.mpf(x)) for symbol, x in zip(flow.system.p, model.p, strict=True))
-        known.update((symbol, x * unit) for symbol, x, unit in zip(flow.y, place, states, strict=False))
-        evaluate_into(known, g, first, arithmetic)
+        known.update((symbol, mp.mpf(x)) for symbol, x in zip(flow.system.p, self.model.p, strict=True))
+        known.update((symbol, x * unit) for symbol, x, unit in zip(flow.y, place, self.units, strict=False))
+        evaluate_into(known, flow.graph, self.before, arithmetic)
         solve = _solver(mp, [[known[x] for x in row] for row in flow.matrix])
         solution = solve([known[x] for x in flow.right])
         known.update(zip(flow.unknowns, solution, strict=True))
-        evaluate_into(known, g, second, arithmetic)
-        columns = [solve([known[row[j]] for row in flow.residual_slopes]) for j in range(size)]
-        rates = [*(known[x] for x in flow.velocities), *solution[: flow.kept]]
+        evaluate_into(known, flow.graph, self.after, arithmetic)
+        columns = [solve([known[row[j]] for row in flow.residual_slopes]) for j in range(len(flow.y))]
         slopes = [[known[x] for x in row] for row in flow.velocity_slopes]
         slopes += [[column[k] for column in columns] for k in range(flow.kept)]
-        values, rows = list[Any](), list[list[Any]]()
-        for i in rest:
-            along = [sum(mp.mpf(float(x)) * y for x, y in zip(turn[i], place, strict=False)) for turn in turns]
-            speeds = place[size:]
-            values.append(rates[i] * model.tick / states[i] - sum(a * w for a, w in zip(along, speeds, strict=True)))
-            row = [x * model.tick * states[j] / states[i] for j, x in enumerate(slopes[i])]
-            for turn, speed in zip(turns, speeds, strict=True):
-                row = [x - float(turn[i, j]) * speed for j, x in enumerate(row)]
-            rows.append([*row, *(-a for a in along)])
-        for node, row_nodes, value in zip(nodes, across, wanted, strict=True):
-            values.append(known[node] - value)
-            rows.append([known[x] * unit for x, unit in zip(row_nodes, states, strict=True)] + [mp.mpf(0)] * len(turns))
-        return values, rows
+        return known, [*(known[x] for x in flow.velocities), *solution[: flow.kept]], slopes
 
-    return at
+    def _still(self, i: int, place: Sequence[Any], rate: Any, slopes: Sequence[Any]) -> tuple[Any, list[Any]]:
+        """The rate of entry i on axes that go along with the turns, and its slopes by the state and by their speeds."""
+        tick, unit, speeds = self.model.tick, self.units[i], place[len(self.units) :]
+        along = [sum(self.mp.mpf(float(x)) * y for x, y in zip(turn[i], place, strict=False)) for turn in self.turns]
+        value = rate * tick / unit - sum(a * w for a, w in zip(along, speeds, strict=True))
+        row = [x * tick * own / unit for x, own in zip(slopes, self.units, strict=True)]
+        for turn, speed in zip(self.turns, speeds, strict=True):
+            row = [x - float(turn[i, j]) * speed for j, x in enumerate(row)]
+        return value, [*row, *(-a for a in along)]
 
 
 def _solver(mp: Any, matrix: Sequence[Sequence[Any]]) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import random
+import re
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -76,3 +77,9 @@ def test_golden_c_compiles_and_agrees_with_python(name: str, tmp_path: Path) -> 
         assert error(c("reactions", l, t, y, p), python.reactions(t, y)) < 1e-11
         assert error([c.energy(t, y, p)], [python.energy(t, y)]) < 1e-12
     assert compared >= 3
+
+
+@pytest.mark.parametrize("name", GALLERY)
+def test_no_line_of_c_ends_between_a_type_and_its_name(name: str) -> None:
+    lines = [line for file in ("model.c", "model.h") for line in (HERE / name / file).read_text().splitlines()]
+    assert [line for line in lines if re.search(r"\b(const|double|int|size_t|restrict)$", line)] == []

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from nhc.emit.c.literals import print_comment
-from nhc.emit.prose import count_operations, wrap
+from nhc.emit.prose import OPERATIONS, count_operations, wrap
 from nhc.program.ir import Function, Program, Quantity
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
@@ -69,7 +69,7 @@ def print_file_comment(program: Program, functions: tuple[Function, ...], file_n
         texts += ["", "Outputs:"]
         texts += [f"out[{i}] = {describe_quantity(quantity)}" for i, quantity in enumerate(program.outputs)]
     if functions:
-        texts += ["", "Operations:"]
+        texts += ["", OPERATIONS]
         texts += [f"{function.name}: {count(function)}" for function in functions]
     texts += ["", *explain_calls(program, functions)]
     head = f"{file_name}: {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})"
@@ -85,12 +85,13 @@ def explain_calls(program: Program, functions: tuple[Function, ...]) -> tuple[st
     return tuple(
         text
         for text in (
-            f"Calls: t is the time, y has {capitals}_NY entries and p {capitals}_NP;"
-            f" {program.system}_parameter_defaults can be p.{fill}",
+            f"Calls: t is the time; y has {capitals}_NY entries, p has {capitals}_NP;"
+            f" {program.system}_parameter_defaults may be passed as p.{fill}",
             "All arrays are the caller's; an output must not overlap an input.",
             "Units are in brackets, and nothing is converted." if any(q.unit for q in quantities) else "",
-            f"Return codes: {capitals}_OK (0) where the result is good; after any other code the output is not to be used.",
-            "Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.",
+            f"Return codes: {capitals}_OK (0) if the result is good; after any other code the output must not be used.",
+            "Compile without -ffast-math: it removes the tests for infinities and NaN.",
+            "Threads: nothing is kept between calls and only the output is written, so threads may call at the same time.",
             f"{cites} holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.",
         )
         if text

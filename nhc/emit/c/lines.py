@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
@@ -77,13 +78,17 @@ def bound_test(guard: Guard) -> Expr:
     return bound if guard.scale == Number(Fraction(1)) else Binary("*", bound, guard.scale)
 
 
+_BREAKS = re.compile(r"(?<!const)(?<!double)(?<!int)(?<!size_t)(?<!restrict) ")
+"""Blanks at which a line may end: not those within a declaration such as ``const double *y``."""
+
+
 def wrap_code(text: str, indent: str) -> list[str]:
-    """One statement, broken at blanks; the printer sets blanks round binary operators and after commas only."""
+    """One statement or head of a function, broken at blanks round binary operators and after commas."""
     if len(indent) + len(text) <= WIDTH:
         return [indent + text]
     lines: list[str] = []
     line = indent
-    for word in text.split(" "):
+    for word in _BREAKS.split(text):
         if len(line) + len(word) + 1 > WIDTH and line.strip():
             lines.append(line.rstrip())
             line = indent + "    "

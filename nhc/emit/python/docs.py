@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nhc.emit.prose import count_operations, wrap
+from nhc.emit.prose import OPERATIONS, count_operations, wrap
 from nhc.emit.python.literals import print_docstring
 from nhc.emit.python.names import spell
 from nhc.program.ir import Argument, Function, Program, Quantity
@@ -65,7 +65,7 @@ def print_module_docstring(program: Program, functions: tuple[Function, ...], ar
     if program.outputs:
         texts += ["", "Outputs:", *(f"out[{i}] = {describe(q)}" for i, q in enumerate(program.outputs))]
     if functions:
-        texts += ["", "Operations:", *(f"{f.name}: {count(f)}" for f in functions)]
+        texts += ["", OPERATIONS, *(f"{f.name}: {count(f)}" for f in functions)]
     units = any(q.unit for q in (*program.state, *program.parameters, *program.outputs))
     texts += ["", SINGULAR[array], *(["Units are in brackets, and nothing is converted."] if units else []), CITES]
     head = f'"""{program.system}, emitted by nhc {__version__} ({PLACEHOLDER}).'

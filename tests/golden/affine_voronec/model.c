@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:d102dabea577ca0f)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:6a663ce871848605)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -103,7 +103,8 @@ static inline void affine_voronec_put(double *to, affine_voronec_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int affine_voronec_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int affine_voronec_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = AFFINE_VORONEC_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -143,7 +144,8 @@ static inline affine_voronec_lanes affine_voronec_size(affine_voronec_lanes x)
 {
     return (affine_voronec_lanes)((affine_voronec_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int affine_voronec_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -158,8 +160,9 @@ static inline int affine_voronec_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void affine_voronec_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void affine_voronec_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < AFFINE_VORONEC_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -170,6 +173,7 @@ static inline void affine_voronec_fill(size_t left, size_t count, const double *
     }
 }
 
+/* the results of the last states */
 static inline void affine_voronec_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < AFFINE_VORONEC_NY; ++k) {
@@ -180,7 +184,8 @@ static inline void affine_voronec_pour(size_t left, size_t count, const double *
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void affine_voronec_turn_lanes(affine_voronec_lanes x, affine_voronec_lanes *far, affine_voronec_lanes *sine, affine_voronec_lanes *cosine)
+static inline void affine_voronec_turn_lanes(affine_voronec_lanes x, affine_voronec_lanes *far,
+    affine_voronec_lanes *sine, affine_voronec_lanes *cosine)
 {
     double angle[AFFINE_VORONEC_LANES];
     double up[AFFINE_VORONEC_LANES];
@@ -761,8 +766,8 @@ int affine_voronec_outputs(double t, const double *y, const double *p, double *o
 }
 
 #if AFFINE_VORONEC_LANES >= 2
-static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)fixed;
     affine_voronec_lanes far = {0}; /* the squares of the angles */
@@ -863,8 +868,8 @@ static __attribute__((noinline)) void affine_voronec_rhs_tail(const double *fixe
 }
 #endif
 
-int affine_voronec_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int affine_voronec_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if AFFINE_VORONEC_LANES >= 2
     const double *fixed = p;

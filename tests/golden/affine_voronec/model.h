@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:7e97c3ab7b192b4a)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:488241763a84cf8c)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -18,7 +18,7 @@
  * Constraints:
  * 0: contact
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 62 +-, 105 *, 2 /, 4 calls
  * velocities: 4 +-, 10 *, 0 /, 3 calls
  * accelerations: 68 +-, 139 *, 2 /, 4 calls
@@ -29,13 +29,15 @@
  * jacobian: 204 +-, 387 *, 2 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has AFFINE_VORONEC_NY entries and p AFFINE_VORONEC_NP;
- *     affine_voronec_parameter_defaults can be p. affine_voronec_state makes y from coordinates and
+ * Calls: t is the time; y has AFFINE_VORONEC_NY entries, p has AFFINE_VORONEC_NP;
+ *     affine_voronec_parameter_defaults may be passed as p. affine_voronec_state makes y from coordinates and
  *     velocities.
  * All arrays are the caller's; an output must not overlap an input.
- * Return codes: AFFINE_VORONEC_OK (0) where the result is good; after any other code the output is not to be
+ * Return codes: AFFINE_VORONEC_OK (0) if the result is good; after any other code the output must not be
  *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

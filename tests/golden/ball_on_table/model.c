@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:d064860b42dc40c9)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:78163641c5bad7e9)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -124,7 +124,8 @@ static inline void ball_on_table_put(double *to, ball_on_table_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int ball_on_table_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int ball_on_table_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = BALL_ON_TABLE_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -164,7 +165,8 @@ static inline ball_on_table_lanes ball_on_table_size(ball_on_table_lanes x)
 {
     return (ball_on_table_lanes)((ball_on_table_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int ball_on_table_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -179,8 +181,9 @@ static inline int ball_on_table_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void ball_on_table_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void ball_on_table_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < BALL_ON_TABLE_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -191,6 +194,7 @@ static inline void ball_on_table_fill(size_t left, size_t count, const double *t
     }
 }
 
+/* the results of the last states */
 static inline void ball_on_table_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < BALL_ON_TABLE_NY; ++k) {
@@ -201,7 +205,8 @@ static inline void ball_on_table_pour(size_t left, size_t count, const double *s
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void ball_on_table_turn_lanes(ball_on_table_lanes x, ball_on_table_lanes *far, ball_on_table_lanes *sine, ball_on_table_lanes *cosine)
+static inline void ball_on_table_turn_lanes(ball_on_table_lanes x, ball_on_table_lanes *far,
+    ball_on_table_lanes *sine, ball_on_table_lanes *cosine)
 {
     double angle[BALL_ON_TABLE_LANES];
     double up[BALL_ON_TABLE_LANES];
@@ -820,8 +825,8 @@ int ball_on_table_outputs(double t, const double *y, const double *p, double *ou
 }
 
 #if BALL_ON_TABLE_LANES >= 2
-static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     ball_on_table_lanes far = {0}; /* the squares of the angles */
     ball_on_table_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
@@ -920,8 +925,8 @@ static __attribute__((noinline)) void ball_on_table_rhs_tail(const double *fixed
 }
 #endif
 
-int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if BALL_ON_TABLE_LANES >= 2
     const double m = p[0]; /* mass [kg] */

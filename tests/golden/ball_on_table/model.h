@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:383652f60ca51a2d)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:e4ea7d0d341bcb14)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -40,7 +40,7 @@
  * out[0] = spin [rad/s]
  * out[1] = moving_energy [J]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 24 +-, 50 *, 2 /, 6 calls
  * velocities: 5 +-, 11 *, 0 /, 4 calls
  * accelerations: 37 +-, 76 *, 2 /, 6 calls
@@ -51,13 +51,15 @@
  * jacobian: 39 +-, 108 *, 4 /, 6 calls
  * outputs: 14 +-, 28 *, 0 /, 3 calls
  *
- * Calls: t is the time, y has BALL_ON_TABLE_NY entries and p BALL_ON_TABLE_NP;
- *     ball_on_table_parameter_defaults can be p. ball_on_table_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has BALL_ON_TABLE_NY entries, p has BALL_ON_TABLE_NP;
+ *     ball_on_table_parameter_defaults may be passed as p. ball_on_table_state makes y from coordinates and
+ *     velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: BALL_ON_TABLE_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: BALL_ON_TABLE_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:74cab68397e4ea2a)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:2d7a1115f1020cbf)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -90,7 +90,8 @@ static inline void bead_on_rod_put(double *to, bead_on_rod_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int bead_on_rod_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int bead_on_rod_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = BEAD_ON_ROD_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -119,7 +120,8 @@ static inline bead_on_rod_lanes bead_on_rod_mark(bead_on_rod_lanes value, bead_o
 {
     return (bead_on_rod_lanes)((bead_on_rod_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int bead_on_rod_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -134,8 +136,9 @@ static inline int bead_on_rod_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void bead_on_rod_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void bead_on_rod_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < BEAD_ON_ROD_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -146,6 +149,7 @@ static inline void bead_on_rod_fill(size_t left, size_t count, const double *t, 
     }
 }
 
+/* the results of the last states */
 static inline void bead_on_rod_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < BEAD_ON_ROD_NY; ++k) {
@@ -329,8 +333,8 @@ int bead_on_rod_outputs(double t, const double *y, const double *p, double *out)
 }
 
 #if BEAD_ON_ROD_LANES >= 2
-static __attribute__((noinline)) void bead_on_rod_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void bead_on_rod_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     bead_on_rod_lanes far = {0}; /* the squares of the angles */
@@ -362,8 +366,8 @@ static __attribute__((noinline)) void bead_on_rod_rhs_tail(const double *fixed, 
 }
 #endif
 
-int bead_on_rod_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int bead_on_rod_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if BEAD_ON_ROD_LANES >= 2
     const double m = p[0]; /* mass of the bead [kg] */

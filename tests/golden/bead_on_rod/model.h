@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:47dd18d9d6b3a299)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:5e96dd7ff98ac091)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -17,7 +17,7 @@
  * out[0] = jacobi [kg*m^2/s^2]
  * out[1] = torque [kg*m^2/s^2]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 0 +-, 2 *, 0 /, 0 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 0 +-, 2 *, 0 /, 0 calls
@@ -28,13 +28,14 @@
  * jacobian: 0 +-, 1 *, 0 /, 0 calls
  * outputs: 1 +-, 10 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has BEAD_ON_ROD_NY entries and p BEAD_ON_ROD_NP; bead_on_rod_parameter_defaults can
- *     be p. bead_on_rod_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has BEAD_ON_ROD_NY entries, p has BEAD_ON_ROD_NP; bead_on_rod_parameter_defaults
+ *     may be passed as p. bead_on_rod_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: BEAD_ON_ROD_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: BEAD_ON_ROD_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:2838d6c7deaa3f46).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:d01e33b4c92b6254).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -18,7 +18,8 @@ Outputs:
 out[0] = jacobi [kg*m^2/s^2]
 out[1] = torque [kg*m^2/s^2]
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 0 +-, 2 *, 0 /, 0 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 0 +-, 2 *, 0 /, 0 calls

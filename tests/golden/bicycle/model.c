@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:247e2aa5e27a535a)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:e44289b28892e336)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -169,7 +169,8 @@ static void bicycle_unit(int size, int first, double *seed)
 }
 
 /* the results of the passes, each to its own entries of the output */
-static void bicycle_place(int passes, const int *offset, int count, const int *entry, const double *slope, double *out)
+static void bicycle_place(int passes, const int *offset, int count, const int *entry,
+    const double *slope, double *out)
 {
     for (int k = 0; k < passes && k < BICYCLE_LANES; ++k) {
         for (int i = 0; i < count; ++i) {
@@ -182,7 +183,8 @@ static void bicycle_place(int passes, const int *offset, int count, const int *e
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int bicycle_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int bicycle_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = BICYCLE_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -222,7 +224,8 @@ static inline bicycle_lanes bicycle_size(bicycle_lanes x)
 {
     return (bicycle_lanes)((bicycle_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int bicycle_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -237,8 +240,9 @@ static inline int bicycle_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void bicycle_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void bicycle_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < BICYCLE_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -249,6 +253,7 @@ static inline void bicycle_fill(size_t left, size_t count, const double *t, cons
     }
 }
 
+/* the results of the last states */
 static inline void bicycle_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < BICYCLE_NY; ++k) {
@@ -259,7 +264,8 @@ static inline void bicycle_pour(size_t left, size_t count, const double *slope, 
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void bicycle_turn_lanes(bicycle_lanes x, bicycle_lanes *far, bicycle_lanes *sine, bicycle_lanes *cosine)
+static inline void bicycle_turn_lanes(bicycle_lanes x, bicycle_lanes *far,
+    bicycle_lanes *sine, bicycle_lanes *cosine)
 {
     double angle[BICYCLE_LANES];
     double up[BICYCLE_LANES];
@@ -1182,8 +1188,8 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
     return BICYCLE_OK;
 }
 
-BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const double *p, const double
-    *dydt, double *kept, double *lambda)
+BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const double *p,
+    const double *dydt, double *kept, double *lambda)
 {
     (void)lambda;
     (void)t;
@@ -1477,8 +1483,8 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     return BICYCLE_OK;
 }
 
-BICYCLE_SLOW static int bicycle_reactions_part2(double t, const double *y, const double *p, const double
-    *dydt, double *kept, double *lambda)
+BICYCLE_SLOW static int bicycle_reactions_part2(double t, const double *y, const double *p,
+    const double *dydt, double *kept, double *lambda)
 {
     (void)t;
     const double e2z = kept[2];
@@ -3031,8 +3037,8 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     return BICYCLE_OK;
 }
 
-BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, const double *p, const double
-    *kept, const double *seed, double *slope)
+BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, const double *p,
+    const double *kept, const double *seed, double *slope)
 {
     (void)t;
     const double s_yaw = kept[6];
@@ -3189,8 +3195,8 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, cons
     bicycle_put(slope + 5 * BICYCLE_LANES, z259);
 }
 
-BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y, const double *p, const
-    double *kept, const double *seed, double *carried, double *slope)
+BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y, const double *p,
+    const double *kept, const double *seed, double *carried, double *slope)
 {
     (void)slope;
     (void)t;
@@ -3715,8 +3721,8 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     bicycle_put(carried + 127 * BICYCLE_LANES, z573);
 }
 
-BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y, const double *p, const
-    double *kept, const double *seed, double *carried, double *slope)
+BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y, const double *p,
+    const double *kept, const double *seed, double *carried, double *slope)
 {
     (void)seed;
     (void)t;
@@ -4878,8 +4884,8 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     bicycle_put(check, bicycle_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void bicycle_rhs_tail(const double *fixed, size_t left, size_t count, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void bicycle_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[BICYCLE_LANES];
     double state[12 * BICYCLE_LANES];

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:84693c1d456ec0e8)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:f49ea8c300cd8524)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -61,7 +61,7 @@
  * out[1] = rear_height [m]
  * out[2] = front_height [m]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 455 +-, 699 *, 6 /, 17 calls
  * velocities: 56 +-, 99 *, 3 /, 17 calls
  * accelerations: 153 +-, 264 *, 3 /, 12 calls
@@ -72,12 +72,14 @@
  * jacobian: 3683 +-, 5097 *, 7 /, 17 calls
  * outputs: 57 +-, 101 *, 3 /, 15 calls
  *
- * Calls: t is the time, y has BICYCLE_NY entries and p BICYCLE_NP; bicycle_parameter_defaults can be p.
- *     bicycle_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has BICYCLE_NY entries, p has BICYCLE_NP; bicycle_parameter_defaults may be passed
+ *     as p. bicycle_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: BICYCLE_OK (0) where the result is good; after any other code the output is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: BICYCLE_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

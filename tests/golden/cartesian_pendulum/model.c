@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:3127c05048ff0581)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:18d37def9e49210a)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -94,7 +94,8 @@ static inline void cartesian_pendulum_put(double *to, cartesian_pendulum_lanes v
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int cartesian_pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int cartesian_pendulum_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CARTESIAN_PENDULUM_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -134,7 +135,8 @@ static inline cartesian_pendulum_lanes cartesian_pendulum_size(cartesian_pendulu
 {
     return (cartesian_pendulum_lanes)((cartesian_pendulum_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int cartesian_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -149,8 +151,9 @@ static inline int cartesian_pendulum_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void cartesian_pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void cartesian_pendulum_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CARTESIAN_PENDULUM_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -161,6 +164,7 @@ static inline void cartesian_pendulum_fill(size_t left, size_t count, const doub
     }
 }
 
+/* the results of the last states */
 static inline void cartesian_pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CARTESIAN_PENDULUM_NY; ++k) {
@@ -424,8 +428,8 @@ int cartesian_pendulum_outputs(double t, const double *y, const double *p, doubl
 }
 
 #if CARTESIAN_PENDULUM_LANES >= 2
-static __attribute__((noinline)) void cartesian_pendulum_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void cartesian_pendulum_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     cartesian_pendulum_lanes far = {0}; /* the squares of the angles */
@@ -461,8 +465,8 @@ static __attribute__((noinline)) void cartesian_pendulum_rhs_lanes(const double 
     cartesian_pendulum_put(check, cartesian_pendulum_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void cartesian_pendulum_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void cartesian_pendulum_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[CARTESIAN_PENDULUM_LANES];
     double state[3 * CARTESIAN_PENDULUM_LANES];
@@ -473,8 +477,8 @@ static __attribute__((noinline)) void cartesian_pendulum_rhs_tail(const double *
 }
 #endif
 
-int cartesian_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int cartesian_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if CARTESIAN_PENDULUM_LANES >= 2
     const double m = p[0]; /* mass of the bob [kg] */

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:5f8320b91b71e395)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:a9750c28f8754f88)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -22,7 +22,7 @@
  * Outputs:
  * out[0] = length [m]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 2 +-, 8 *, 1 /, 2 calls
  * velocities: 2 +-, 5 *, 1 /, 2 calls
  * accelerations: 4 +-, 12 *, 1 /, 2 calls
@@ -33,14 +33,16 @@
  * jacobian: 3 +-, 14 *, 1 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 3 calls
  *
- * Calls: t is the time, y has CARTESIAN_PENDULUM_NY entries and p CARTESIAN_PENDULUM_NP;
- *     cartesian_pendulum_parameter_defaults can be p. cartesian_pendulum_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has CARTESIAN_PENDULUM_NY entries, p has CARTESIAN_PENDULUM_NP;
+ *     cartesian_pendulum_parameter_defaults may be passed as p. cartesian_pendulum_state makes y from
+ *     coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: CARTESIAN_PENDULUM_OK (0) where the result is good; after any other code the output is not to
- *     be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: CARTESIAN_PENDULUM_OK (0) if the result is good; after any other code the output must not be
+ *     used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
@@ -134,8 +136,8 @@ int cartesian_pendulum_outputs(double t, const double *y, const double *p, doubl
  * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
  * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
  */
-int cartesian_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *dydt);
+int cartesian_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *dydt);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:1c103440e844401b).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:803e9c95a064b7ba).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -22,7 +22,8 @@ Constraints:
 Outputs:
 out[0] = length [m]
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 2 +-, 8 *, 1 /, 2 calls
 velocities: 2 +-, 5 *, 1 /, 2 calls
 accelerations: 4 +-, 12 *, 1 /, 2 calls

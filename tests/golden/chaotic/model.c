@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:9577b34a84ec8dc7)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:5e41ac27073a828a)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -116,7 +116,8 @@ static inline void chaotic_put(double *to, chaotic_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int chaotic_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int chaotic_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CHAOTIC_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -145,7 +146,8 @@ static inline chaotic_lanes chaotic_mark(chaotic_lanes value, chaotic_bits bad)
 {
     return (chaotic_lanes)((chaotic_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int chaotic_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -160,8 +162,9 @@ static inline int chaotic_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void chaotic_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void chaotic_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CHAOTIC_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -172,6 +175,7 @@ static inline void chaotic_fill(size_t left, size_t count, const double *t, cons
     }
 }
 
+/* the results of the last states */
 static inline void chaotic_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CHAOTIC_NY; ++k) {
@@ -709,8 +713,8 @@ static __attribute__((noinline)) void chaotic_rhs_lanes(const double *fixed, siz
     chaotic_put(check, chaotic_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void chaotic_rhs_tail(const double *fixed, size_t left, size_t count, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void chaotic_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[CHAOTIC_LANES];
     double state[13 * CHAOTIC_LANES];

@@ -1,5 +1,5 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:fc6572ef298fea2b)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:a9581384d0088232)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -27,7 +27,7 @@
  * Constraints:
  * 0: contact
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 22 +-, 24 *, 1 /, 0 calls
  * velocities: 2 +-, 3 *, 0 /, 0 calls
  * accelerations: 25 +-, 24 *, 1 /, 0 calls
@@ -38,11 +38,13 @@
  * jacobian: 108 +-, 184 *, 4 /, 0 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has CHAOTIC_NY entries and p CHAOTIC_NP; chaotic_parameter_defaults can be p.
- *     chaotic_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has CHAOTIC_NY entries, p has CHAOTIC_NP; chaotic_parameter_defaults may be passed
+ *     as p. chaotic_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
- * Return codes: CHAOTIC_OK (0) where the result is good; after any other code the output is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: CHAOTIC_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:1fbebfe1b0df7eea)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:baee4035888a5e88)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -114,7 +114,8 @@ static inline void chaplygin_ball_put(double *to, chaplygin_ball_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int chaplygin_ball_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int chaplygin_ball_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CHAPLYGIN_BALL_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -154,7 +155,8 @@ static inline chaplygin_ball_lanes chaplygin_ball_size(chaplygin_ball_lanes x)
 {
     return (chaplygin_ball_lanes)((chaplygin_ball_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int chaplygin_ball_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -169,8 +171,9 @@ static inline int chaplygin_ball_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void chaplygin_ball_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void chaplygin_ball_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CHAPLYGIN_BALL_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -181,6 +184,7 @@ static inline void chaplygin_ball_fill(size_t left, size_t count, const double *
     }
 }
 
+/* the results of the last states */
 static inline void chaplygin_ball_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CHAPLYGIN_BALL_NY; ++k) {
@@ -191,7 +195,8 @@ static inline void chaplygin_ball_pour(size_t left, size_t count, const double *
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void chaplygin_ball_turn_lanes(chaplygin_ball_lanes x, chaplygin_ball_lanes *far, chaplygin_ball_lanes *sine, chaplygin_ball_lanes *cosine)
+static inline void chaplygin_ball_turn_lanes(chaplygin_ball_lanes x, chaplygin_ball_lanes *far,
+    chaplygin_ball_lanes *sine, chaplygin_ball_lanes *cosine)
 {
     double angle[CHAPLYGIN_BALL_LANES];
     double up[CHAPLYGIN_BALL_LANES];
@@ -861,8 +866,8 @@ int chaplygin_ball_outputs(double t, const double *y, const double *p, double *o
 }
 
 #if CHAPLYGIN_BALL_LANES >= 2
-static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     chaplygin_ball_lanes far = {0}; /* the squares of the angles */
@@ -964,8 +969,8 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_tail(const double *fixe
 }
 #endif
 
-int chaplygin_ball_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int chaplygin_ball_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if CHAPLYGIN_BALL_LANES >= 2
     const double m = p[0]; /* mass [kg] */

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:3f10ab25ab194efb)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:7f96adce70ad1f42)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -32,7 +32,7 @@
  * out[1] = K2 [kg*m^2/s]
  * out[2] = K3 [kg*m^2/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 23 +-, 49 *, 4 /, 6 calls
  * velocities: 5 +-, 12 *, 1 /, 6 calls
  * accelerations: 37 +-, 77 *, 4 /, 6 calls
@@ -43,14 +43,16 @@
  * jacobian: 73 +-, 178 *, 4 /, 6 calls
  * outputs: 8 +-, 18 *, 0 /, 4 calls
  *
- * Calls: t is the time, y has CHAPLYGIN_BALL_NY entries and p CHAPLYGIN_BALL_NP;
- *     chaplygin_ball_parameter_defaults can be p. chaplygin_ball_state makes y from coordinates and
+ * Calls: t is the time; y has CHAPLYGIN_BALL_NY entries, p has CHAPLYGIN_BALL_NP;
+ *     chaplygin_ball_parameter_defaults may be passed as p. chaplygin_ball_state makes y from coordinates and
  *     velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: CHAPLYGIN_BALL_OK (0) where the result is good; after any other code the output is not to be
+ * Return codes: CHAPLYGIN_BALL_OK (0) if the result is good; after any other code the output must not be
  *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b235011edcf726f9)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:eaa61c9a121b3dbe)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -116,7 +116,8 @@ static inline void chaplygin_ball_quaternion_put(double *to, chaplygin_ball_quat
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int chaplygin_ball_quaternion_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int chaplygin_ball_quaternion_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CHAPLYGIN_BALL_QUATERNION_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -156,7 +157,8 @@ static inline chaplygin_ball_quaternion_lanes chaplygin_ball_quaternion_size(cha
 {
     return (chaplygin_ball_quaternion_lanes)((chaplygin_ball_quaternion_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int chaplygin_ball_quaternion_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -171,8 +173,9 @@ static inline int chaplygin_ball_quaternion_is_good(int count, const double *che
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void chaplygin_ball_quaternion_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void chaplygin_ball_quaternion_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CHAPLYGIN_BALL_QUATERNION_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -183,6 +186,7 @@ static inline void chaplygin_ball_quaternion_fill(size_t left, size_t count, con
     }
 }
 
+/* the results of the last states */
 static inline void chaplygin_ball_quaternion_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CHAPLYGIN_BALL_QUATERNION_NY; ++k) {

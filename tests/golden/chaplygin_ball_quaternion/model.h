@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:6018eebee6ff9ff6)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:fa8c3d630b6c1705)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -34,7 +34,7 @@
  * out[1] = K_y [kg*m^2/s]
  * out[2] = K_z [kg*m^2/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 53 +-, 113 *, 4 /, 0 calls
  * velocities: 23 +-, 47 *, 1 /, 0 calls
  * accelerations: 85 +-, 179 *, 4 /, 0 calls
@@ -46,14 +46,16 @@
  * jacobian: 213 +-, 519 *, 4 /, 0 calls
  * outputs: 26 +-, 44 *, 1 /, 0 calls
  *
- * Calls: t is the time, y has CHAPLYGIN_BALL_QUATERNION_NY entries and p CHAPLYGIN_BALL_QUATERNION_NP;
- *     chaplygin_ball_quaternion_parameter_defaults can be p. chaplygin_ball_quaternion_state makes y from
- *     coordinates and velocities.
+ * Calls: t is the time; y has CHAPLYGIN_BALL_QUATERNION_NY entries, p has CHAPLYGIN_BALL_QUATERNION_NP;
+ *     chaplygin_ball_quaternion_parameter_defaults may be passed as p. chaplygin_ball_quaternion_state makes
+ *     y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: CHAPLYGIN_BALL_QUATERNION_OK (0) where the result is good; after any other code the output is
- *     not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: CHAPLYGIN_BALL_QUATERNION_OK (0) if the result is good; after any other code the output must
+ *     not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:835d3ab2b4a73180)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:3f0a9b96ceb6c637)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -97,7 +97,8 @@ static inline void chaplygin_sleigh_put(double *to, chaplygin_sleigh_lanes value
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int chaplygin_sleigh_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int chaplygin_sleigh_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CHAPLYGIN_SLEIGH_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -126,7 +127,8 @@ static inline chaplygin_sleigh_lanes chaplygin_sleigh_mark(chaplygin_sleigh_lane
 {
     return (chaplygin_sleigh_lanes)((chaplygin_sleigh_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int chaplygin_sleigh_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -141,8 +143,9 @@ static inline int chaplygin_sleigh_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void chaplygin_sleigh_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void chaplygin_sleigh_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CHAPLYGIN_SLEIGH_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -153,6 +156,7 @@ static inline void chaplygin_sleigh_fill(size_t left, size_t count, const double
     }
 }
 
+/* the results of the last states */
 static inline void chaplygin_sleigh_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CHAPLYGIN_SLEIGH_NY; ++k) {
@@ -163,7 +167,8 @@ static inline void chaplygin_sleigh_pour(size_t left, size_t count, const double
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void chaplygin_sleigh_turn_lanes(chaplygin_sleigh_lanes x, chaplygin_sleigh_lanes *far, chaplygin_sleigh_lanes *sine, chaplygin_sleigh_lanes *cosine)
+static inline void chaplygin_sleigh_turn_lanes(chaplygin_sleigh_lanes x, chaplygin_sleigh_lanes *far,
+    chaplygin_sleigh_lanes *sine, chaplygin_sleigh_lanes *cosine)
 {
     double angle[CHAPLYGIN_SLEIGH_LANES];
     double up[CHAPLYGIN_SLEIGH_LANES];
@@ -459,8 +464,8 @@ int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double 
 }
 
 #if CHAPLYGIN_SLEIGH_LANES >= 2
-static __attribute__((noinline)) void chaplygin_sleigh_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void chaplygin_sleigh_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     chaplygin_sleigh_lanes far = {0}; /* the squares of the angles */
@@ -493,8 +498,8 @@ static __attribute__((noinline)) void chaplygin_sleigh_rhs_lanes(const double *f
     chaplygin_sleigh_put(check, chaplygin_sleigh_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void chaplygin_sleigh_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void chaplygin_sleigh_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[CHAPLYGIN_SLEIGH_LANES];
     double state[5 * CHAPLYGIN_SLEIGH_LANES];
@@ -505,8 +510,8 @@ static __attribute__((noinline)) void chaplygin_sleigh_rhs_tail(const double *fi
 }
 #endif
 
-int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if CHAPLYGIN_SLEIGH_LANES >= 2
     const double m = p[0]; /* mass [kg] */

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:850d9a28a8c4dafe)
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:4bdd829d58cc158e)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,7 +25,7 @@
  * out[1] = X [m]
  * out[2] = Y [m]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 1 +-, 8 *, 1 /, 2 calls
  * velocities: 0 +-, 2 *, 0 /, 2 calls
  * accelerations: 3 +-, 10 *, 1 /, 2 calls
@@ -36,14 +36,16 @@
  * jacobian: 1 +-, 8 *, 1 /, 2 calls
  * outputs: 2 +-, 2 *, 0 /, 2 calls
  *
- * Calls: t is the time, y has CHAPLYGIN_SLEIGH_NY entries and p CHAPLYGIN_SLEIGH_NP;
- *     chaplygin_sleigh_parameter_defaults can be p. chaplygin_sleigh_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has CHAPLYGIN_SLEIGH_NY entries, p has CHAPLYGIN_SLEIGH_NP;
+ *     chaplygin_sleigh_parameter_defaults may be passed as p. chaplygin_sleigh_state makes y from coordinates
+ *     and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: CHAPLYGIN_SLEIGH_OK (0) where the result is good; after any other code the output is not to
- *     be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: CHAPLYGIN_SLEIGH_OK (0) if the result is good; after any other code the output must not be
+ *     used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

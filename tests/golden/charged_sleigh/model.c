@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:e538cd04ffb75c39)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:1a83c31b52241314)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -99,7 +99,8 @@ static inline void charged_sleigh_put(double *to, charged_sleigh_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int charged_sleigh_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int charged_sleigh_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CHARGED_SLEIGH_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -128,7 +129,8 @@ static inline charged_sleigh_lanes charged_sleigh_mark(charged_sleigh_lanes valu
 {
     return (charged_sleigh_lanes)((charged_sleigh_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int charged_sleigh_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -143,8 +145,9 @@ static inline int charged_sleigh_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void charged_sleigh_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void charged_sleigh_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CHARGED_SLEIGH_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -155,6 +158,7 @@ static inline void charged_sleigh_fill(size_t left, size_t count, const double *
     }
 }
 
+/* the results of the last states */
 static inline void charged_sleigh_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CHARGED_SLEIGH_NY; ++k) {
@@ -165,7 +169,8 @@ static inline void charged_sleigh_pour(size_t left, size_t count, const double *
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void charged_sleigh_turn_lanes(charged_sleigh_lanes x, charged_sleigh_lanes *far, charged_sleigh_lanes *sine, charged_sleigh_lanes *cosine)
+static inline void charged_sleigh_turn_lanes(charged_sleigh_lanes x, charged_sleigh_lanes *far,
+    charged_sleigh_lanes *sine, charged_sleigh_lanes *cosine)
 {
     double angle[CHARGED_SLEIGH_LANES];
     double up[CHARGED_SLEIGH_LANES];
@@ -467,8 +472,8 @@ int charged_sleigh_outputs(double t, const double *y, const double *p, double *o
 }
 
 #if CHARGED_SLEIGH_LANES >= 2
-static __attribute__((noinline)) void charged_sleigh_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void charged_sleigh_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     charged_sleigh_lanes far = {0}; /* the squares of the angles */
@@ -517,8 +522,8 @@ static __attribute__((noinline)) void charged_sleigh_rhs_tail(const double *fixe
 }
 #endif
 
-int charged_sleigh_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int charged_sleigh_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if CHARGED_SLEIGH_LANES >= 2
     const double m = p[0]; /* mass [kg] */

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:4b23f7cdc3ecdf31)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:391eba566d0e167e)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -24,7 +24,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 2 +-, 10 *, 2 /, 2 calls
  * velocities: 0 +-, 2 *, 0 /, 2 calls
  * accelerations: 4 +-, 13 *, 2 /, 2 calls
@@ -35,14 +35,16 @@
  * jacobian: 3 +-, 12 *, 2 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has CHARGED_SLEIGH_NY entries and p CHARGED_SLEIGH_NP;
- *     charged_sleigh_parameter_defaults can be p. charged_sleigh_state makes y from coordinates and
+ * Calls: t is the time; y has CHARGED_SLEIGH_NY entries, p has CHARGED_SLEIGH_NP;
+ *     charged_sleigh_parameter_defaults may be passed as p. charged_sleigh_state makes y from coordinates and
  *     velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: CHARGED_SLEIGH_OK (0) where the result is good; after any other code the output is not to be
+ * Return codes: CHARGED_SLEIGH_OK (0) if the result is good; after any other code the output must not be
  *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

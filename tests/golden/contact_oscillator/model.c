@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:1d1c5c1723cb5b45)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:3ec62106b276dc83)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -97,7 +97,8 @@ static inline void contact_oscillator_put(double *to, contact_oscillator_lanes v
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int contact_oscillator_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int contact_oscillator_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CONTACT_OSCILLATOR_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -126,7 +127,8 @@ static inline contact_oscillator_lanes contact_oscillator_mark(contact_oscillato
 {
     return (contact_oscillator_lanes)((contact_oscillator_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int contact_oscillator_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -141,8 +143,9 @@ static inline int contact_oscillator_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void contact_oscillator_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void contact_oscillator_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CONTACT_OSCILLATOR_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -153,6 +156,7 @@ static inline void contact_oscillator_fill(size_t left, size_t count, const doub
     }
 }
 
+/* the results of the last states */
 static inline void contact_oscillator_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CONTACT_OSCILLATOR_NY; ++k) {
@@ -387,8 +391,8 @@ int contact_oscillator_outputs(double t, const double *y, const double *p, doubl
 }
 
 #if CONTACT_OSCILLATOR_LANES >= 2
-static __attribute__((noinline)) void contact_oscillator_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void contact_oscillator_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     (void)fixed;
@@ -418,8 +422,8 @@ static __attribute__((noinline)) void contact_oscillator_rhs_lanes(const double 
     contact_oscillator_put(check, contact_oscillator_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void contact_oscillator_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void contact_oscillator_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[CONTACT_OSCILLATOR_LANES];
     double state[5 * CONTACT_OSCILLATOR_LANES];
@@ -430,8 +434,8 @@ static __attribute__((noinline)) void contact_oscillator_rhs_tail(const double *
 }
 #endif
 
-int contact_oscillator_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int contact_oscillator_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if CONTACT_OSCILLATOR_LANES >= 2
     const double *fixed = p;

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:60d14fdbdfeadcbd)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:a6e11b0167bd5071)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -23,7 +23,7 @@
  * out[0] = H_y
  * out[1] = R
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 3 +-, 4 *, 1 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
  * accelerations: 4 +-, 4 *, 1 /, 0 calls
@@ -34,13 +34,15 @@
  * jacobian: 4 +-, 9 *, 1 /, 0 calls
  * outputs: 4 +-, 8 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has CONTACT_OSCILLATOR_NY entries and p CONTACT_OSCILLATOR_NP;
- *     contact_oscillator_parameter_defaults can be p. contact_oscillator_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has CONTACT_OSCILLATOR_NY entries, p has CONTACT_OSCILLATOR_NP;
+ *     contact_oscillator_parameter_defaults may be passed as p. contact_oscillator_state makes y from
+ *     coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
- * Return codes: CONTACT_OSCILLATOR_OK (0) where the result is good; after any other code the output is not to
- *     be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: CONTACT_OSCILLATOR_OK (0) if the result is good; after any other code the output must not be
+ *     used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
@@ -133,8 +135,8 @@ int contact_oscillator_outputs(double t, const double *y, const double *p, doubl
  * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
  * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
  */
-int contact_oscillator_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *dydt);
+int contact_oscillator_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *dydt);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:b1a7283062e942e2)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:8d9b197c10687f8d)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -97,7 +97,8 @@ static inline void contact_oscillator_eps_put(double *to, contact_oscillator_eps
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int contact_oscillator_eps_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int contact_oscillator_eps_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CONTACT_OSCILLATOR_EPS_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -126,7 +127,8 @@ static inline contact_oscillator_eps_lanes contact_oscillator_eps_mark(contact_o
 {
     return (contact_oscillator_eps_lanes)((contact_oscillator_eps_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int contact_oscillator_eps_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -141,8 +143,9 @@ static inline int contact_oscillator_eps_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void contact_oscillator_eps_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void contact_oscillator_eps_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CONTACT_OSCILLATOR_EPS_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -153,6 +156,7 @@ static inline void contact_oscillator_eps_fill(size_t left, size_t count, const 
     }
 }
 
+/* the results of the last states */
 static inline void contact_oscillator_eps_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CONTACT_OSCILLATOR_EPS_NY; ++k) {
@@ -268,8 +272,8 @@ int contact_oscillator_eps_state(double t, const double *q, const double *qdot, 
     return CONTACT_OSCILLATOR_EPS_OK;
 }
 
-int contact_oscillator_eps_residuals(double t, const double *q, const double *qdot, const double *p, double
-    *r)
+int contact_oscillator_eps_residuals(double t, const double *q, const double *qdot, const double *p,
+    double *r)
 {
     (void)t;
     (void)p;
@@ -448,8 +452,8 @@ static __attribute__((noinline)) void contact_oscillator_eps_rhs_tail(const doub
 }
 #endif
 
-int contact_oscillator_eps_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int contact_oscillator_eps_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if CONTACT_OSCILLATOR_EPS_LANES >= 2
     const double eps = p[0]; /* strength of the coupling */

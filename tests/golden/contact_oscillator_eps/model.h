@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:af82c4075fd1ef64)
+ * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:ef3e0837d5a99db3)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -26,7 +26,7 @@
  * out[0] = H_y
  * out[1] = R
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 5 +-, 9 *, 1 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
  * accelerations: 6 +-, 10 *, 1 /, 0 calls
@@ -37,13 +37,15 @@
  * jacobian: 10 +-, 24 *, 1 /, 0 calls
  * outputs: 5 +-, 10 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has CONTACT_OSCILLATOR_EPS_NY entries and p CONTACT_OSCILLATOR_EPS_NP;
- *     contact_oscillator_eps_parameter_defaults can be p. contact_oscillator_eps_state makes y from
+ * Calls: t is the time; y has CONTACT_OSCILLATOR_EPS_NY entries, p has CONTACT_OSCILLATOR_EPS_NP;
+ *     contact_oscillator_eps_parameter_defaults may be passed as p. contact_oscillator_eps_state makes y from
  *     coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
- * Return codes: CONTACT_OSCILLATOR_EPS_OK (0) where the result is good; after any other code the output is
- *     not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: CONTACT_OSCILLATOR_EPS_OK (0) if the result is good; after any other code the output must not
+ *     be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
@@ -105,8 +107,8 @@ int contact_oscillator_eps_state(double t, const double *q, const double *qdot, 
  * left minus right side of each constraint, zero on every motion (I.1.1)
  * r: 1 entry
  */
-int contact_oscillator_eps_residuals(double t, const double *q, const double *qdot, const double *p, double
-    *r);
+int contact_oscillator_eps_residuals(double t, const double *q, const double *qdot, const double *p,
+    double *r);
 
 /*
  * reactions lambda of the constraints (I.4.1)
@@ -137,8 +139,8 @@ int contact_oscillator_eps_outputs(double t, const double *y, const double *p, d
  * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
  * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
  */
-int contact_oscillator_eps_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *dydt);
+int contact_oscillator_eps_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *dydt);
 
 #ifdef __cplusplus
 }

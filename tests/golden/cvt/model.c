@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:8622fbf87b21ea44)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:2ab164307d821016)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -97,7 +97,8 @@ static inline void cvt_put(double *to, cvt_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int cvt_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int cvt_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CVT_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -126,7 +127,8 @@ static inline cvt_lanes cvt_mark(cvt_lanes value, cvt_bits bad)
 {
     return (cvt_lanes)((cvt_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int cvt_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -141,8 +143,9 @@ static inline int cvt_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void cvt_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void cvt_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CVT_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -153,6 +156,7 @@ static inline void cvt_fill(size_t left, size_t count, const double *t, const do
     }
 }
 
+/* the results of the last states */
 static inline void cvt_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CVT_NY; ++k) {
@@ -163,7 +167,8 @@ static inline void cvt_pour(size_t left, size_t count, const double *slope, doub
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void cvt_turn_lanes(cvt_lanes x, cvt_lanes *far, cvt_lanes *sine, cvt_lanes *cosine)
+static inline void cvt_turn_lanes(cvt_lanes x, cvt_lanes *far,
+    cvt_lanes *sine, cvt_lanes *cosine)
 {
     double angle[CVT_LANES];
     double up[CVT_LANES];
@@ -466,8 +471,8 @@ static __attribute__((noinline)) void cvt_rhs_lanes(const double *fixed, size_t 
     cvt_put(check, cvt_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void cvt_rhs_tail(const double *fixed, size_t left, size_t count, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void cvt_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[CVT_LANES];
     double state[5 * CVT_LANES];

@@ -1,5 +1,5 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:29d2363a227128bb)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:84efe40252beedad)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -23,7 +23,7 @@
  * out[0] = E_xi
  * out[1] = E_xy
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 3 +-, 5 *, 1 /, 2 calls
  * velocities: 0 +-, 1 *, 0 /, 1 calls
  * accelerations: 4 +-, 5 *, 1 /, 2 calls
@@ -34,11 +34,13 @@
  * jacobian: 5 +-, 15 *, 1 /, 2 calls
  * outputs: 4 +-, 8 *, 0 /, 2 calls
  *
- * Calls: t is the time, y has CVT_NY entries and p CVT_NP; cvt_parameter_defaults can be p. cvt_state makes y
- *     from coordinates and velocities.
+ * Calls: t is the time; y has CVT_NY entries, p has CVT_NP; cvt_parameter_defaults may be passed as p.
+ *     cvt_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
- * Return codes: CVT_OK (0) where the result is good; after any other code the output is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: CVT_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

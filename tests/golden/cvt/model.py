@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:03bc6cb6dd7fb496).
+"""cvt, emitted by nhc 0.1.0 (nhc:8858e8f5faee6b90).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -24,7 +24,8 @@ Outputs:
 out[0] = E_xi
 out[1] = E_xy
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 3 +-, 5 *, 1 /, 2 calls
 velocities: 0 +-, 1 *, 0 /, 1 calls
 accelerations: 4 +-, 5 *, 1 /, 2 calls

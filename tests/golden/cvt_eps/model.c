@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:6e136c913876f714)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:b28f4f97a545216e)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -96,7 +96,8 @@ static inline void cvt_eps_put(double *to, cvt_eps_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int cvt_eps_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int cvt_eps_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = CVT_EPS_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -125,7 +126,8 @@ static inline cvt_eps_lanes cvt_eps_mark(cvt_eps_lanes value, cvt_eps_bits bad)
 {
     return (cvt_eps_lanes)((cvt_eps_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int cvt_eps_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -140,8 +142,9 @@ static inline int cvt_eps_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void cvt_eps_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void cvt_eps_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < CVT_EPS_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -152,6 +155,7 @@ static inline void cvt_eps_fill(size_t left, size_t count, const double *t, cons
     }
 }
 
+/* the results of the last states */
 static inline void cvt_eps_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < CVT_EPS_NY; ++k) {
@@ -162,7 +166,8 @@ static inline void cvt_eps_pour(size_t left, size_t count, const double *slope, 
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void cvt_eps_turn_lanes(cvt_eps_lanes x, cvt_eps_lanes *far, cvt_eps_lanes *sine, cvt_eps_lanes *cosine)
+static inline void cvt_eps_turn_lanes(cvt_eps_lanes x, cvt_eps_lanes *far,
+    cvt_eps_lanes *sine, cvt_eps_lanes *cosine)
 {
     double angle[CVT_EPS_LANES];
     double up[CVT_EPS_LANES];
@@ -468,8 +473,8 @@ static __attribute__((noinline)) void cvt_eps_rhs_lanes(const double *fixed, siz
     cvt_eps_put(check, cvt_eps_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void cvt_eps_rhs_tail(const double *fixed, size_t left, size_t count, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void cvt_eps_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[CVT_EPS_LANES];
     double state[5 * CVT_EPS_LANES];

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:438dac7f743a54e1)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:9e84afc1e0e03ee7)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -25,7 +25,7 @@
  * out[0] = E_xi
  * out[1] = E_xy
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 5 +-, 7 *, 1 /, 2 calls
  * velocities: 0 +-, 1 *, 0 /, 1 calls
  * accelerations: 6 +-, 7 *, 1 /, 2 calls
@@ -36,11 +36,13 @@
  * jacobian: 6 +-, 17 *, 1 /, 2 calls
  * outputs: 5 +-, 11 *, 0 /, 2 calls
  *
- * Calls: t is the time, y has CVT_EPS_NY entries and p CVT_EPS_NP; cvt_eps_parameter_defaults can be p.
- *     cvt_eps_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has CVT_EPS_NY entries, p has CVT_EPS_NP; cvt_eps_parameter_defaults may be passed
+ *     as p. cvt_eps_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
- * Return codes: CVT_EPS_OK (0) where the result is good; after any other code the output is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: CVT_EPS_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:b78f33dcd650100f)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:4f93b863a26b5ed1)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -112,7 +112,8 @@ static inline void diff_drive_put(double *to, diff_drive_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int diff_drive_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int diff_drive_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = DIFF_DRIVE_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -141,7 +142,8 @@ static inline diff_drive_lanes diff_drive_mark(diff_drive_lanes value, diff_driv
 {
     return (diff_drive_lanes)((diff_drive_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int diff_drive_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -156,8 +158,9 @@ static inline int diff_drive_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void diff_drive_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void diff_drive_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < DIFF_DRIVE_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -168,6 +171,7 @@ static inline void diff_drive_fill(size_t left, size_t count, const double *t, c
     }
 }
 
+/* the results of the last states */
 static inline void diff_drive_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < DIFF_DRIVE_NY; ++k) {
@@ -178,7 +182,8 @@ static inline void diff_drive_pour(size_t left, size_t count, const double *slop
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void diff_drive_turn_lanes(diff_drive_lanes x, diff_drive_lanes *far, diff_drive_lanes *sine, diff_drive_lanes *cosine)
+static inline void diff_drive_turn_lanes(diff_drive_lanes x, diff_drive_lanes *far,
+    diff_drive_lanes *sine, diff_drive_lanes *cosine)
 {
     double angle[DIFF_DRIVE_LANES];
     double up[DIFF_DRIVE_LANES];
@@ -567,8 +572,8 @@ int diff_drive_outputs(double t, const double *y, const double *p, double *out)
 }
 
 #if DIFF_DRIVE_LANES >= 2
-static __attribute__((noinline)) void diff_drive_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void diff_drive_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     diff_drive_lanes far = {0}; /* the squares of the angles */
@@ -625,8 +630,8 @@ static __attribute__((noinline)) void diff_drive_rhs_tail(const double *fixed, s
 }
 #endif
 
-int diff_drive_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int diff_drive_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if DIFF_DRIVE_LANES >= 2
     const double m = p[0]; /* mass [kg] */

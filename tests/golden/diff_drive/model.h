@@ -1,5 +1,5 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:4e28b06bf4c1eab6)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:fa327a9a6a5750aa)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -30,7 +30,7 @@
  * 1: roll_R
  * 2: roll_L
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 9 +-, 22 *, 3 /, 2 calls
  * velocities: 2 +-, 5 *, 1 /, 2 calls
  * accelerations: 11 +-, 24 *, 3 /, 2 calls
@@ -41,13 +41,14 @@
  * jacobian: 3 +-, 17 *, 3 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has DIFF_DRIVE_NY entries and p DIFF_DRIVE_NP; diff_drive_parameter_defaults can be
- *     p. diff_drive_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has DIFF_DRIVE_NY entries, p has DIFF_DRIVE_NP; diff_drive_parameter_defaults may
+ *     be passed as p. diff_drive_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: DIFF_DRIVE_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: DIFF_DRIVE_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

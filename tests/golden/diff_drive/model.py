@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:900470a3689506bd).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:48f7b57538dc40ff).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -31,7 +31,8 @@ Constraints:
 1: roll_R
 2: roll_L
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 9 +-, 22 *, 3 /, 2 calls
 velocities: 2 +-, 5 *, 1 /, 2 calls
 accelerations: 11 +-, 24 *, 3 /, 2 calls

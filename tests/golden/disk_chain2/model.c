@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:fd7b58502b65bdb2)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:6055cf1622d4eae1)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -137,7 +137,8 @@ static inline void disk_chain2_put(double *to, disk_chain2_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int disk_chain2_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int disk_chain2_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = DISK_CHAIN2_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -166,7 +167,8 @@ static inline disk_chain2_lanes disk_chain2_mark(disk_chain2_lanes value, disk_c
 {
     return (disk_chain2_lanes)((disk_chain2_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int disk_chain2_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -181,8 +183,9 @@ static inline int disk_chain2_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void disk_chain2_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void disk_chain2_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < DISK_CHAIN2_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -193,6 +196,7 @@ static inline void disk_chain2_fill(size_t left, size_t count, const double *t, 
     }
 }
 
+/* the results of the last states */
 static inline void disk_chain2_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < DISK_CHAIN2_NY; ++k) {
@@ -203,7 +207,8 @@ static inline void disk_chain2_pour(size_t left, size_t count, const double *slo
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void disk_chain2_turn_lanes(disk_chain2_lanes x, disk_chain2_lanes *far, disk_chain2_lanes *sine, disk_chain2_lanes *cosine)
+static inline void disk_chain2_turn_lanes(disk_chain2_lanes x, disk_chain2_lanes *far,
+    disk_chain2_lanes *sine, disk_chain2_lanes *cosine)
 {
     double angle[DISK_CHAIN2_LANES];
     double up[DISK_CHAIN2_LANES];
@@ -631,8 +636,8 @@ int disk_chain2_outputs(double t, const double *y, const double *p, double *out)
 }
 
 #if DISK_CHAIN2_LANES >= 2
-static __attribute__((noinline)) void disk_chain2_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void disk_chain2_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     disk_chain2_lanes far = {0}; /* the squares of the angles */
@@ -709,8 +714,8 @@ static __attribute__((noinline)) void disk_chain2_rhs_tail(const double *fixed, 
 }
 #endif
 
-int disk_chain2_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int disk_chain2_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if DISK_CHAIN2_LANES >= 2
     const double m = p[0]; /* mass of each [kg] */

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:8afe765c887d29e8)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:d94fc08328817fc1)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -49,7 +49,7 @@
  * 2: roll_x2
  * 3: roll_y2
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 5 +-, 15 *, 1 /, 4 calls
  * velocities: 0 +-, 6 *, 0 /, 4 calls
  * accelerations: 9 +-, 23 *, 1 /, 4 calls
@@ -60,13 +60,14 @@
  * jacobian: 5 +-, 21 *, 1 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has DISK_CHAIN2_NY entries and p DISK_CHAIN2_NP; disk_chain2_parameter_defaults can
- *     be p. disk_chain2_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has DISK_CHAIN2_NY entries, p has DISK_CHAIN2_NP; disk_chain2_parameter_defaults
+ *     may be passed as p. disk_chain2_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: DISK_CHAIN2_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: DISK_CHAIN2_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

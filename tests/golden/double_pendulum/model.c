@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:6abee1a42c12cafa)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:7ffe03d52e4a83a6)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -106,7 +106,8 @@ static inline void double_pendulum_put(double *to, double_pendulum_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int double_pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int double_pendulum_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = DOUBLE_PENDULUM_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -146,7 +147,8 @@ static inline double_pendulum_lanes double_pendulum_size(double_pendulum_lanes x
 {
     return (double_pendulum_lanes)((double_pendulum_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int double_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -161,8 +163,9 @@ static inline int double_pendulum_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void double_pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void double_pendulum_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < DOUBLE_PENDULUM_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -173,6 +176,7 @@ static inline void double_pendulum_fill(size_t left, size_t count, const double 
     }
 }
 
+/* the results of the last states */
 static inline void double_pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < DOUBLE_PENDULUM_NY; ++k) {
@@ -183,7 +187,8 @@ static inline void double_pendulum_pour(size_t left, size_t count, const double 
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void double_pendulum_turn_lanes(double_pendulum_lanes x, double_pendulum_lanes *far, double_pendulum_lanes *sine, double_pendulum_lanes *cosine)
+static inline void double_pendulum_turn_lanes(double_pendulum_lanes x, double_pendulum_lanes *far,
+    double_pendulum_lanes *sine, double_pendulum_lanes *cosine)
 {
     double angle[DOUBLE_PENDULUM_LANES];
     double up[DOUBLE_PENDULUM_LANES];
@@ -504,8 +509,8 @@ int double_pendulum_outputs(double t, const double *y, const double *p, double *
 }
 
 #if DOUBLE_PENDULUM_LANES >= 2
-static __attribute__((noinline)) void double_pendulum_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void double_pendulum_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     double_pendulum_lanes far = {0}; /* the squares of the angles */
@@ -553,8 +558,8 @@ static __attribute__((noinline)) void double_pendulum_rhs_lanes(const double *fi
     double_pendulum_put(check, double_pendulum_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void double_pendulum_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void double_pendulum_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[DOUBLE_PENDULUM_LANES];
     double state[4 * DOUBLE_PENDULUM_LANES];
@@ -565,8 +570,8 @@ static __attribute__((noinline)) void double_pendulum_rhs_tail(const double *fix
 }
 #endif
 
-int double_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int double_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if DOUBLE_PENDULUM_LANES >= 2
     const double m1 = p[0]; /* [kg] */

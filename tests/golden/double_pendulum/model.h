@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:20b8513979575cf6)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:4fc32d4d61148e14)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -22,7 +22,7 @@
  * out[0] = tip_x [m]
  * out[1] = tip_y [m]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 6 +-, 14 *, 3 /, 4 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 6 +-, 14 *, 3 /, 4 calls
@@ -33,14 +33,16 @@
  * jacobian: 16 +-, 49 *, 3 /, 4 calls
  * outputs: 2 +-, 4 *, 0 /, 4 calls
  *
- * Calls: t is the time, y has DOUBLE_PENDULUM_NY entries and p DOUBLE_PENDULUM_NP;
- *     double_pendulum_parameter_defaults can be p. double_pendulum_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has DOUBLE_PENDULUM_NY entries, p has DOUBLE_PENDULUM_NP;
+ *     double_pendulum_parameter_defaults may be passed as p. double_pendulum_state makes y from coordinates
+ *     and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: DOUBLE_PENDULUM_OK (0) where the result is good; after any other code the output is not to be
+ * Return codes: DOUBLE_PENDULUM_OK (0) if the result is good; after any other code the output must not be
  *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:237440d6aa055122)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:cf0cf7ce2ebaf3cb)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -98,7 +98,8 @@ static inline void free_rigid_body_put(double *to, free_rigid_body_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int free_rigid_body_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int free_rigid_body_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = FREE_RIGID_BODY_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -138,7 +139,8 @@ static inline free_rigid_body_lanes free_rigid_body_size(free_rigid_body_lanes x
 {
     return (free_rigid_body_lanes)((free_rigid_body_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int free_rigid_body_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -153,8 +155,9 @@ static inline int free_rigid_body_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void free_rigid_body_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void free_rigid_body_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < FREE_RIGID_BODY_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -165,6 +168,7 @@ static inline void free_rigid_body_fill(size_t left, size_t count, const double 
     }
 }
 
+/* the results of the last states */
 static inline void free_rigid_body_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < FREE_RIGID_BODY_NY; ++k) {
@@ -175,7 +179,8 @@ static inline void free_rigid_body_pour(size_t left, size_t count, const double 
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void free_rigid_body_turn_lanes(free_rigid_body_lanes x, free_rigid_body_lanes *far, free_rigid_body_lanes *sine, free_rigid_body_lanes *cosine)
+static inline void free_rigid_body_turn_lanes(free_rigid_body_lanes x, free_rigid_body_lanes *far,
+    free_rigid_body_lanes *sine, free_rigid_body_lanes *cosine)
 {
     double angle[FREE_RIGID_BODY_LANES];
     double up[FREE_RIGID_BODY_LANES];
@@ -532,8 +537,8 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
 }
 
 #if FREE_RIGID_BODY_LANES >= 2
-static __attribute__((noinline)) void free_rigid_body_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void free_rigid_body_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     free_rigid_body_lanes far = {0}; /* the squares of the angles */
@@ -581,8 +586,8 @@ static __attribute__((noinline)) void free_rigid_body_rhs_lanes(const double *fi
     free_rigid_body_put(check, free_rigid_body_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void free_rigid_body_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void free_rigid_body_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[FREE_RIGID_BODY_LANES];
     double state[6 * FREE_RIGID_BODY_LANES];
@@ -593,8 +598,8 @@ static __attribute__((noinline)) void free_rigid_body_rhs_tail(const double *fix
 }
 #endif
 
-int free_rigid_body_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int free_rigid_body_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if FREE_RIGID_BODY_LANES >= 2
     const double I1 = p[0]; /* [kg*m^2] */

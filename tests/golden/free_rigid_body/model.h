@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:856387d5282c3ef1)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:b8bfbd094080effb)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -21,7 +21,7 @@
  * Outputs:
  * out[0] = L_squared [kg^2*m^4/s^2]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 6 +-, 11 *, 4 /, 4 calls
  * velocities: 3 +-, 5 *, 1 /, 4 calls
  * accelerations: 15 +-, 29 *, 4 /, 4 calls
@@ -32,14 +32,16 @@
  * jacobian: 6 +-, 20 *, 4 /, 4 calls
  * outputs: 2 +-, 9 *, 0 /, 1 calls
  *
- * Calls: t is the time, y has FREE_RIGID_BODY_NY entries and p FREE_RIGID_BODY_NP;
- *     free_rigid_body_parameter_defaults can be p. free_rigid_body_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has FREE_RIGID_BODY_NY entries, p has FREE_RIGID_BODY_NP;
+ *     free_rigid_body_parameter_defaults may be passed as p. free_rigid_body_state makes y from coordinates
+ *     and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: FREE_RIGID_BODY_OK (0) where the result is good; after any other code the output is not to be
+ * Return codes: FREE_RIGID_BODY_OK (0) if the result is good; after any other code the output must not be
  *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:9fcfb108007bffb4)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:04ae5a00328e2b45)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -107,7 +107,8 @@ static inline void free_rigid_body_quaternion_put(double *to, free_rigid_body_qu
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int free_rigid_body_quaternion_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int free_rigid_body_quaternion_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = FREE_RIGID_BODY_QUATERNION_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -136,7 +137,8 @@ static inline free_rigid_body_quaternion_lanes free_rigid_body_quaternion_mark(f
 {
     return (free_rigid_body_quaternion_lanes)((free_rigid_body_quaternion_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int free_rigid_body_quaternion_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -151,8 +153,9 @@ static inline int free_rigid_body_quaternion_is_good(int count, const double *ch
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void free_rigid_body_quaternion_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void free_rigid_body_quaternion_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < FREE_RIGID_BODY_QUATERNION_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -163,6 +166,7 @@ static inline void free_rigid_body_quaternion_fill(size_t left, size_t count, co
     }
 }
 
+/* the results of the last states */
 static inline void free_rigid_body_quaternion_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < FREE_RIGID_BODY_QUATERNION_NY; ++k) {
@@ -299,8 +303,8 @@ int free_rigid_body_quaternion_accelerations(double t, const double *y, const do
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
-int free_rigid_body_quaternion_state(double t, const double *q, const double *qdot, const double *p, double
-    *y)
+int free_rigid_body_quaternion_state(double t, const double *q, const double *qdot, const double *p,
+    double *y)
 {
     (void)t;
     (void)p;
@@ -535,8 +539,8 @@ int free_rigid_body_quaternion_outputs(double t, const double *y, const double *
 }
 
 #if FREE_RIGID_BODY_QUATERNION_LANES >= 2
-static __attribute__((noinline)) void free_rigid_body_quaternion_rhs_lanes(const double *fixed, size_t
-    stride, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void free_rigid_body_quaternion_rhs_lanes(const double *fixed,
+    size_t stride, const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     free_rigid_body_quaternion_lanes far = {0}; /* the squares of the angles */

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:0f8a0bf91769cbac)
+ * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:632db29acf7ef168)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -27,7 +27,7 @@
  * out[1] = L_y [kg*m^2/s]
  * out[2] = L_z [kg*m^2/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 11 +-, 22 *, 3 /, 0 calls
  * velocities: 8 +-, 16 *, 0 /, 0 calls
  * accelerations: 17 +-, 39 *, 3 /, 0 calls
@@ -39,14 +39,16 @@
  * jacobian: 3 +-, 13 *, 3 /, 0 calls
  * outputs: 15 +-, 28 *, 1 /, 0 calls
  *
- * Calls: t is the time, y has FREE_RIGID_BODY_QUATERNION_NY entries and p FREE_RIGID_BODY_QUATERNION_NP;
- *     free_rigid_body_quaternion_parameter_defaults can be p. free_rigid_body_quaternion_state makes y from
- *     coordinates and velocities.
+ * Calls: t is the time; y has FREE_RIGID_BODY_QUATERNION_NY entries, p has FREE_RIGID_BODY_QUATERNION_NP;
+ *     free_rigid_body_quaternion_parameter_defaults may be passed as p. free_rigid_body_quaternion_state
+ *     makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: FREE_RIGID_BODY_QUATERNION_OK (0) where the result is good; after any other code the output
- *     is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: FREE_RIGID_BODY_QUATERNION_OK (0) if the result is good; after any other code the output must
+ *     not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
@@ -102,8 +104,8 @@ int free_rigid_body_quaternion_accelerations(double t, const double *y, const do
  * the state y from coordinates and velocities (I.2.1)
  * y: 7 entries
  */
-int free_rigid_body_quaternion_state(double t, const double *q, const double *qdot, const double *p, double
-    *y);
+int free_rigid_body_quaternion_state(double t, const double *q, const double *qdot, const double *p,
+    double *y);
 
 /*
  * left minus right side of each constraint, zero on every motion (I.1.1)

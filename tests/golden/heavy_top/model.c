@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:ac57f9a1317b3dd7)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:79bc74bde5b869b0)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -98,7 +98,8 @@ static inline void heavy_top_put(double *to, heavy_top_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int heavy_top_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int heavy_top_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = HEAVY_TOP_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -138,7 +139,8 @@ static inline heavy_top_lanes heavy_top_size(heavy_top_lanes x)
 {
     return (heavy_top_lanes)((heavy_top_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int heavy_top_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -153,8 +155,9 @@ static inline int heavy_top_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void heavy_top_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void heavy_top_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < HEAVY_TOP_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -165,6 +168,7 @@ static inline void heavy_top_fill(size_t left, size_t count, const double *t, co
     }
 }
 
+/* the results of the last states */
 static inline void heavy_top_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < HEAVY_TOP_NY; ++k) {
@@ -175,7 +179,8 @@ static inline void heavy_top_pour(size_t left, size_t count, const double *slope
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void heavy_top_turn_lanes(heavy_top_lanes x, heavy_top_lanes *far, heavy_top_lanes *sine, heavy_top_lanes *cosine)
+static inline void heavy_top_turn_lanes(heavy_top_lanes x, heavy_top_lanes *far,
+    heavy_top_lanes *sine, heavy_top_lanes *cosine)
 {
     double angle[HEAVY_TOP_LANES];
     double up[HEAVY_TOP_LANES];
@@ -489,8 +494,8 @@ int heavy_top_outputs(double t, const double *y, const double *p, double *out)
 }
 
 #if HEAVY_TOP_LANES >= 2
-static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     heavy_top_lanes far = {0}; /* the squares of the angles */
@@ -544,8 +549,8 @@ static __attribute__((noinline)) void heavy_top_rhs_tail(const double *fixed, si
 }
 #endif
 
-int heavy_top_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int heavy_top_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if HEAVY_TOP_LANES >= 2
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */

@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:5c8922a168614a02)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:0196d7f200367f8f)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -22,7 +22,7 @@
  * out[0] = p_phi [kg*m^2/s]
  * out[1] = p_psi [kg*m^2/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 5 +-, 13 *, 2 /, 2 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 5 +-, 13 *, 2 /, 2 calls
@@ -33,12 +33,14 @@
  * jacobian: 14 +-, 33 *, 2 /, 2 calls
  * outputs: 2 +-, 6 *, 0 /, 2 calls
  *
- * Calls: t is the time, y has HEAVY_TOP_NY entries and p HEAVY_TOP_NP; heavy_top_parameter_defaults can be p.
- *     heavy_top_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has HEAVY_TOP_NY entries, p has HEAVY_TOP_NP; heavy_top_parameter_defaults may be
+ *     passed as p. heavy_top_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: HEAVY_TOP_OK (0) where the result is good; after any other code the output is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: HEAVY_TOP_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:1990891257c5c7f5)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:c76e65dff3314603)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -108,7 +108,8 @@ static inline void heavy_top_quaternion_put(double *to, heavy_top_quaternion_lan
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int heavy_top_quaternion_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int heavy_top_quaternion_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = HEAVY_TOP_QUATERNION_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -137,7 +138,8 @@ static inline heavy_top_quaternion_lanes heavy_top_quaternion_mark(heavy_top_qua
 {
     return (heavy_top_quaternion_lanes)((heavy_top_quaternion_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int heavy_top_quaternion_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -152,8 +154,9 @@ static inline int heavy_top_quaternion_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void heavy_top_quaternion_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void heavy_top_quaternion_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < HEAVY_TOP_QUATERNION_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -164,6 +167,7 @@ static inline void heavy_top_quaternion_fill(size_t left, size_t count, const do
     }
 }
 
+/* the results of the last states */
 static inline void heavy_top_quaternion_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < HEAVY_TOP_QUATERNION_NY; ++k) {
@@ -581,8 +585,8 @@ static __attribute__((noinline)) void heavy_top_quaternion_rhs_lanes(const doubl
     heavy_top_quaternion_put(check, heavy_top_quaternion_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void heavy_top_quaternion_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void heavy_top_quaternion_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[HEAVY_TOP_QUATERNION_LANES];
     double state[7 * HEAVY_TOP_QUATERNION_LANES];
@@ -593,8 +597,8 @@ static __attribute__((noinline)) void heavy_top_quaternion_rhs_tail(const double
 }
 #endif
 
-int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if HEAVY_TOP_QUATERNION_LANES >= 2
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:fa9a68fc2235b560)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:49ca544cbb666f91)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -27,7 +27,7 @@
  * out[0] = height [1]
  * out[1] = L_z [kg*m^2/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 16 +-, 33 *, 2 /, 0 calls
  * velocities: 8 +-, 16 *, 0 /, 0 calls
  * accelerations: 18 +-, 33 *, 2 /, 0 calls
@@ -39,14 +39,16 @@
  * jacobian: 14 +-, 56 *, 2 /, 0 calls
  * outputs: 10 +-, 17 *, 1 /, 0 calls
  *
- * Calls: t is the time, y has HEAVY_TOP_QUATERNION_NY entries and p HEAVY_TOP_QUATERNION_NP;
- *     heavy_top_quaternion_parameter_defaults can be p. heavy_top_quaternion_state makes y from coordinates
- *     and velocities.
+ * Calls: t is the time; y has HEAVY_TOP_QUATERNION_NY entries, p has HEAVY_TOP_QUATERNION_NP;
+ *     heavy_top_quaternion_parameter_defaults may be passed as p. heavy_top_quaternion_state makes y from
+ *     coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: HEAVY_TOP_QUATERNION_OK (0) where the result is good; after any other code the output is not
- *     to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: HEAVY_TOP_QUATERNION_OK (0) if the result is good; after any other code the output must not
+ *     be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
@@ -145,8 +147,8 @@ int heavy_top_quaternion_outputs(double t, const double *y, const double *p, dou
  * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
  * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
  */
-int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *dydt);
+int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *dydt);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:e01cabed9f8ba5b7)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:27b7bcf5e0f4dd86)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -95,7 +95,8 @@ static inline void holonomic_pendulum_put(double *to, holonomic_pendulum_lanes v
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int holonomic_pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int holonomic_pendulum_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = HOLONOMIC_PENDULUM_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -135,7 +136,8 @@ static inline holonomic_pendulum_lanes holonomic_pendulum_size(holonomic_pendulu
 {
     return (holonomic_pendulum_lanes)((holonomic_pendulum_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int holonomic_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -150,8 +152,9 @@ static inline int holonomic_pendulum_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void holonomic_pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void holonomic_pendulum_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < HOLONOMIC_PENDULUM_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -162,6 +165,7 @@ static inline void holonomic_pendulum_fill(size_t left, size_t count, const doub
     }
 }
 
+/* the results of the last states */
 static inline void holonomic_pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < HOLONOMIC_PENDULUM_NY; ++k) {
@@ -440,8 +444,8 @@ int holonomic_pendulum_outputs(double t, const double *y, const double *p, doubl
 }
 
 #if HOLONOMIC_PENDULUM_LANES >= 2
-static __attribute__((noinline)) void holonomic_pendulum_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void holonomic_pendulum_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     holonomic_pendulum_lanes far = {0}; /* the squares of the angles */
@@ -477,8 +481,8 @@ static __attribute__((noinline)) void holonomic_pendulum_rhs_lanes(const double 
     holonomic_pendulum_put(check, holonomic_pendulum_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void holonomic_pendulum_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void holonomic_pendulum_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[HOLONOMIC_PENDULUM_LANES];
     double state[3 * HOLONOMIC_PENDULUM_LANES];
@@ -489,8 +493,8 @@ static __attribute__((noinline)) void holonomic_pendulum_rhs_tail(const double *
 }
 #endif
 
-int holonomic_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int holonomic_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if HOLONOMIC_PENDULUM_LANES >= 2
     const double m = p[0]; /* mass of the bob [kg] */

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:1d2afd55966c12d4)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:5db4bd753232bca3)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -19,7 +19,7 @@
  * Constraints:
  * 0: rod
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 2 +-, 8 *, 1 /, 2 calls
  * velocities: 2 +-, 5 *, 1 /, 2 calls
  * accelerations: 4 +-, 12 *, 1 /, 2 calls
@@ -31,14 +31,16 @@
  * jacobian: 3 +-, 14 *, 1 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 2 calls
  *
- * Calls: t is the time, y has HOLONOMIC_PENDULUM_NY entries and p HOLONOMIC_PENDULUM_NP;
- *     holonomic_pendulum_parameter_defaults can be p. holonomic_pendulum_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has HOLONOMIC_PENDULUM_NY entries, p has HOLONOMIC_PENDULUM_NP;
+ *     holonomic_pendulum_parameter_defaults may be passed as p. holonomic_pendulum_state makes y from
+ *     coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: HOLONOMIC_PENDULUM_OK (0) where the result is good; after any other code the output is not to
- *     be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: HOLONOMIC_PENDULUM_OK (0) if the result is good; after any other code the output must not be
+ *     used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
@@ -138,8 +140,8 @@ int holonomic_pendulum_outputs(double t, const double *y, const double *p, doubl
  * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
  * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
  */
-int holonomic_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *dydt);
+int holonomic_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *dydt);
 
 #ifdef __cplusplus
 }

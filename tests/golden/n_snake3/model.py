@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:726f6c2e881c3e04).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:fb7714ab590a8099).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -26,7 +26,8 @@ Constraints:
 1: wheel2
 2: wheel3
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 42 +-, 79 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 1 /, 6 calls
 accelerations: 56 +-, 97 *, 3 /, 6 calls

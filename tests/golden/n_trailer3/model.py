@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:b7f0583db52de8ca).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:3b58ffb3993402e3).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -33,7 +33,8 @@ Outputs:
 out[0] = tail_x [m]
 out[1] = tail_y [m]
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 17 +-, 31 *, 2 /, 8 calls
 velocities: 3 +-, 8 *, 1 /, 7 calls
 accelerations: 24 +-, 47 *, 2 /, 8 calls

@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:39e419c6d2e399e0)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:5897e4e7796422d2)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -93,7 +93,8 @@ static inline void nh_particle_put(double *to, nh_particle_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int nh_particle_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int nh_particle_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = NH_PARTICLE_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -122,7 +123,8 @@ static inline nh_particle_lanes nh_particle_mark(nh_particle_lanes value, nh_par
 {
     return (nh_particle_lanes)((nh_particle_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int nh_particle_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -137,8 +139,9 @@ static inline int nh_particle_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void nh_particle_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void nh_particle_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < NH_PARTICLE_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -149,6 +152,7 @@ static inline void nh_particle_fill(size_t left, size_t count, const double *t, 
     }
 }
 
+/* the results of the last states */
 static inline void nh_particle_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < NH_PARTICLE_NY; ++k) {
@@ -380,8 +384,8 @@ int nh_particle_outputs(double t, const double *y, const double *p, double *out)
 }
 
 #if NH_PARTICLE_LANES >= 2
-static __attribute__((noinline)) void nh_particle_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void nh_particle_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     nh_particle_lanes far = {0}; /* the squares of the angles */
@@ -421,8 +425,8 @@ static __attribute__((noinline)) void nh_particle_rhs_tail(const double *fixed, 
 }
 #endif
 
-int nh_particle_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int nh_particle_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if NH_PARTICLE_LANES >= 2
     const double m = p[0];

@@ -1,5 +1,5 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:5b6277ce2de3d028)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:1f6d01f93d110f3f)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -21,7 +21,7 @@
  * Outputs:
  * out[0] = p_x
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 1 +-, 5 *, 1 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
  * accelerations: 2 +-, 6 *, 1 /, 0 calls
@@ -32,12 +32,13 @@
  * jacobian: 2 +-, 10 *, 1 /, 0 calls
  * outputs: 1 +-, 3 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has NH_PARTICLE_NY entries and p NH_PARTICLE_NP; nh_particle_parameter_defaults can
- *     be p. nh_particle_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has NH_PARTICLE_NY entries, p has NH_PARTICLE_NP; nh_particle_parameter_defaults
+ *     may be passed as p. nh_particle_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
- * Return codes: NH_PARTICLE_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: NH_PARTICLE_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

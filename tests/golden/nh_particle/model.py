@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:cbb07ea9e4bced9a).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:e407049031b6c773).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -21,7 +21,8 @@ Constraints:
 Outputs:
 out[0] = p_x
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 1 +-, 5 *, 1 /, 0 calls
 velocities: 0 +-, 1 *, 0 /, 0 calls
 accelerations: 2 +-, 6 *, 1 /, 0 calls

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:ad9752c63442e851)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:f378d6c384f550e2)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -95,7 +95,8 @@ static inline void nh_particle_pot_put(double *to, nh_particle_pot_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int nh_particle_pot_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int nh_particle_pot_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = NH_PARTICLE_POT_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -124,7 +125,8 @@ static inline nh_particle_pot_lanes nh_particle_pot_mark(nh_particle_pot_lanes v
 {
     return (nh_particle_pot_lanes)((nh_particle_pot_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int nh_particle_pot_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -139,8 +141,9 @@ static inline int nh_particle_pot_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void nh_particle_pot_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void nh_particle_pot_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < NH_PARTICLE_POT_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -151,6 +154,7 @@ static inline void nh_particle_pot_fill(size_t left, size_t count, const double 
     }
 }
 
+/* the results of the last states */
 static inline void nh_particle_pot_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < NH_PARTICLE_POT_NY; ++k) {
@@ -395,8 +399,8 @@ int nh_particle_pot_outputs(double t, const double *y, const double *p, double *
 }
 
 #if NH_PARTICLE_POT_LANES >= 2
-static __attribute__((noinline)) void nh_particle_pot_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void nh_particle_pot_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     nh_particle_pot_lanes far = {0}; /* the squares of the angles */
@@ -428,8 +432,8 @@ static __attribute__((noinline)) void nh_particle_pot_rhs_lanes(const double *fi
     nh_particle_pot_put(check, nh_particle_pot_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void nh_particle_pot_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void nh_particle_pot_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[NH_PARTICLE_POT_LANES];
     double state[5 * NH_PARTICLE_POT_LANES];
@@ -440,8 +444,8 @@ static __attribute__((noinline)) void nh_particle_pot_rhs_tail(const double *fix
 }
 #endif
 
-int nh_particle_pot_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int nh_particle_pot_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if NH_PARTICLE_POT_LANES >= 2
     const double m = p[0];

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:9a08aa7c4e53fbcc)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:7d84293df647af9b)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -19,7 +19,7 @@
  * Constraints:
  * 0: contact
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 2 +-, 7 *, 2 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
  * accelerations: 3 +-, 8 *, 2 /, 0 calls
@@ -30,13 +30,15 @@
  * jacobian: 3 +-, 16 *, 2 /, 0 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has NH_PARTICLE_POT_NY entries and p NH_PARTICLE_POT_NP;
- *     nh_particle_pot_parameter_defaults can be p. nh_particle_pot_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has NH_PARTICLE_POT_NY entries, p has NH_PARTICLE_POT_NP;
+ *     nh_particle_pot_parameter_defaults may be passed as p. nh_particle_pot_state makes y from coordinates
+ *     and velocities.
  * All arrays are the caller's; an output must not overlap an input.
- * Return codes: NH_PARTICLE_POT_OK (0) where the result is good; after any other code the output is not to be
+ * Return codes: NH_PARTICLE_POT_OK (0) if the result is good; after any other code the output must not be
  *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:df78534b7e4efd20)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:28a9ba4dc8826ca7)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -92,7 +92,8 @@ static inline void pendulum_put(double *to, pendulum_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int pendulum_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = PENDULUM_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -121,7 +122,8 @@ static inline pendulum_lanes pendulum_mark(pendulum_lanes value, pendulum_bits b
 {
     return (pendulum_lanes)((pendulum_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -136,8 +138,9 @@ static inline int pendulum_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void pendulum_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < PENDULUM_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -148,6 +151,7 @@ static inline void pendulum_fill(size_t left, size_t count, const double *t, con
     }
 }
 
+/* the results of the last states */
 static inline void pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < PENDULUM_NY; ++k) {
@@ -158,7 +162,8 @@ static inline void pendulum_pour(size_t left, size_t count, const double *slope,
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void pendulum_turn_lanes(pendulum_lanes x, pendulum_lanes *far, pendulum_lanes *sine, pendulum_lanes *cosine)
+static inline void pendulum_turn_lanes(pendulum_lanes x, pendulum_lanes *far,
+    pendulum_lanes *sine, pendulum_lanes *cosine)
 {
     double angle[PENDULUM_LANES];
     double up[PENDULUM_LANES];
@@ -375,8 +380,8 @@ static __attribute__((noinline)) void pendulum_rhs_lanes(const double *fixed, si
     pendulum_put(check, pendulum_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void pendulum_rhs_tail(const double *fixed, size_t left, size_t count, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void pendulum_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[PENDULUM_LANES];
     double state[2 * PENDULUM_LANES];

@@ -1,5 +1,5 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:1feb72834aa50b90)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:c37cf25673dd28af)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -17,7 +17,7 @@
  * Outputs:
  * out[0] = rate [rad/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 0 +-, 3 *, 1 /, 1 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 0 +-, 3 *, 1 /, 1 calls
@@ -28,12 +28,14 @@
  * jacobian: 0 +-, 3 *, 1 /, 1 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has PENDULUM_NY entries and p PENDULUM_NP; pendulum_parameter_defaults can be p.
- *     pendulum_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has PENDULUM_NY entries, p has PENDULUM_NP; pendulum_parameter_defaults may be
+ *     passed as p. pendulum_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: PENDULUM_OK (0) where the result is good; after any other code the output is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: PENDULUM_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

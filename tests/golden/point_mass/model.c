@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:4cac84754ddffb00)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:ed31457eacd52733)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -98,7 +98,8 @@ static inline void point_mass_put(double *to, point_mass_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int point_mass_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int point_mass_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = POINT_MASS_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -127,7 +128,8 @@ static inline point_mass_lanes point_mass_mark(point_mass_lanes value, point_mas
 {
     return (point_mass_lanes)((point_mass_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int point_mass_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -142,8 +144,9 @@ static inline int point_mass_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void point_mass_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void point_mass_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < POINT_MASS_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -154,6 +157,7 @@ static inline void point_mass_fill(size_t left, size_t count, const double *t, c
     }
 }
 
+/* the results of the last states */
 static inline void point_mass_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < POINT_MASS_NY; ++k) {
@@ -362,8 +366,8 @@ int point_mass_outputs(double t, const double *y, const double *p, double *out)
 }
 
 #if POINT_MASS_LANES >= 2
-static __attribute__((noinline)) void point_mass_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void point_mass_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     point_mass_lanes far = {0}; /* the squares of the angles */
@@ -406,8 +410,8 @@ static __attribute__((noinline)) void point_mass_rhs_tail(const double *fixed, s
 }
 #endif
 
-int point_mass_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int point_mass_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if POINT_MASS_LANES >= 2
     const double m = p[0]; /* mass [kg] */

@@ -1,5 +1,5 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:a3f8ac8f266d83fa)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:82a772e05c873416)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -21,7 +21,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 1 +-, 3 *, 1 /, 0 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 1 +-, 3 *, 1 /, 0 calls
@@ -32,13 +32,14 @@
  * jacobian: 0 +-, 0 *, 1 /, 0 calls
  * outputs: 2 +-, 3 *, 0 /, 1 calls
  *
- * Calls: t is the time, y has POINT_MASS_NY entries and p POINT_MASS_NP; point_mass_parameter_defaults can be
- *     p. point_mass_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has POINT_MASS_NY entries, p has POINT_MASS_NP; point_mass_parameter_defaults may
+ *     be passed as p. point_mass_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: POINT_MASS_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: POINT_MASS_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:3a2230a0dd8a663a)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:1e9aa35fbd53ec6f)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -96,7 +96,8 @@ static inline void pumped_pendulum_put(double *to, pumped_pendulum_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int pumped_pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int pumped_pendulum_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = PUMPED_PENDULUM_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -125,7 +126,8 @@ static inline pumped_pendulum_lanes pumped_pendulum_mark(pumped_pendulum_lanes v
 {
     return (pumped_pendulum_lanes)((pumped_pendulum_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int pumped_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -140,8 +142,9 @@ static inline int pumped_pendulum_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void pumped_pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void pumped_pendulum_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < PUMPED_PENDULUM_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -152,6 +155,7 @@ static inline void pumped_pendulum_fill(size_t left, size_t count, const double 
     }
 }
 
+/* the results of the last states */
 static inline void pumped_pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < PUMPED_PENDULUM_NY; ++k) {
@@ -162,7 +166,8 @@ static inline void pumped_pendulum_pour(size_t left, size_t count, const double 
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void pumped_pendulum_turn_lanes(pumped_pendulum_lanes x, pumped_pendulum_lanes *far, pumped_pendulum_lanes *sine, pumped_pendulum_lanes *cosine)
+static inline void pumped_pendulum_turn_lanes(pumped_pendulum_lanes x, pumped_pendulum_lanes *far,
+    pumped_pendulum_lanes *sine, pumped_pendulum_lanes *cosine)
 {
     double angle[PUMPED_PENDULUM_LANES];
     double up[PUMPED_PENDULUM_LANES];
@@ -375,8 +380,8 @@ int pumped_pendulum_outputs(double t, const double *y, const double *p, double *
 }
 
 #if PUMPED_PENDULUM_LANES >= 2
-static __attribute__((noinline)) void pumped_pendulum_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void pumped_pendulum_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     pumped_pendulum_lanes far = {0}; /* the squares of the angles */
     pumped_pendulum_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
@@ -406,8 +411,8 @@ static __attribute__((noinline)) void pumped_pendulum_rhs_lanes(const double *fi
     pumped_pendulum_put(check, pumped_pendulum_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void pumped_pendulum_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void pumped_pendulum_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[PUMPED_PENDULUM_LANES];
     double state[2 * PUMPED_PENDULUM_LANES];
@@ -418,8 +423,8 @@ static __attribute__((noinline)) void pumped_pendulum_rhs_tail(const double *fix
 }
 #endif
 
-int pumped_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int pumped_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if PUMPED_PENDULUM_LANES >= 2
     const double m = p[0]; /* mass of the bob [kg] */

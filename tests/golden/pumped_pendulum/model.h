@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:c2f23b8a4903326f)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:373ad8932dac243d)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -16,7 +16,7 @@
  * p[3]: a = 0.3 [m]: amplitude of the pivot
  * p[4]: nu = 3.0 [rad/s]: frequency of the pivot
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 1 +-, 9 *, 1 /, 3 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 1 +-, 9 *, 1 /, 3 calls
@@ -27,14 +27,16 @@
  * jacobian: 1 +-, 9 *, 1 /, 3 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has PUMPED_PENDULUM_NY entries and p PUMPED_PENDULUM_NP;
- *     pumped_pendulum_parameter_defaults can be p. pumped_pendulum_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has PUMPED_PENDULUM_NY entries, p has PUMPED_PENDULUM_NP;
+ *     pumped_pendulum_parameter_defaults may be passed as p. pumped_pendulum_state makes y from coordinates
+ *     and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: PUMPED_PENDULUM_OK (0) where the result is good; after any other code the output is not to be
+ * Return codes: PUMPED_PENDULUM_OK (0) if the result is good; after any other code the output must not be
  *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

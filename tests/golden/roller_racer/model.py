@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:ccc1892055efd277).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:b5ffe36c5825a120).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -28,7 +28,8 @@ Constraints:
 Outputs:
 out[0] = speed [m/s]
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 8 +-, 28 *, 3 /, 4 calls
 velocities: 2 +-, 6 *, 1 /, 4 calls
 accelerations: 14 +-, 34 *, 3 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:f4a15aa3ff7f8954)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:750105557bed0601)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -113,7 +113,8 @@ static inline void rolling_disk_put(double *to, rolling_disk_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int rolling_disk_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int rolling_disk_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = ROLLING_DISK_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -153,7 +154,8 @@ static inline rolling_disk_lanes rolling_disk_size(rolling_disk_lanes x)
 {
     return (rolling_disk_lanes)((rolling_disk_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int rolling_disk_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -168,8 +170,9 @@ static inline int rolling_disk_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void rolling_disk_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void rolling_disk_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < ROLLING_DISK_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -180,6 +183,7 @@ static inline void rolling_disk_fill(size_t left, size_t count, const double *t,
     }
 }
 
+/* the results of the last states */
 static inline void rolling_disk_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < ROLLING_DISK_NY; ++k) {
@@ -190,7 +194,8 @@ static inline void rolling_disk_pour(size_t left, size_t count, const double *sl
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void rolling_disk_turn_lanes(rolling_disk_lanes x, rolling_disk_lanes *far, rolling_disk_lanes *sine, rolling_disk_lanes *cosine)
+static inline void rolling_disk_turn_lanes(rolling_disk_lanes x, rolling_disk_lanes *far,
+    rolling_disk_lanes *sine, rolling_disk_lanes *cosine)
 {
     double angle[ROLLING_DISK_LANES];
     double up[ROLLING_DISK_LANES];
@@ -664,8 +669,8 @@ int rolling_disk_outputs(double t, const double *y, const double *p, double *out
 }
 
 #if ROLLING_DISK_LANES >= 2
-static __attribute__((noinline)) void rolling_disk_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void rolling_disk_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     rolling_disk_lanes far = {0}; /* the squares of the angles */
@@ -738,8 +743,8 @@ static __attribute__((noinline)) void rolling_disk_rhs_tail(const double *fixed,
 }
 #endif
 
-int rolling_disk_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int rolling_disk_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if ROLLING_DISK_LANES >= 2
     const double m = p[0]; /* mass [kg] */

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:3f93879880552a42)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:f525fe1b5333549f)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -31,7 +31,7 @@
  * out[1] = contact_x [m]
  * out[2] = contact_y [m]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 8 +-, 21 *, 4 /, 4 calls
  * velocities: 3 +-, 8 *, 1 /, 4 calls
  * accelerations: 15 +-, 41 *, 4 /, 4 calls
@@ -42,13 +42,14 @@
  * jacobian: 8 +-, 44 *, 4 /, 4 calls
  * outputs: 2 +-, 4 *, 0 /, 4 calls
  *
- * Calls: t is the time, y has ROLLING_DISK_NY entries and p ROLLING_DISK_NP; rolling_disk_parameter_defaults
- *     can be p. rolling_disk_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has ROLLING_DISK_NY entries, p has ROLLING_DISK_NP; rolling_disk_parameter_defaults
+ *     may be passed as p. rolling_disk_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: ROLLING_DISK_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: ROLLING_DISK_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

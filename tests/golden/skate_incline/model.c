@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:8e2c9eb208416f51)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:c97d62d7357074af)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -100,7 +100,8 @@ static inline void skate_incline_put(double *to, skate_incline_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int skate_incline_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int skate_incline_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = SKATE_INCLINE_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -129,7 +130,8 @@ static inline skate_incline_lanes skate_incline_mark(skate_incline_lanes value, 
 {
     return (skate_incline_lanes)((skate_incline_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int skate_incline_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -144,8 +146,9 @@ static inline int skate_incline_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void skate_incline_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void skate_incline_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < SKATE_INCLINE_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -156,6 +159,7 @@ static inline void skate_incline_fill(size_t left, size_t count, const double *t
     }
 }
 
+/* the results of the last states */
 static inline void skate_incline_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < SKATE_INCLINE_NY; ++k) {
@@ -166,7 +170,8 @@ static inline void skate_incline_pour(size_t left, size_t count, const double *s
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void skate_incline_turn_lanes(skate_incline_lanes x, skate_incline_lanes *far, skate_incline_lanes *sine, skate_incline_lanes *cosine)
+static inline void skate_incline_turn_lanes(skate_incline_lanes x, skate_incline_lanes *far,
+    skate_incline_lanes *sine, skate_incline_lanes *cosine)
 {
     double angle[SKATE_INCLINE_LANES];
     double up[SKATE_INCLINE_LANES];
@@ -451,8 +456,8 @@ int skate_incline_outputs(double t, const double *y, const double *p, double *ou
 }
 
 #if SKATE_INCLINE_LANES >= 2
-static __attribute__((noinline)) void skate_incline_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void skate_incline_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     skate_incline_lanes far = {0}; /* the squares of the angles */
@@ -496,8 +501,8 @@ static __attribute__((noinline)) void skate_incline_rhs_tail(const double *fixed
 }
 #endif
 
-int skate_incline_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int skate_incline_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if SKATE_INCLINE_LANES >= 2
     const double m = p[0]; /* mass [kg] */

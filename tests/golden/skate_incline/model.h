@@ -1,5 +1,5 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:1871cc6db57667f6)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:052c2836709aa329)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,7 +25,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 0 +-, 4 *, 0 /, 3 calls
  * velocities: 0 +-, 2 *, 0 /, 2 calls
  * accelerations: 2 +-, 7 *, 0 /, 3 calls
@@ -36,13 +36,15 @@
  * jacobian: 0 +-, 4 *, 0 /, 3 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has SKATE_INCLINE_NY entries and p SKATE_INCLINE_NP;
- *     skate_incline_parameter_defaults can be p. skate_incline_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has SKATE_INCLINE_NY entries, p has SKATE_INCLINE_NP;
+ *     skate_incline_parameter_defaults may be passed as p. skate_incline_state makes y from coordinates and
+ *     velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: SKATE_INCLINE_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: SKATE_INCLINE_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:794559156e7d6491).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:284490cbfa13d8b9).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -31,7 +31,8 @@ out[1] = spin [rad/s]
 out[2] = p_x [kg*m/s]
 out[3] = p_y [kg*m/s]
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 13 +-, 39 *, 4 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 15 +-, 46 *, 4 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:3be0408bd882ebd3)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:f06a27a018d47f89)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -123,7 +123,8 @@ static inline void snakeboard_put(double *to, snakeboard_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int snakeboard_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int snakeboard_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = SNAKEBOARD_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -163,7 +164,8 @@ static inline snakeboard_lanes snakeboard_size(snakeboard_lanes x)
 {
     return (snakeboard_lanes)((snakeboard_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int snakeboard_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -178,8 +180,9 @@ static inline int snakeboard_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void snakeboard_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void snakeboard_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < SNAKEBOARD_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -190,6 +193,7 @@ static inline void snakeboard_fill(size_t left, size_t count, const double *t, c
     }
 }
 
+/* the results of the last states */
 static inline void snakeboard_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < SNAKEBOARD_NY; ++k) {
@@ -200,7 +204,8 @@ static inline void snakeboard_pour(size_t left, size_t count, const double *slop
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void snakeboard_turn_lanes(snakeboard_lanes x, snakeboard_lanes *far, snakeboard_lanes *sine, snakeboard_lanes *cosine)
+static inline void snakeboard_turn_lanes(snakeboard_lanes x, snakeboard_lanes *far,
+    snakeboard_lanes *sine, snakeboard_lanes *cosine)
 {
     double angle[SNAKEBOARD_LANES];
     double up[SNAKEBOARD_LANES];
@@ -1093,8 +1098,8 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
 }
 
 #if SNAKEBOARD_LANES >= 2
-static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     snakeboard_lanes far = {0}; /* the squares of the angles */
     snakeboard_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
@@ -1238,8 +1243,8 @@ static __attribute__((noinline)) void snakeboard_rhs_tail(const double *fixed, s
 }
 #endif
 
-int snakeboard_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int snakeboard_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if SNAKEBOARD_LANES >= 2
     const double m = p[0]; /* mass of everything [kg] */

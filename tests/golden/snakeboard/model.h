@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:4237651a2fd95117)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:730415ad88af1dda)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,7 +36,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 52 +-, 106 *, 4 /, 9 calls
  * velocities: 18 +-, 34 *, 1 /, 7 calls
  * accelerations: 62 +-, 117 *, 4 /, 9 calls
@@ -47,13 +47,14 @@
  * jacobian: 165 +-, 299 *, 2 /, 9 calls
  * outputs: 10 +-, 18 *, 1 /, 5 calls
  *
- * Calls: t is the time, y has SNAKEBOARD_NY entries and p SNAKEBOARD_NP; snakeboard_parameter_defaults can be
- *     p. snakeboard_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has SNAKEBOARD_NY entries, p has SNAKEBOARD_NP; snakeboard_parameter_defaults may
+ *     be passed as p. snakeboard_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: SNAKEBOARD_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: SNAKEBOARD_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

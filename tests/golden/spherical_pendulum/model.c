@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:8b5c49f6d03bbe33)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:fe396716ebf026e2)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -95,7 +95,8 @@ static inline void spherical_pendulum_put(double *to, spherical_pendulum_lanes v
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int spherical_pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int spherical_pendulum_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = SPHERICAL_PENDULUM_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -135,7 +136,8 @@ static inline spherical_pendulum_lanes spherical_pendulum_size(spherical_pendulu
 {
     return (spherical_pendulum_lanes)((spherical_pendulum_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int spherical_pendulum_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -150,8 +152,9 @@ static inline int spherical_pendulum_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void spherical_pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void spherical_pendulum_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < SPHERICAL_PENDULUM_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -162,6 +165,7 @@ static inline void spherical_pendulum_fill(size_t left, size_t count, const doub
     }
 }
 
+/* the results of the last states */
 static inline void spherical_pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < SPHERICAL_PENDULUM_NY; ++k) {
@@ -172,7 +176,8 @@ static inline void spherical_pendulum_pour(size_t left, size_t count, const doub
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void spherical_pendulum_turn_lanes(spherical_pendulum_lanes x, spherical_pendulum_lanes *far, spherical_pendulum_lanes *sine, spherical_pendulum_lanes *cosine)
+static inline void spherical_pendulum_turn_lanes(spherical_pendulum_lanes x, spherical_pendulum_lanes *far,
+    spherical_pendulum_lanes *sine, spherical_pendulum_lanes *cosine)
 {
     double angle[SPHERICAL_PENDULUM_LANES];
     double up[SPHERICAL_PENDULUM_LANES];
@@ -430,8 +435,8 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
 }
 
 #if SPHERICAL_PENDULUM_LANES >= 2
-static __attribute__((noinline)) void spherical_pendulum_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void spherical_pendulum_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     spherical_pendulum_lanes far = {0}; /* the squares of the angles */
@@ -464,8 +469,8 @@ static __attribute__((noinline)) void spherical_pendulum_rhs_lanes(const double 
     spherical_pendulum_put(check, spherical_pendulum_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void spherical_pendulum_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void spherical_pendulum_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[SPHERICAL_PENDULUM_LANES];
     double state[4 * SPHERICAL_PENDULUM_LANES];
@@ -476,8 +481,8 @@ static __attribute__((noinline)) void spherical_pendulum_rhs_tail(const double *
 }
 #endif
 
-int spherical_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int spherical_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if SPHERICAL_PENDULUM_LANES >= 2
     const double m = p[0]; /* mass of the bob [kg] */

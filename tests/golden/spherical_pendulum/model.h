@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:e6b40bedc3f2edea)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:ed4517fd6e1c2f47)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -19,7 +19,7 @@
  * Outputs:
  * out[0] = L_z [kg*m^2/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 1 +-, 10 *, 2 /, 2 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 1 +-, 10 *, 2 /, 2 calls
@@ -30,14 +30,16 @@
  * jacobian: 2 +-, 20 *, 2 /, 2 calls
  * outputs: 0 +-, 5 *, 0 /, 1 calls
  *
- * Calls: t is the time, y has SPHERICAL_PENDULUM_NY entries and p SPHERICAL_PENDULUM_NP;
- *     spherical_pendulum_parameter_defaults can be p. spherical_pendulum_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has SPHERICAL_PENDULUM_NY entries, p has SPHERICAL_PENDULUM_NP;
+ *     spherical_pendulum_parameter_defaults may be passed as p. spherical_pendulum_state makes y from
+ *     coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: SPHERICAL_PENDULUM_OK (0) where the result is good; after any other code the output is not to
- *     be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: SPHERICAL_PENDULUM_OK (0) if the result is good; after any other code the output must not be
+ *     used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
@@ -130,8 +132,8 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
  * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
  * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
  */
-int spherical_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *dydt);
+int spherical_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *dydt);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:ff4c75de800c87b3)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:254a53c356025f09)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -101,7 +101,8 @@ static inline void suslov_put(double *to, suslov_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int suslov_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int suslov_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = SUSLOV_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -141,7 +142,8 @@ static inline suslov_lanes suslov_size(suslov_lanes x)
 {
     return (suslov_lanes)((suslov_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int suslov_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -156,8 +158,9 @@ static inline int suslov_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void suslov_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void suslov_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < SUSLOV_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -168,6 +171,7 @@ static inline void suslov_fill(size_t left, size_t count, const double *t, const
     }
 }
 
+/* the results of the last states */
 static inline void suslov_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < SUSLOV_NY; ++k) {
@@ -178,7 +182,8 @@ static inline void suslov_pour(size_t left, size_t count, const double *slope, d
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void suslov_turn_lanes(suslov_lanes x, suslov_lanes *far, suslov_lanes *sine, suslov_lanes *cosine)
+static inline void suslov_turn_lanes(suslov_lanes x, suslov_lanes *far,
+    suslov_lanes *sine, suslov_lanes *cosine)
 {
     double angle[SUSLOV_LANES];
     double up[SUSLOV_LANES];
@@ -578,8 +583,8 @@ static __attribute__((noinline)) void suslov_rhs_lanes(const double *fixed, size
     suslov_put(check, suslov_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void suslov_rhs_tail(const double *fixed, size_t left, size_t count, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void suslov_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[SUSLOV_LANES];
     double state[5 * SUSLOV_LANES];

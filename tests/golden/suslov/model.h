@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:a613bb1bc21a3a39)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:9278cbd6bff82100)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,7 +25,7 @@
  * Outputs:
  * out[0] = M3 [kg*m^2/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 3 +-, 11 *, 3 /, 4 calls
  * velocities: 2 +-, 5 *, 1 /, 4 calls
  * accelerations: 11 +-, 30 *, 3 /, 4 calls
@@ -36,12 +36,14 @@
  * jacobian: 6 +-, 22 *, 3 /, 4 calls
  * outputs: 1 +-, 2 *, 0 /, 1 calls
  *
- * Calls: t is the time, y has SUSLOV_NY entries and p SUSLOV_NP; suslov_parameter_defaults can be p.
- *     suslov_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has SUSLOV_NY entries, p has SUSLOV_NP; suslov_parameter_defaults may be passed as
+ *     p. suslov_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: SUSLOV_OK (0) where the result is good; after any other code the output is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: SUSLOV_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

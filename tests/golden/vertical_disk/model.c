@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:d7b36852eb6afa96)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:86b94293a8937d93)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -101,7 +101,8 @@ static inline void vertical_disk_put(double *to, vertical_disk_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int vertical_disk_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int vertical_disk_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = VERTICAL_DISK_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -130,7 +131,8 @@ static inline vertical_disk_lanes vertical_disk_mark(vertical_disk_lanes value, 
 {
     return (vertical_disk_lanes)((vertical_disk_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int vertical_disk_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -145,8 +147,9 @@ static inline int vertical_disk_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void vertical_disk_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void vertical_disk_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < VERTICAL_DISK_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -157,6 +160,7 @@ static inline void vertical_disk_fill(size_t left, size_t count, const double *t
     }
 }
 
+/* the results of the last states */
 static inline void vertical_disk_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < VERTICAL_DISK_NY; ++k) {
@@ -167,7 +171,8 @@ static inline void vertical_disk_pour(size_t left, size_t count, const double *s
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void vertical_disk_turn_lanes(vertical_disk_lanes x, vertical_disk_lanes *far, vertical_disk_lanes *sine, vertical_disk_lanes *cosine)
+static inline void vertical_disk_turn_lanes(vertical_disk_lanes x, vertical_disk_lanes *far,
+    vertical_disk_lanes *sine, vertical_disk_lanes *cosine)
 {
     double angle[VERTICAL_DISK_LANES];
     double up[VERTICAL_DISK_LANES];
@@ -450,8 +455,8 @@ int vertical_disk_outputs(double t, const double *y, const double *p, double *ou
 }
 
 #if VERTICAL_DISK_LANES >= 2
-static __attribute__((noinline)) void vertical_disk_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void vertical_disk_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     vertical_disk_lanes far = {0}; /* the squares of the angles */
@@ -497,8 +502,8 @@ static __attribute__((noinline)) void vertical_disk_rhs_tail(const double *fixed
 }
 #endif
 
-int vertical_disk_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int vertical_disk_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if VERTICAL_DISK_LANES >= 2
     const double m = p[0]; /* mass [kg] */

@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:fe0070da2df9b329)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:32eb59a10bcef5bd)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -26,7 +26,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 1 +-, 5 *, 0 /, 2 calls
  * velocities: 0 +-, 3 *, 0 /, 2 calls
  * accelerations: 1 +-, 6 *, 0 /, 2 calls
@@ -37,13 +37,15 @@
  * jacobian: 1 +-, 6 *, 0 /, 2 calls
  * outputs: 0 +-, 1 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has VERTICAL_DISK_NY entries and p VERTICAL_DISK_NP;
- *     vertical_disk_parameter_defaults can be p. vertical_disk_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has VERTICAL_DISK_NY entries, p has VERTICAL_DISK_NP;
+ *     vertical_disk_parameter_defaults may be passed as p. vertical_disk_state makes y from coordinates and
+ *     velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: VERTICAL_DISK_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: VERTICAL_DISK_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:4e2acead21b16d21).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:786eb92fb3ed3fcc).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -27,7 +27,8 @@ Constraints:
 Outputs:
 out[0] = speed [m/s]
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 1 +-, 5 *, 0 /, 2 calls
 velocities: 0 +-, 3 *, 0 /, 2 calls
 accelerations: 1 +-, 6 *, 0 /, 2 calls

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:0542ea6b83d4d205)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:dabe1132b97c3934)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -104,7 +104,8 @@ static inline void veselova_put(double *to, veselova_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int veselova_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int veselova_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = VESELOVA_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -144,7 +145,8 @@ static inline veselova_lanes veselova_size(veselova_lanes x)
 {
     return (veselova_lanes)((veselova_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int veselova_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -159,8 +161,9 @@ static inline int veselova_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void veselova_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void veselova_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < VESELOVA_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -171,6 +174,7 @@ static inline void veselova_fill(size_t left, size_t count, const double *t, con
     }
 }
 
+/* the results of the last states */
 static inline void veselova_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < VESELOVA_NY; ++k) {
@@ -181,7 +185,8 @@ static inline void veselova_pour(size_t left, size_t count, const double *slope,
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void veselova_turn_lanes(veselova_lanes x, veselova_lanes *far, veselova_lanes *sine, veselova_lanes *cosine)
+static inline void veselova_turn_lanes(veselova_lanes x, veselova_lanes *far,
+    veselova_lanes *sine, veselova_lanes *cosine)
 {
     double angle[VESELOVA_LANES];
     double up[VESELOVA_LANES];
@@ -817,8 +822,8 @@ static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, si
     veselova_put(check, veselova_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void veselova_rhs_tail(const double *fixed, size_t left, size_t count, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void veselova_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[VESELOVA_LANES];
     double state[5 * VESELOVA_LANES];

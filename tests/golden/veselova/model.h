@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:e5fb156aa82ad292)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:887e5e2d34d069b9)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -24,7 +24,7 @@
  * out[0] = L_x [kg*m^2/s]
  * out[1] = L_y [kg*m^2/s]
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 22 +-, 41 *, 3 /, 6 calls
  * velocities: 2 +-, 5 *, 1 /, 4 calls
  * accelerations: 30 +-, 59 *, 3 /, 6 calls
@@ -35,12 +35,14 @@
  * jacobian: 96 +-, 196 *, 3 /, 6 calls
  * outputs: 10 +-, 24 *, 1 /, 6 calls
  *
- * Calls: t is the time, y has VESELOVA_NY entries and p VESELOVA_NP; veselova_parameter_defaults can be p.
- *     veselova_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has VESELOVA_NY entries, p has VESELOVA_NP; veselova_parameter_defaults may be
+ *     passed as p. veselova_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: VESELOVA_OK (0) where the result is good; after any other code the output is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: VESELOVA_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:1f5dc54d97c60229).
+"""veselova, emitted by nhc 0.1.0 (nhc:dc7298f5f8df9861).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -24,7 +24,8 @@ Outputs:
 out[0] = L_x [kg*m^2/s]
 out[1] = L_y [kg*m^2/s]
 
-Operations:
+Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
+    like):
 rhs: 22 +-, 41 *, 3 /, 6 calls
 velocities: 2 +-, 5 *, 1 /, 4 calls
 accelerations: 30 +-, 59 *, 3 /, 6 calls

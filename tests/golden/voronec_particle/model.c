@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:900c368494310f61)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:6b83caeae7811445)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -103,7 +103,8 @@ static inline void voronec_particle_put(double *to, voronec_particle_lanes value
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int voronec_particle_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int voronec_particle_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = VORONEC_PARTICLE_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -143,7 +144,8 @@ static inline voronec_particle_lanes voronec_particle_size(voronec_particle_lane
 {
     return (voronec_particle_lanes)((voronec_particle_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int voronec_particle_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -158,8 +160,9 @@ static inline int voronec_particle_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void voronec_particle_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void voronec_particle_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < VORONEC_PARTICLE_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -170,6 +173,7 @@ static inline void voronec_particle_fill(size_t left, size_t count, const double
     }
 }
 
+/* the results of the last states */
 static inline void voronec_particle_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < VORONEC_PARTICLE_NY; ++k) {
@@ -180,7 +184,8 @@ static inline void voronec_particle_pour(size_t left, size_t count, const double
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void voronec_particle_turn_lanes(voronec_particle_lanes x, voronec_particle_lanes *far, voronec_particle_lanes *sine, voronec_particle_lanes *cosine)
+static inline void voronec_particle_turn_lanes(voronec_particle_lanes x, voronec_particle_lanes *far,
+    voronec_particle_lanes *sine, voronec_particle_lanes *cosine)
 {
     double angle[VORONEC_PARTICLE_LANES];
     double up[VORONEC_PARTICLE_LANES];
@@ -640,8 +645,8 @@ int voronec_particle_outputs(double t, const double *y, const double *p, double 
 }
 
 #if VORONEC_PARTICLE_LANES >= 2
-static __attribute__((noinline)) void voronec_particle_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void voronec_particle_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     (void)fixed;
@@ -703,8 +708,8 @@ static __attribute__((noinline)) void voronec_particle_rhs_lanes(const double *f
     voronec_particle_put(check, voronec_particle_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void voronec_particle_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void voronec_particle_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[VORONEC_PARTICLE_LANES];
     double state[5 * VORONEC_PARTICLE_LANES];
@@ -715,8 +720,8 @@ static __attribute__((noinline)) void voronec_particle_rhs_tail(const double *fi
 }
 #endif
 
-int voronec_particle_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int voronec_particle_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if VORONEC_PARTICLE_LANES >= 2
     const double *fixed = p;

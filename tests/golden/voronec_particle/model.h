@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:d953ae4b43c17808)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:e16e9e7046ac082d)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -18,7 +18,7 @@
  * Constraints:
  * 0: contact
  *
- * Operations:
+ * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
  * rhs: 31 +-, 61 *, 2 /, 2 calls
  * velocities: 1 +-, 5 *, 0 /, 1 calls
  * accelerations: 34 +-, 78 *, 2 /, 2 calls
@@ -29,13 +29,15 @@
  * jacobian: 125 +-, 254 *, 2 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has VORONEC_PARTICLE_NY entries and p VORONEC_PARTICLE_NP;
- *     voronec_particle_parameter_defaults can be p. voronec_particle_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has VORONEC_PARTICLE_NY entries, p has VORONEC_PARTICLE_NP;
+ *     voronec_particle_parameter_defaults may be passed as p. voronec_particle_state makes y from coordinates
+ *     and velocities.
  * All arrays are the caller's; an output must not overlap an input.
- * Return codes: VORONEC_PARTICLE_OK (0) where the result is good; after any other code the output is not to
- *     be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: VORONEC_PARTICLE_OK (0) if the result is good; after any other code the output must not be
+ *     used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */
