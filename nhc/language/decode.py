@@ -57,10 +57,9 @@ class _Draft:
 
 
 class _Decoder:
-    def __init__(self, source: Source, written: Table, bag: Bag) -> None:
-        self.source = source
-        self.written = written
-        self.plain = plain(written, bag)
+    def __init__(self, source: Source, written: Table, bag: Bag, asked: str = "") -> None:
+        self.source, self.written = source, written
+        self.plain = plain(written, bag, asked)
         self.root = self.plain.root
         self.bag = bag
         self.shapes = Shapes(bag)
@@ -310,8 +309,8 @@ class _Decoder:
         return tuple(found)
 
 
-def decode(source: Source) -> Spec:
-    """Return the Spec of a source; raises ``SpecError`` with every diagnostic, in the order of their places."""
+def decode(source: Source, asked: str = "") -> Spec:
+    """Return the Spec; raises ``SpecError`` with every diagnostic, in the order of places.  Names in ``asked`` count as used."""
     bag = Bag(source)
     root = read_nodes(source, bag)
     if root is None:
@@ -324,4 +323,4 @@ def decode(source: Source) -> Spec:
         place = Span(start, start + 1)
         bag.error("E0301", "a spec is a mapping of keys to values", place, help=("begin with `nhc: 1`",))
         raise SpecError(bag.diagnostics, source)
-    return _Decoder(source, merge_bases(source, root), bag).run()
+    return _Decoder(source, merge_bases(source, root), bag, asked).run()

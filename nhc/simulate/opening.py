@@ -61,7 +61,7 @@ def open_scene(
         nhc.diagnostics.SpecError: the spec or the expression has errors.
         RunError: no such scene or quantity.
     """
-    spec = decode(source)
+    spec = decode(source, until)
     chosen = find_scene(spec, scene)
     wanted = tuple(dict.fromkeys(find_need(spec, need) for need in needs))
     spec = replace(spec, scenes=(*spec.scenes, *beside))

@@ -74,3 +74,20 @@ def test_every_parabola_that_touches_zero_is_looked_at() -> None:
                 assert may_dip([-b * unit], [trend], [-a * unit], -1.0, 0)
     assert not may_dip([1.0], [-0.6], [1.1], 1.0, 0)
     assert not may_dip([1.0], [0.6], [0.1], 1.0, 0)
+
+
+ROD = """nhc: 1
+system: rod
+coordinates: [th]
+bodies: {rod: {turns: [y: th], mass: 1, centre: [0, 0, -1]}}
+points: {tip: {parent: rod, at: [0, 0, -2]}}
+scenes: {turn: {initial: {th': 0.5}, time: [0, 10], need: [th]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("expression", "angle"), [("rod_x1 - 0.5", math.pi / 3), ("tip_x + 1", math.pi / 6), ("tip_z'", math.pi)]
+)
+def test_names_of_bodies_that_nothing_else_uses(expression: str, angle: float) -> None:
+    found = run(open_scene(Source("rod.yaml", ROD), until=expression), Settings(tolerance=1e-9, points=2))
+    assert found.ended == "event" and found.rows[-1][0] == pytest.approx(angle, abs=1e-7)

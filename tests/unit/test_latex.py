@@ -23,6 +23,7 @@ from nhc.language import Source, decode, read
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
+from nhc.pipeline import Options, emit
 from nhc.program.ir import Binary, Call, Number, Pi, Power
 from nhc.program.paper import Derivation, Mark, derivation
 from nhc.stamp import PLACEHOLDER, is_untouched, stamp
@@ -149,6 +150,18 @@ if LATEX is not None:
 
     def test_a_determinant_among_the_facts_stays_on_the_page(tmp_path: Path) -> None:
         check_clean(compile_document(render(load("n_snake3", "multipliers")), tmp_path))
+
+    def test_formulas_of_several_lines_among_the_facts_stay_on_the_page(tmp_path: Path) -> None:
+        """Two threads of a bifilar pendulum: their rank is lost where ten long products vanish."""
+        thread = "  - (x {0} a*cos(th)*cos(phi) {1} a)^2 + (y {0} a*cos(th)*sin(phi))^2 + (z {0} a*sin(th))^2 = L^2\n"
+        text = (
+            "nhc: 1\nsystem: bifilar\ncoordinates: [x, y, z, phi, th]\nparameters: {m: 1, J: 0.05, a: 0.3, L: 1.2, g: 9.81}\n"
+            "T: m/2*(x'^2 + y'^2 + z'^2) + J/2*(th'^2 + cos(th)^2*phi'^2)\nV: m*g*z\nholonomic:\n"
+        )
+        text += thread.format("+", "-") + thread.format("-", "+")
+        text += "scenes: {twist: {initial: {phi: 0.2, z: {near: -1.2}}, time: [0, 1]}}\n"
+        (document,) = emit(Source("bifilar.yaml", text), "latex", Options()).values()
+        check_clean(compile_document(document, tmp_path))
 
     def test_hostile_texts_compile(tmp_path: Path) -> None:
         text = (

@@ -28,7 +28,7 @@ _ZERO = 24.0  # the end "= 0" of a row
 _MOST_ROWS = 40  # of a table on one page
 _LONG_NOTE, _LONG_PHRASE = 100.0, 320.0  # points of a name or a sentence beside a formula
 _PARAGRAPH = 40  # characters that may make another line of a cell
-_LONG_NAME = 15  # letters, that leave no good place for the end of a line
+_LONG_NAME, _LONG_FORMULA = 15, 250  # letters of a name and of a formula in a sentence that leave no good end of a line
 _LONG_CELL = 55  # characters from which a column is set as a paragraph
 _LINE_CELLS = 75  # characters of all columns
 _SHORT_MARK, _CHARACTER, _WIDE_CHARACTER = 40.0, 5.0, 6.0  # points
@@ -94,9 +94,15 @@ def list_context(derivation: Derivation) -> dict[str, object]:
         "about": escape_breakable(clean(spec.about)),
         "sources": sources,
         "names": printer.names_apart(),
-        "loose": any(count_shown(name) > _LONG_NAME for name in printer.spelling.names),
+        "loose": any(count_shown(name) > _LONG_NAME for name in printer.spelling.names) or _is_wordy(derivation.sheets),
         "sections": tuple(printer.section(sheet) for sheet in derivation.sheets),
     }
+
+
+def _is_wordy(sheets: Sequence[Sheet]) -> bool:
+    """Whether a sentence holds a formula of several lines."""
+    texts = [item.text for sheet in sheets for item in sheet.items if isinstance(item, Prose)]
+    return any(len(formula) > _LONG_FORMULA for text in texts for formula in re.findall(r"\$[^$]*\$", text))
 
 
 class _Printer:

@@ -22,10 +22,10 @@ class Plain:
     velocities: frozenset[str] = frozenset()
 
 
-def plain(root: Table, bag: Bag) -> Plain:
-    """The spec with its ``bodies`` written out."""
+def plain(root: Table, bag: Bag, asked: str = "") -> Plain:
+    """The spec with its ``bodies`` written out; names in the expression ``asked`` count as used."""
     if not any(text.value in BODILY for text, _ in root.entries):
         return Plain(root)
     from nhc.language.bodies.write_out import write_out  # few specs need it, and it is large
 
-    return Plain(*write_out(root, bag))
+    return Plain(*write_out(root, bag, asked))

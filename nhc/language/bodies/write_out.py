@@ -26,16 +26,21 @@ from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
 
-def write_out(root: Table, bag: Bag) -> tuple[Table, tuple[str, ...], tuple[Told, ...], frozenset[str]]:
-    """The parts of a :class:`nhc.language.bodies.plain.Plain`: definitions and energies in place of ``bodies`` and the like."""
-    writer = _Writer(root, bag)
+def write_out(
+    root: Table, bag: Bag, asked: str = ""
+) -> tuple[Table, tuple[str, ...], tuple[Told, ...], frozenset[str]]:
+    """The parts of a :class:`nhc.language.bodies.plain.Plain`: definitions and energies in place of ``bodies`` and the like.
+
+    Those that the expression ``asked`` names are made, too.
+    """
+    writer = _Writer(root, bag, asked)
     root, made = writer.run(), writer.ledger
     return root, tuple(made.made), tuple(body.told for body in writer.bodies), frozenset(made.velocities)
 
 
 class _Writer:
-    def __init__(self, root: Table, bag: Bag) -> None:
-        self.root, self.bag = root, bag
+    def __init__(self, root: Table, bag: Bag, asked: str) -> None:
+        self.root, self.bag, self.asked = root, bag, asked
         self.reader = BodyReader(root, Shapes(bag), _velocities(root))
         self.ledger = Ledger(_constants(root))
         self.declared: frozenset[str] = frozenset()
@@ -157,9 +162,8 @@ class _Writer:
             for text, node in self.root.entries
             if text.value not in BODILY
         ]
-        spoken = set(
-            _words([node for key, node in (*self.root.entries, *entries) if key.value not in ("about", "source")])
-        )
+        nodes = [node for key, node in (*self.root.entries, *entries) if key.value not in ("about", "source")]
+        spoken = set(_words([*nodes, Text(self.asked, self.root.span, True)]))
         made = self._used(spoken | {piece.text for piece in self.energies})
         entries = self._with_energy(entries, "T", self.energies)
         potential = "U" if self.root.get("U") is not None else "V"
