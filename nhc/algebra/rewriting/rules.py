@@ -44,6 +44,11 @@ RULES = (
         "algebra/solving/blocks.py",
     ),
     Rule(
+        "completed squares",
+        "an energy that was multiplied out becomes squares of velocities of points and of angular velocities again",
+        "mechanics/squares.py",
+    ),
+    Rule(
         "moving axes",
         "vectors of T stand on axes that move, where constraints make them short",
         "mechanics/moving/move.py",
