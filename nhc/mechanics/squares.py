@@ -17,10 +17,10 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
 
-from nhc.algebra.calculus import count, derivative, tangent
+from nhc.algebra.calculus import count, derivative, reachable, substitute, tangent
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.expand import Coefficient, Monomial, Polynomial, TooLarge
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import ADD, Node
 from nhc.algebra.monomials import split_parameters
 from nhc.algebra.polynomial import polynomial, to_node
 from nhc.algebra.terms import divide, put, root
@@ -65,7 +65,7 @@ class _Energy:
 
     def complete(self) -> Node | None:
         g, system = self.graph, self.system
-        peeled = {mass: self._peel(own) for mass, own in self._by_mass(polynomial(g, system.T, _TERMS)).items()}
+        peeled = {mass: self._peel(own) for mass, own in self._by_mass(polynomial(g, self._open(), _TERMS)).items()}
         named = {mass: [[self._named(f) for f in s.forms] for s in squares] for mass, (squares, _) in peeled.items()}
         forms = list(dict.fromkeys(f for found in named.values() for own in found for f in own))
         parts = []
@@ -80,6 +80,27 @@ class _Energy:
         if count(g, [made]) >= count(g, [system.T]) or not are_equal(g, [made], [system.T]):
             return None
         return made
+
+    def _open(self) -> Node:
+        """T with sines and cosines of differences of coordinates by those of the coordinates."""
+        g, q, mapping = self.graph, self.system.q, dict[Node, Node]()
+        for node in reachable(g, [self.system.T]):
+            if g.op[node] not in ("sin", "cos") or g.op[g.a[node]] != ADD:
+                continue
+            angle = g.a[node]
+            slopes = {x: g.value(derivative(g, angle, x)) for x in q if g.depends(angle, g.deps[x])}
+            parts = [x if slope == 1 else g.neg(x) for x, slope in slopes.items()]
+            if set(slopes.values()) != {1, -1} or g.sub(angle, g.sum(parts)) != g.zero:
+                continue
+            sine, cosine = g.zero, g.one
+            for part in parts:
+                s, c = g.function("sin", part), g.function("cos", part)
+                sine, cosine = (
+                    g.add(g.mul(sine, c), g.mul(cosine, s)),
+                    g.sub(g.mul(cosine, c), g.mul(sine, s)),
+                )
+            mapping[node] = sine if g.op[node] == "sin" else cosine
+        return substitute(g, [self.system.T], mapping)[0]
 
     def _as_product(self, left: Node, forms: Sequence[Node]) -> Node | None:
         """A multiple of the product of two forms, as of a product of inertia; None where it is not."""

@@ -8,6 +8,7 @@ import re
 import pytest
 import sympy
 
+from benchmarks.models import source
 from nhc.algebra.bridge import to_sympy
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph
@@ -146,6 +147,36 @@ def test_the_rates_are_those_of_the_positions_and_as_short(name: str, most: floa
     for _ in range(3):
         y = [draw.uniform(0.3, 1.1) for _ in first.STATE]
         assert second.rhs(0.3, y) == pytest.approx(first.rhs(0.3, y), rel=1e-10, abs=1e-10)
+
+
+def cart_and_pendulums(count: int) -> str:
+    """As books print it, by cosines of differences."""
+    bobs = range(1, count + 1)
+    terms = [f"(M + {count}*m)/2*x'^2"]
+    for i in bobs:
+        terms.append(f"{count - i + 1}*m*l^2/2*theta{i}'^2 + {count - i + 1}*m*l*cos(theta{i})*x'*theta{i}'")
+        terms += [
+            f"{count - j + 1}*m*l^2*cos(theta{i} - theta{j})*theta{i}'*theta{j}'" for j in range(i + 1, count + 1)
+        ]
+    names = ", ".join(f"theta{i}" for i in bobs)
+    heights = " + ".join(f"{count - i + 1}*cos(theta{i})" for i in bobs)
+    return (
+        f"nhc: 1\nsystem: pendulum{count}\ncoordinates: [x, {names}]\nparameters: {{M: 1.5, m: 0.5, l: 0.7, g: 9.81}}\n"
+        f"T: {' + '.join(terms)}\nV: -m*g*l*({heights})\n"
+    )
+
+
+@pytest.mark.parametrize("count", [3, 6])
+def test_a_chain_by_cosines_of_differences_is_the_chain_of_its_positions(count: int) -> None:
+    expected = program_of(resolve(decode(source(f"pendulum{count}"))))
+    found = program_of(system_of(cart_and_pendulums(count)))
+    assert operations(found) <= operations(expected)
+    first, second = (
+        python_model(render(made, "python", EmitOptions())[f"pendulum{count}.py"], f"pendulum{count}")
+        for made in (expected, found)
+    )
+    y = [0.2 + 0.1 * k for k in range(2 * count + 2)]
+    assert second.rhs(0.0, y) == pytest.approx(first.rhs(0.0, y), rel=1e-11, abs=1e-11)
 
 
 def test_a_rope_of_changing_length_is_one_point() -> None:
