@@ -18,14 +18,16 @@ from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
+from nhc.program.build import CALLED
 from nhc.program.ir import Program
 from nhc.program.model import build_program
 
 PAGE = ROOT / "docs" / "rewriting.md"
 SYSTEMS = (
     *("sleigh", "disk", "trailers5", "snake5", "pendulum5", "bicycle"),
-    *("snakeboard", "smooth_tippe_top", "voronec_particle", "atoms3", "ball_arm3", "satellite3"),
+    *("snakeboard", "smooth_tippe_top", "voronec_particle", "atoms3", "ball_arm3", "satellite3", "written_out_top"),
 )
+COUNTED = ("rhs", "velocities", "accelerations", "residuals", "reactions", "energy", "jacobian")
 
 
 @dataclass(frozen=True)
@@ -37,17 +39,30 @@ class Operations:
     calls: int
 
 
-def compile_without(system: str, off: Iterable[str], style: str = "positions") -> Program:
-    """The program of ``rhs``, derived without some rules."""
+def compile_without(
+    system: str, off: Iterable[str], style: str = "positions", only: tuple[str, ...] = ("rhs",)
+) -> Program:
+    """The program of ``rhs``, or of other functions, derived without some rules."""
     made = resolve(decode(source(system, style)), WithoutRules(off))
     formulation = formulate(made)
-    return build_program(made, formulation, equations_of(made, formulation), only=("rhs",))
+    return build_program(made, formulation, equations_of(made, formulation), only=only)
 
 
 def count(system: str, off: Iterable[str] = (), style: str = "positions") -> Operations:
     """Operations of the right-hand side derived without some rules."""
     (rhs,) = compile_without(system, off, style).functions
     return Operations(rhs.adds + rhs.multiplications + rhs.divisions, rhs.divisions, rhs.calls)
+
+
+def count_functions(off: Iterable[str] = ()) -> dict[str, int]:
+    """Operations of one call of each function of all systems together, a call of sine and the like as twenty."""
+    found = dict.fromkeys(COUNTED, 0)
+    for system in SYSTEMS:
+        for function in compile_without(system, off, only=()).functions:
+            if function.name in found:
+                operations = function.adds + function.multiplications + function.divisions
+                found[function.name] += operations + _CALL * function.calls
+    return found
 
 
 def count_trig(system: str) -> tuple[float, ...]:
@@ -60,6 +75,7 @@ def count_trig(system: str) -> tuple[float, ...]:
     )
 
 
+_CALL = 20
 FUSED = (*FLAGS, "-march=x86-64-v3", "-ffp-contract=fast")
 
 _HEAD = """\
@@ -100,6 +116,28 @@ def write_page() -> str:
     return "\n".join(lines) + "\n"
 
 
+_FUNCTIONS = """\
+
+The same for every emitted function: operations of all these systems together, a call of sine, cosine and the like as {call}, and
+in percent what they are without a rule.  Where a function takes more than {late} operations of the rates, it calls `rhs` for them,
+and they are not in it.
+
+"""
+
+
+def write_functions() -> str:
+    """The table of all functions."""
+    lines = ["| without | " + " | ".join(COUNTED) + " |", "|---" * (len(COUNTED) + 1) + "|"]
+    whole = count_functions()
+    lines.append("| (all rules) | " + " | ".join(str(whole[name]) for name in COUNTED) + " |")
+    for rule in RULES:
+        without = count_functions((rule.name,))
+        cells = [f"{100 * without[name] / whole[name]:.1f}" for name in COUNTED]
+        lines.append(f"| no {rule.name} | {' | '.join(cells)} |")
+        print(lines[-1], file=sys.stderr, flush=True)
+    return _FUNCTIONS.format(call=_CALL, late=CALLED) + "\n".join(lines) + "\n"
+
+
 def write_trig() -> str:
     """The table of inlined sine and cosine."""
     rows = []
@@ -115,7 +153,7 @@ def _cell(operations: Operations) -> str:
 
 
 def main(page: Path = PAGE) -> None:
-    page.write_text(write_page() + write_trig(), encoding="utf-8")
+    page.write_text(write_page() + write_functions() + write_trig(), encoding="utf-8")
     print(f"wrote {page.relative_to(ROOT)}", file=sys.stderr)
 
 

@@ -19,7 +19,8 @@ Section = tuple[str, list[str] | str]
 
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
-    ``ball_arm<N>`` or ``satellite<N>``.
+    ``ball_arm<N>``, ``satellite<N>`` or
+    ``written_out_top``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -311,6 +312,23 @@ def _satellite(count: int, _: bool) -> str:
     )
 
 
+def _written_out_top(_: int, __: bool) -> str:
+    """A heavy top, its T multiplied out as one finds it in books."""
+    return _assemble(
+        "written_out_top",
+        [
+            ("coordinates", "[phi, theta, psi]"),
+            ("parameters", "{A: 0.3, C: 0.2, m: 1, g: 9.81, l: 0.2}"),
+            (
+                "T",
+                "A/2*theta'^2 + (A*sin(theta)^2 + C*cos(theta)^2)/2*phi'^2 + C/2*psi'^2 + C*cos(theta)*phi'*psi'",
+            ),
+            ("V", "m*g*l*cos(theta)"),
+            _scene("theta: 0.5, psi': 20"),
+        ],
+    )
+
+
 def _bicycle(_: int, __: bool) -> str:
     given = "quasi_velocities:\n  u_roll: roll'\n  u_steer: steer'\n  u_rear: thR'\n"
     text = (ROOT / "specs" / "bicycle.yaml").read_text(encoding="utf-8")
@@ -327,4 +345,5 @@ _FAMILIES = {
     "ball_arm": _ball_arm,
     "satellite": _satellite,
     "bicycle": _bicycle,
+    "written_out_top": _written_out_top,
 }

@@ -102,11 +102,50 @@ def velocity_forms(system: System) -> list[Node]:
     """The largest subexpressions of T that are affine in the velocities, without their factors; none where T is no polynomial in
     the velocities.
     """
+    return _forms_of(system, energy_as_squares(system))
+
+
+def _forms_of(system: System, energy: Node) -> list[Node]:
     g = system.graph
     degree = degrees(g, system.v)
-    if degree[system.T] == 99:
+    if degree[energy] == 99:
         return []
-    return list_atoms(g, system.T, degree, lambda node: _without_factor(g, node, degree))
+    return list_atoms(g, energy, degree, lambda node: _without_factor(g, node, degree))
+
+
+def energy_as_squares(system: System) -> Node:
+    """T, or an equal sum of squares where it was multiplied out: where forms are multiplied with one another by what moves."""
+    g = system.graph
+    memo: dict[Node, Node] = g.memory.setdefault("energy as squares", {})
+    if system.T not in memo:
+        memo[system.T] = system.T
+        may = not system.rotations and "completed squares" not in g.off
+        if may and _has_products(g, system.T, degrees(g, system.v)) and _has_moving_products(system):
+            from nhc.mechanics.squares import complete_squares  # here, for few specs need it
+
+            memo[system.T] = complete_squares(system) or system.T
+    return memo[system.T]
+
+
+def _has_products(graph: Graph, root: Node, degree: Sequence[int]) -> bool:
+    """Whether two forms are factors of one product somewhere."""
+    stack, seen = [root], set[Node]()
+    while stack:
+        node = stack.pop()
+        if node in seen or degree[node] != 2:
+            continue
+        seen.add(node)
+        children = graph.children(node)
+        if graph.op[node] == MUL and degree[children[0]] == degree[children[1]] == 1:
+            return True
+        stack.extend(children)
+    return False
+
+
+def _has_moving_products(system: System) -> bool:
+    g, hessian = system.graph, _structure(system, system.T).hessian
+    constants = g.mask(system.p)
+    return any(g.depends(h, ~constants) for i, row in enumerate(hessian) for h in row[:i])
 
 
 def list_atoms(graph: Graph, root: Node, degree: Sequence[int], strip: Callable[[Node], Node]) -> list[Node]:
@@ -175,15 +214,19 @@ def _is_positive(graph: Graph, node: Node, values: dict[Node, float]) -> bool:
 
 def kinetic_structure(system: System) -> Kinetic:
     """T's velocity forms; where T is no polynomial in the velocities they are the velocities themselves."""
+    return _structure(system, energy_as_squares(system))
+
+
+def _structure(system: System, energy: Node) -> Kinetic:
     g = system.graph
-    atoms = velocity_forms(system)
+    atoms = _forms_of(system, energy)
     mask = g.mask(system.v)
     u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
-    tau = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))[0] if atoms else system.T
+    tau = substitute(g, [energy], dict(zip(atoms, u, strict=True)))[0] if atoms else energy
     if not atoms or g.depends(tau, mask):
-        atoms = [v for v in system.v if g.depends(system.T, g.deps[v])]
+        atoms = [v for v in system.v if g.depends(energy, g.deps[v])]
         u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
-        tau = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))[0]
+        tau = substitute(g, [energy], dict(zip(atoms, u, strict=True)))[0]
     slope = tuple(gradient(g, tau, u))
     hessian = tuple(tuple(gradient(g, pi, u)) for pi in slope)
     return Kinetic(system, tuple(atoms), u, tau, slope, hessian)

@@ -11,7 +11,7 @@ from collections.abc import Container
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import MUL, NEG, Graph, Node
 from nhc.algebra.solving.linear import degrees
-from nhc.mechanics.kinetic import Kinetic, list_atoms
+from nhc.mechanics.kinetic import Kinetic, energy_as_squares, list_atoms
 from nhc.mechanics.system import System
 
 
@@ -23,13 +23,14 @@ def whole_kinetic(system: System, whole: Container[Node] = ()) -> Kinetic | None
     g = system.graph
     if "trees" in g.off:
         return None
+    energy = energy_as_squares(system)
     degree = degrees(g, system.v)
-    if degree[system.T] != 2:
+    if degree[energy] != 2:
         return None
     parameters = g.mask(system.p)
-    atoms = list_atoms(g, system.T, degree, lambda node: _without_parameters(g, node, parameters, whole))
+    atoms = list_atoms(g, energy, degree, lambda node: _without_parameters(g, node, parameters, whole))
     u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
-    (tau,) = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))
+    (tau,) = substitute(g, [energy], dict(zip(atoms, u, strict=True)))
     if g.depends(tau, g.mask(system.v)):
         return None
     slope = tuple(gradient(g, tau, u))

@@ -38,6 +38,7 @@ WHOLE = {
     "canonical forms": "disk",
     "gathered sums": "trailers3",
     "Cramer's rule": "bicycle",
+    "completed squares": "written_out_top",
     "moving axes": "trailers3",
     "leaning joints": "bicycle",
     "trees": "pendulum5",

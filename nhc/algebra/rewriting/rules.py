@@ -42,6 +42,11 @@ RULES = (
         "algebra/solving/blocks.py",
     ),
     Rule(
+        "completed squares",
+        "an energy that was multiplied out becomes squares of velocities of points and of angular velocities again",
+        "mechanics/squares.py",
+    ),
+    Rule(
         "moving axes",
         "velocities in T are written on axes that turn with a body, if constraints make them short there",
         "mechanics/moving/move.py",

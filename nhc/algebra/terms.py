@@ -1,0 +1,75 @@
+"""Terms of canonical polynomials: collected, divided by a monomial, and the root of a square that is a monomial."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TypeVar
+
+from nhc.algebra.expand import Coefficient, Monomial, Polynomial
+from nhc.algebra.graph import Graph, Node
+
+_Key = TypeVar("_Key")
+
+
+def put(into: dict[_Key, Polynomial], key: _Key, monomial: Monomial, c: Coefficient) -> None:
+    """Add a term in place."""
+    p = into.setdefault(key, {})
+    c += p.get(monomial, 0)
+    if c:
+        p[monomial] = c
+    else:
+        p.pop(monomial, None)
+
+
+def divide(p: Polynomial, factor: Fraction, by: Monomial) -> Polynomial | None:
+    """By a factor and a monomial that stands in every term."""
+    made: Polynomial = {}
+    for m, c in p.items():
+        exponents = dict(m)
+        for f, e in by:
+            exponents[f] = exponents.get(f, 0) - e
+            if exponents[f] < 0:
+                return None
+        made[tuple((f, e) for f, e in sorted(exponents.items()) if e)] = Fraction(c) / factor
+    return made
+
+
+def root(graph: Graph, p: Polynomial) -> tuple[Fraction, Monomial] | None:
+    """(c, m) where p = c m^2 for a monomial m, with 1 - sin^2 read as cos^2; None where it is not."""
+    cosines = dict[Node, int]()
+    while len(p) > 1:
+        for sine in sorted({f for m in p for f, _ in m if graph.op[f] == "sin"}):
+            quotient = _by_cosine(p, sine)
+            if quotient is not None:
+                cosine = graph.function("cos", graph.a[sine])
+                cosines[cosine] = cosines.get(cosine, 0) + 1
+                p = quotient
+                break
+        else:
+            return None
+    ((monomial, c),) = p.items()
+    if c <= 0 or any(e % 2 or e < 0 for _, e in monomial):
+        return None
+    powers = {f: e // 2 for f, e in monomial}
+    for cosine, e in cosines.items():
+        powers[cosine] = powers.get(cosine, 0) + e
+    return Fraction(c), tuple(sorted(powers.items()))
+
+
+def _by_cosine(p: Polynomial, sine: Node) -> Polynomial | None:
+    """p / (1 - sin^2), where that is a polynomial."""
+    parts: dict[int, Polynomial] = {}
+    for m, c in p.items():
+        e = dict(m).get(sine, 0)
+        put(parts, e, tuple((f, k) for f, k in m if f != sine), c)
+    top = max(parts)
+    for e in range(2, top + 1):
+        for m, c in list(parts.get(e - 2, {}).items()):
+            put(parts, e, m, c)
+    if parts.get(top) or parts.get(top - 1):
+        return None
+    made: Polynomial = {}
+    for e, part in parts.items():
+        for m, c in part.items():
+            made[tuple(sorted((*m, (sine, e)))) if e else m] = c
+    return made

@@ -1,0 +1,345 @@
+"""A kinetic energy that was multiplied out, as squares of velocity forms again.
+
+T = 1/2 m (x'^2 + 2 l cos(a) x' a' + l^2 a'^2) does not show that it is 1/2 m |V|^2 with V = (x' + l cos(a) a', l sin(a) a').  The
+terms of each mass are a quadratic form P_ij v_i v_j.  Where P_nn is constant, v_n moves a point along a unit vector e that depends
+on its own angle q_n, and P_nj = P_nn e . W_j / l, where W_j is what v_j adds to the point's velocity.  No other factor holds q_n at
+the end of a chain, so that the components of W_j are read off as the coefficients of those of e, and l e is integrated over q_n to
+the arm.  P loses c |V|^2, with it everything of v_n, and the next point is looked for.  A form of rank one without such an entry,
+of a moment of inertia, is its row divided by the root of its first entry; what a product of inertia stands at is the product of
+two forms that are known by then.  What comes out is held equal to T by the exact test.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations
+
+from nhc.algebra.calculus import count, derivative, reachable, substitute, tangent
+from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.expand import Coefficient, Monomial, Polynomial, TooLarge
+from nhc.algebra.graph import ADD, Node
+from nhc.algebra.monomials import split_parameters
+from nhc.algebra.polynomial import polynomial, to_node
+from nhc.algebra.terms import divide, put, root
+from nhc.mechanics.system import System
+from nhc.mechanics.turning import along
+from nhc.records import record
+
+_TERMS = 1000
+"""Terms of an energy that is looked at."""
+_FORMS = 12
+"""Forms up to which products of two are looked for."""
+Entries = dict[tuple[int, int], Polynomial]
+"""P_ij for i <= j, each off the diagonal half of what stands in T; the last index is that of what has no velocity."""
+
+
+@record
+class Square:
+    """``factor`` times the sum of the forms' squares; ``of`` is the entry of the diagonal that it takes away."""
+
+    factor: Fraction
+    forms: tuple[Node, ...]
+    of: int
+
+
+def complete_squares(system: System) -> Node | None:
+    """T as a sum of squares, as far as it is one; None where that is not shorter, or T is no polynomial of degree two."""
+    try:
+        return _Energy(system).complete()
+    except TooLarge:
+        return None
+
+
+class _Energy:
+    """T by masses."""
+
+    def __init__(self, system: System) -> None:
+        self.system, self.graph = system, system.graph
+        g = self.graph
+        self.v = [*system.v, g.one]
+        self.seeds = {**along(system, system.v), system.t: g.one}
+        self.parameters = g.mask(system.p)
+
+    def complete(self) -> Node | None:
+        g, system = self.graph, self.system
+        peeled = {mass: self._peel(own) for mass, own in self._by_mass(polynomial(g, self._open(), _TERMS)).items()}
+        named = {mass: [[self._named(f) for f in s.forms] for s in squares] for mass, (squares, _) in peeled.items()}
+        forms = list(dict.fromkeys(f for found in named.values() for own in found for f in own))
+        parts = []
+        for mass, (squares, rest) in peeled.items():
+            terms = [
+                g.mul_number(square.factor, g.sum([g.power(form, 2) for form in own]))
+                for square, own in zip(squares, named[mass], strict=True)
+            ]
+            left = self._node(rest)
+            parts.append(g.mul(g.product(mass), g.add(g.sum(terms), self._as_product(left, forms) or left)))
+        made = g.sum(parts)
+        if count(g, [made]) >= count(g, [system.T]) or not are_equal(g, [made], [system.T]):
+            return None
+        return made
+
+    def _open(self) -> Node:
+        """T with sines and cosines of differences of coordinates by those of the coordinates."""
+        g, q, mapping = self.graph, self.system.q, dict[Node, Node]()
+        for node in reachable(g, [self.system.T]):
+            if g.op[node] not in ("sin", "cos") or g.op[g.a[node]] != ADD:
+                continue
+            angle = g.a[node]
+            slopes = {x: g.value(derivative(g, angle, x)) for x in q if g.depends(angle, g.deps[x])}
+            parts = [x if slope == 1 else g.neg(x) for x, slope in slopes.items()]
+            if set(slopes.values()) != {1, -1} or g.sub(angle, g.sum(parts)) != g.zero:
+                continue
+            sine, cosine = g.zero, g.one
+            for part in parts:
+                s, c = g.function("sin", part), g.function("cos", part)
+                sine, cosine = (
+                    g.add(g.mul(sine, c), g.mul(cosine, s)),
+                    g.sub(g.mul(cosine, c), g.mul(sine, s)),
+                )
+            mapping[node] = sine if g.op[node] == "sin" else cosine
+        return substitute(g, [self.system.T], mapping)[0]
+
+    def _as_product(self, left: Node, forms: Sequence[Node]) -> Node | None:
+        """A multiple of the product of two forms, as of a product of inertia; None where it is not."""
+        if len(forms) > _FORMS or not self.graph.kids[left]:
+            return None
+        g, p = self.graph, polynomial(self.graph, left, _TERMS)
+        for x, y in combinations(forms, 2):
+            product = polynomial(g, g.mul(x, y), _TERMS)
+            if product.keys() == p.keys():
+                m, c = next(iter(p.items()))
+                ratio = Fraction(c) / product[m]
+                if all(c == ratio * product[m] for m, c in p.items()):
+                    return g.mul_number(ratio, g.mul(x, y))
+        return None
+
+    def _named(self, form: Node) -> Node:
+        """The rate of a position of the spec's that the form is, up to its sign; else the form."""
+        p = polynomial(self.graph, form, _TERMS)
+        known = self._rates.get(frozenset(p.items()))
+        return self._along_chain(p) if known is None else known
+
+    def _along_chain(self, form: Polynomial) -> Node:
+        """The form as a position's rate reads: what turns with one angle together, in the order of the coordinates."""
+        g, groups = self.graph, dict[Monomial, Polynomial]()
+        fixed = g.mask((*self.system.p, *self.system.v))
+        for m, c in form.items():
+            put(
+                groups,
+                tuple(x for x in m if g.deps[x[0]] & ~fixed),
+                tuple(x for x in m if not g.deps[x[0]] & ~fixed),
+                c,
+            )
+
+        def place(unit: Monomial) -> tuple[int, Monomial]:
+            return max(
+                (i for i, q in enumerate(self.system.q) for f, _ in unit if g.deps[f] & g.deps[q]), default=-1
+            ), unit
+
+        one, terms = Fraction(1), list[Node]()
+        for unit in sorted(groups, key=place):
+            still, moving = split_parameters(g, to_node(g, groups[unit]), self.parameters)
+            terms.append(g.mul(still.node(g), g.mul(to_node(g, {unit: one}), moving)))
+        return g.sum(terms)
+
+    @cached_property
+    def _rates(self) -> dict[frozenset[tuple[Monomial, Coefficient]], Node]:
+        g, found = self.graph, dict[frozenset[tuple[Monomial, Coefficient]], Node]()
+        for rate in list(g.rate_of):
+            with suppress(TooLarge):
+                p = polynomial(g, rate, _TERMS)
+                found.setdefault(frozenset(p.items()), rate)
+                found.setdefault(frozenset((m, -c) for m, c in p.items()), rate)
+        return found
+
+    def _by_mass(self, energy: Polynomial) -> dict[tuple[Node, ...], Entries]:
+        """The entries that belong to each product of parameters of which T is linear."""
+        exponents: dict[Node, set[int]] = {p: set() for p in self.system.p}
+        for monomial in energy:
+            for factor, e in monomial:
+                if factor in exponents:
+                    exponents[factor].add(e)
+        linear = {p for p, found in exponents.items() if found == {1}}
+        place, velocities = {v: i for i, v in enumerate(self.system.v)}, self.graph.mask(self.system.v)
+        found: dict[tuple[Node, ...], Entries] = {}
+        for monomial, c in energy.items():
+            mass = tuple(f for f, _ in monomial if f in linear)
+            moved = [place[f] for f, e in monomial if f in place for _ in range(e)]
+            rest = tuple((f, e) for f, e in monomial if (f not in place or e < 0) and f not in linear)
+            i, j = sorted([*moved, len(place), len(place)][:2])
+            if len(moved) > 2 or any(self.graph.deps[f] & velocities for f, _ in rest):
+                raise TooLarge
+            put(found.setdefault(mass, {}), (i, j), rest, c if i == j else Fraction(c) / 2)
+        return found
+
+    def _node(self, entries: Entries) -> Node:
+        g, v = self.graph, self.v
+        return g.sum(
+            [
+                g.mul(to_node(g, {m: c * (1 + (i != j)) for m, c in p.items()}), g.mul(v[i], v[j]))
+                for (i, j), p in sorted(entries.items())
+            ]
+        )
+
+    def _peel(self, entries: Entries) -> tuple[list[Square], Entries]:
+        """Squares, and what is left when no other is found."""
+        squares = list[Square]()
+        while any(i != j for i, j in entries):
+            for candidates in self._candidates(entries):
+                lefts = [(square, self._without(entries, square)) for square in candidates]
+                good = [
+                    (len(left), count(self.graph, square.forms), k)
+                    for k, (square, left) in enumerate(lefts)
+                    if not any(square.of in place for place in left) and self._stays(entries, left)
+                ]
+                if good:
+                    square, entries = lefts[min(good)[2]]
+                    squares.append(square)
+                    break
+            else:
+                break
+        return squares, entries
+
+    def _stays(self, entries: Entries, left: Entries) -> bool:
+        """Whether no entry of the diagonal moves that did not."""
+        g = self.graph
+
+        def moves(p: Polynomial) -> bool:
+            return any(g.deps[f] & ~self.parameters for m in p for f, _ in m)
+
+        return all(moves(entries.get(key, {})) for key, p in left.items() if key[0] == key[1] and moves(p))
+
+    def _without(self, entries: Entries, square: Square) -> Entries:
+        g, place = self.graph, {v: i for i, v in enumerate(self.system.v)}
+        left = {key: dict(p) for key, p in entries.items()}
+        for monomial, c in polynomial(g, g.sum([g.power(form, 2) for form in square.forms]), _TERMS).items():
+            moved = [place[f] for f, e in monomial if f in place for _ in range(e)]
+            i, j = sorted([*moved, len(place), len(place)][:2])
+            rest = tuple((f, e) for f, e in monomial if f not in place)
+            put(left, (i, j), rest, -square.factor * c / (1 + (i != j)))
+        return {key: p for key, p in left.items() if p}
+
+    def _candidates(self, entries: Entries) -> Iterator[list[Square]]:
+        """Squares of points first, the ends of chains before what carries them; then of forms of rank one."""
+        g, size = self.graph, len(self.system.v)
+        own = [n for n in range(size) if (n, n) in entries and any(n in key and key != (n, n) for key in entries)]
+        held = {n: self._held(entries, n) for n in own}
+        for n in sorted(own, key=lambda n: (held[n], -n)):
+            yield self._points(entries, n)
+        for n in own:
+            square = root(g, entries[n, n])
+            if square is None:
+                continue
+            factor, monomial = square
+            form = self._scalar({j: self._entry(entries, n, j) for j in range(size + 1) if j != n}, n, factor, monomial)
+            if form is not None:
+                yield [form]
+
+    def _held(self, entries: Entries, n: int) -> int:
+        """How many entries outside row n depend on its coordinate."""
+        g, q = self.graph, self.graph.deps[self.system.q[n]]
+        return sum(n not in key and any(g.deps[f] & q for m in p for f, _ in m) for key, p in entries.items())
+
+    def _entry(self, entries: Entries, i: int, j: int) -> Polynomial:
+        return entries.get((min(i, j), max(i, j)), {})
+
+    def _points(self, entries: Entries, n: int) -> list[Square]:
+        """The points that v_n may move along a unit vector, the shortest first; none where its entry is not constant."""
+        g, system = self.graph, self.system
+        if len(entries[n, n]) != 1:
+            return []
+        ((square, factor),) = entries[n, n].items()
+        if any(e % 2 or g.deps[f] & ~self.parameters for f, e in square):
+            return []
+        arm = tuple((f, e // 2) for f, e in square)
+        row = {j: self._entry(entries, n, j) for j in range(len(self.v)) if j != n}
+        angles = {g.a[f] for p in row.values() for m in p for f, _ in m if g.deps[f] & g.deps[system.q[n]]}
+        if len(angles) > 1:
+            return []
+        angle = next(iter(angles), system.q[n])
+        slopes = [g.value(derivative(g, angle, q)) for q in system.q]
+        own = slopes[n]
+        if not own:
+            return []
+        if angles:
+            for j, slope in enumerate(slopes):
+                if j != n and slope:
+                    row[j] = dict(row[j])
+                    put(row, j, square, -factor * slope / own)
+        turned = [q for q, slope in zip(system.q, slopes, strict=True) if slope]
+        beside = [
+            q
+            for q in system.q
+            if q not in turned and any(g.deps[f] & g.deps[q] for p in row.values() for m in p for f, _ in m)
+        ]
+        found = list[tuple[Node, ...]]()
+        if not angles and not any(g.deps[f] & g.deps[system.q[n]] for p in entries.values() for m in p for f, _ in m):
+            beside = []  # an axis that turns would bring the coordinate in
+        for others in ((), *((q,) for q in beside), *(combinations(beside, 2) if not angles else ())):
+            components = self._components(row, g.mask(others), angle, Fraction(factor), arm)
+            forms = None if components is None else self._forms(components, angle, own, arm)
+            if forms is not None:
+                found.append(forms)
+        return [Square(Fraction(factor), forms, n) for forms in found]
+
+    def _scalar(self, row: dict[int, Polynomial], n: int, factor: Fraction, arm: Monomial) -> Square | None:
+        g = self.graph
+        terms = [g.mul(to_node(g, {arm: Fraction(1)}), self.v[n])]
+        for j, p in row.items():
+            part = divide(p, factor, arm)
+            if part is None:
+                return None
+            terms.append(g.mul(to_node(g, part), self.v[j]))
+        return Square(factor, (g.sum(terms),), n)
+
+    def _components(
+        self, row: dict[int, Polynomial], beside: int, angle: Node, factor: Fraction, arm: Monomial
+    ) -> dict[Monomial, dict[int, Polynomial]] | None:
+        """For each component of the unit vector, what the other velocities add to the point's; None where it is no unit vector."""
+        g = self.graph
+        found: dict[Monomial, dict[int, Polynomial]] = {}
+        for j, p in row.items():
+            whole = divide(p, factor, arm)
+            if whole is None:
+                return None
+            for m, c in whole.items():
+                unit = tuple((f, e) for f, e in m if g.a[f] == angle or g.deps[f] & beside)
+                rest = tuple(power for power in m if power not in unit)
+                put(found.setdefault(unit, {}), j, rest, c)
+        found = {unit: parts for unit, parts in found.items() if any(parts.values())}
+        squares = g.sum([g.power(to_node(g, {unit: Fraction(1)}), 2) for unit in found])
+        missing = polynomial(g, g.sub(g.one, squares), _TERMS)
+        if missing:
+            last = root(g, missing)
+            if last is None or last[0] != 1:
+                return None
+            found[last[1]] = {}
+        return found
+
+    def _forms(
+        self, found: dict[Monomial, dict[int, Polynomial]], angle: Node, slope: Fraction | int, arm: Monomial
+    ) -> tuple[Node, ...] | None:
+        """The components of the point's velocity: the arm's rate and what the other velocities add."""
+        g = self.graph
+        sine, cosine = g.function("sin", angle), g.function("cos", angle)
+        length = to_node(g, {arm: Fraction(1) / Fraction(slope)})
+        forms = []
+        for unit, parts in found.items():
+            powers = dict(unit)
+            turned = [f for f in (sine, cosine) if f in powers]
+            if (
+                len(turned) > 1
+                or any(powers[f] != 1 for f in turned)
+                or (turned and g.depends(g.product(f for f, _ in unit if f not in turned), g.deps[angle]))
+            ):
+                return None
+            rest = to_node(g, {tuple((f, e) for f, e in unit if f not in turned): Fraction(1)})
+            place = g.mul(rest, g.neg(cosine) if turned == [sine] else sine if turned else angle)
+            terms = [g.mul(to_node(g, p), self.v[j]) for j, p in sorted(parts.items()) if p]
+            terms.append(g.mul(length, tangent(g, [place], self.seeds)[0]))
+            still = [p[()] for p in parts.values() if list(p) == [()]]
+            forms.append(g.sum(g.neg(term) for term in terms) if still and still[0] < 0 else g.sum(terms))
+        return tuple(forms)

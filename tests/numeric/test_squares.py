@@ -1,0 +1,204 @@
+"""Energies that were multiplied out: the same rates as of the named positions, in about as many operations."""
+
+from __future__ import annotations
+
+import random
+import re
+
+import pytest
+import sympy
+
+from benchmarks.models import source
+from nhc.algebra.bridge import to_sympy
+from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.graph import Graph
+from nhc.algebra.rewriting.rules import WithoutRules
+from nhc.diagnostics import Source
+from nhc.emit import EmitOptions, render
+from nhc.language import decode
+from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.kinetic import energy_as_squares, kinetic_structure
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.system import System
+from nhc.program.ir import Program
+from nhc.program.model import build_program
+from tests.support import python_model, spec_path
+
+CRANE = """nhc: 1
+system: crane
+coordinates: [x, y, l, a, b]
+parameters: {M: 5, N: 3, m: 2, J: 0.3, g: 9.81, F: 1}
+define:
+  px: x + l*sin(a)*cos(b)
+  py: y + l*sin(b)
+  pz: -l*cos(a)*cos(b)
+T: M/2*(x'^2 + y'^2) + N/2*x'^2 + m/2*(px'^2 + py'^2 + pz'^2) + J/2*l'^2
+V: m*g*pz
+forces: {x: F}
+"""
+"""A rope of changing length in space: its unit vector holds two other coordinates."""
+
+WALKER = """nhc: 1
+system: walker
+coordinates: [q1, q2, q3, q4, q5]
+parameters: {l: 0.4, c: 0.2, L: 0.3, m: 2, M: 10, I: 0.03, J: 0.3, g: 9.81}
+define:
+  A2: q1 + q2
+  A3: A2 + q3
+  A4: A2 + q4
+  A5: A4 + q5
+  x2: l*sin(q1) + c*sin(A2)
+  y2: l*cos(q1) + c*cos(A2)
+  hx: l*sin(q1) + l*sin(A2)
+  hy: l*cos(q1) + l*cos(A2)
+  x3: hx + L*sin(A3)
+  y3: hy + L*cos(A3)
+  x4: hx - c*sin(A4)
+  y4: hy - c*cos(A4)
+  x5: hx - l*sin(A4) - c*sin(A5)
+  y5: hy - l*cos(A4) - c*cos(A5)
+  turning: I*(q1'^2 + A2'^2 + A4'^2 + A5'^2) + J*A3'^2
+T: (m*(c^2*q1'^2 + x2'^2 + y2'^2 + x4'^2 + y4'^2 + x5'^2 + y5'^2) + M*(x3'^2 + y3'^2) + turning)/2
+V: g*(m*(y2 + y4 + y5) + M*y3)
+"""
+"""A tree by relative angles: several coordinates turn each link."""
+
+
+def spherical(count: int) -> str:
+    """Spherical pendulums hung on one another."""
+    define, squares = [], []
+    for k in range(1, count + 1):
+        before = [f"{axis}{k - 1} + " if k > 1 else "" for axis in "xyz"]
+        turned = (f"l*sin(a{k})*cos(b{k})", f"l*sin(a{k})*sin(b{k})", f"l*cos(a{k})")
+        define += [f"  {axis}{k}: {old}{new}" for axis, old, new in zip("xyz", before, turned, strict=True)]
+        squares.append(f"x{k}'^2 + y{k}'^2 + z{k}'^2")
+    names = ", ".join(f"a{k}, b{k}" for k in range(1, count + 1))
+    heights = " + ".join(f"z{k}" for k in range(1, count + 1))
+    return "\n".join(
+        [
+            *("nhc: 1", "system: spherical", f"coordinates: [{names}]", "parameters: {m: 0.7, l: 0.6, g: 9.81}"),
+            *("define:", *define, f"T: m/2*({' + '.join(squares)})", f"V: -m*g*({heights})", ""),
+        ]
+    )
+
+
+def text_of(name: str) -> str:
+    made = {"crane": CRANE, "walker": WALKER, "spherical3": spherical(3)}
+    return made[name] if name in made else spec_path(name).read_text(encoding="utf-8")
+
+
+def multiplied_out(text: str) -> str:
+    """The spec with T as a sum of products."""
+    system = system_of(text)
+    energy = sympy.expand(to_sympy(system.graph, system.T))
+    names = {}
+    for k, symbol in enumerate(system.graph.symbols):
+        own = f"rate_of_{symbol.name}" if symbol.kind == "velocity" else f"name_{symbol.name}"
+        names[sympy.Symbol(f"s{k}", real=True)] = sympy.Symbol(own)
+    printed = sympy.sstr(energy.xreplace(names)).replace("**", "^")
+    printed = re.sub(r"\bname_(\w+)", r"\1", re.sub(r"\brate_of_(\w+)", r"\1'", printed))
+    return re.sub(r"(?m)^T:.*\n(?:[ ].*\n)*", f"T: {printed}\n", text)
+
+
+def system_of(text: str, graph: Graph | None = None) -> System:
+    return resolve(decode(Source("spec.yaml", text)), graph)
+
+
+def program_of(system: System) -> Program:
+    formulation = formulate(system)
+    return build_program(system, formulation, equations_of(system, formulation), ("rhs",))
+
+
+def operations(program: Program) -> int:
+    (rhs,) = program.functions
+    return rhs.adds + rhs.multiplications + rhs.divisions
+
+
+@pytest.mark.parametrize(
+    ("name", "most", "longer"),
+    [
+        ("n_trailer3", 0.16, 1.0),
+        ("n_snake3", 0.33, 1.0),
+        ("suslov", 0.07, 1.0),
+        ("veselova", 0.29, 1.0),
+        ("rattleback", 0.46, 1.0),
+        ("heavy_top", 0.65, 1.0),
+        ("walker", 0.34, 1.14),
+        ("spherical3", 0.46, 1.03),
+    ],
+)
+def test_the_rates_are_those_of_the_positions_and_as_short(name: str, most: float, longer: float) -> None:
+    """``most``: operations against what they are without the rule; ``longer``: against those of the positions."""
+    plain, long = text_of(name), multiplied_out(text_of(name))
+    system = system_of(long)
+    assert energy_as_squares(system) != system.T
+    assert are_equal(system.graph, [energy_as_squares(system)], [system.T])
+    expected, found, before = (
+        program_of(s) for s in (system_of(plain), system, system_of(long, WithoutRules(["completed squares"])))
+    )
+    assert operations(found) <= longer * operations(expected)
+    assert operations(found) <= most * operations(before)
+    draw = random.Random(name)
+    first, second = (
+        python_model(render(program, "python", EmitOptions())[f"{system.name}.py"], system.name)
+        for program in (expected, found)
+    )
+    for _ in range(3):
+        y = [draw.uniform(0.3, 1.1) for _ in first.STATE]
+        assert second.rhs(0.3, y) == pytest.approx(first.rhs(0.3, y), rel=1e-10, abs=1e-10)
+
+
+def cart_and_pendulums(count: int) -> str:
+    """As books print it, by cosines of differences."""
+    bobs = range(1, count + 1)
+    terms = [f"(M + {count}*m)/2*x'^2"]
+    for i in bobs:
+        terms.append(f"{count - i + 1}*m*l^2/2*theta{i}'^2 + {count - i + 1}*m*l*cos(theta{i})*x'*theta{i}'")
+        terms += [
+            f"{count - j + 1}*m*l^2*cos(theta{i} - theta{j})*theta{i}'*theta{j}'" for j in range(i + 1, count + 1)
+        ]
+    names = ", ".join(f"theta{i}" for i in bobs)
+    heights = " + ".join(f"{count - i + 1}*cos(theta{i})" for i in bobs)
+    return (
+        f"nhc: 1\nsystem: pendulum{count}\ncoordinates: [x, {names}]\nparameters: {{M: 1.5, m: 0.5, l: 0.7, g: 9.81}}\n"
+        f"T: {' + '.join(terms)}\nV: -m*g*l*({heights})\n"
+    )
+
+
+@pytest.mark.parametrize("count", [3, 6])
+def test_a_chain_by_cosines_of_differences_is_the_chain_of_its_positions(count: int) -> None:
+    expected = program_of(resolve(decode(source(f"pendulum{count}"))))
+    found = program_of(system_of(cart_and_pendulums(count)))
+    assert operations(found) <= operations(expected)
+    first, second = (
+        python_model(render(made, "python", EmitOptions())[f"pendulum{count}.py"], f"pendulum{count}")
+        for made in (expected, found)
+    )
+    y = [0.2 + 0.1 * k for k in range(2 * count + 2)]
+    assert second.rhs(0.0, y) == pytest.approx(first.rhs(0.0, y), rel=1e-11, abs=1e-11)
+
+
+def test_a_rope_of_changing_length_is_one_point() -> None:
+    """Three squares of the load, and nothing is multiplied with anything else."""
+    system = system_of(multiplied_out(CRANE))
+    kinetic = kinetic_structure(system)
+    assert are_equal(system.graph, [energy_as_squares(system)], [system.T])
+    assert len(kinetic.atoms) == 3 + 3
+    zero = system.graph.zero
+    assert all(h == zero for i, row in enumerate(kinetic.hessian) for h in row[:i])
+
+
+@pytest.mark.parametrize(
+    "energy",
+    [
+        "(x'^2 + y'^2)/2 + sin(x)*x'*y'/3",
+        "(2 + sin(a))*x'*y' + (x'^2 + y'^2 + a'^2)*exp(x + y)",
+        "x'^2/2 + y'^2/2 + a'^2/2 + cos(a)*x'*y'/4 + t*x'*a'/5",
+        "(x'^2 + y'^2 + a'^2)/2 + x*y*x'*y'*x'",
+        "m*(x'^2 + y'^2)/2 - m*cos(a)*x'*a' + m*a'^2",
+    ],
+)
+def test_what_is_no_sum_of_squares_keeps_its_value(energy: str) -> None:
+    system = system_of(f"nhc: 1\nsystem: other\ncoordinates: [x, y, a]\nparameters: {{m: 2}}\nT: {energy}\n")
+    assert are_equal(system.graph, [energy_as_squares(system)], [system.T])
