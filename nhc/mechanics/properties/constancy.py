@@ -73,6 +73,12 @@ def jumps(sampler: Sampler, node: Node) -> bool:
     Where it is continuous it cannot; nor can a sign, the branch of an angle or a quotient while what they are taken of is a
     constant of the motion.
     """
+    if node not in sampler.jumping:
+        sampler.jumping[node] = _jumps(sampler, node)
+    return sampler.jumping[node]
+
+
+def _jumps(sampler: Sampler, node: Node) -> bool:
     system, still = sampler.system, dict.fromkeys(sampler.zeroed, 0.0)
     given = [{p: x if x and math.isfinite(x) else 0.7 for p, x in values.items()} for values in scene_values(system)]
     moving = (*system.q, *system.v, system.t)

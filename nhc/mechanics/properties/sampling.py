@@ -36,6 +36,7 @@ class Sampler:
         self.multipliers = multiplier_symbols(system)
         self.leaf = leaf_of(system, [*self.velocities.nodes, *self.reference.nodes()])
         self.moving = system.graph.mask((*system.v, *self.rates, *self.multipliers))
+        self.jumping: dict[Node, bool] = {}  # what was found of each: the energy is asked for as one of many things
 
     def residues(self, roots: Sequence[Node], count: int, prime: int, seed: int = 1) -> list[list[int]]:
         """The roots, which may contain q, q', q'', lambda and t, at ``count`` points.
