@@ -26,6 +26,8 @@ METHODS = (
 )
 LOST = 1e-5
 """Smallest singular value of constraints that are taken to have lost their rank."""
+LEAST = 1e-15
+"""Smallest tolerance, as of specs, charts and drivers: doubles hold some 16 digits."""
 KINDS = (".csv", ".npz", ".svg", ".html")
 
 
@@ -160,6 +162,8 @@ def _check_accuracy(method: str, tolerance: float, step: float) -> None:
     """Refuse what contradicts itself."""
     if tolerance >= 1:
         raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
+    if 0 < tolerance < LEAST:
+        raise click.UsageError(f"`--tol {tolerance!r}` is finer than doubles are; ask for {LEAST!r} or more")
     if step and method.startswith(("scipy", "cvode")):
         raise click.UsageError(f"`{method}` chooses its own steps; leave `--step` out")
 

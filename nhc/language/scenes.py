@@ -15,7 +15,7 @@ from .orientation import read_orientation
 from .parser import parse_expression
 from .scope import Scope, check_name, names_in
 from .shape import Shapes
-from .spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
+from .spec import DEFAULT_TOLERANCE, LEAST_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
 from .syntax import Number, Syntax
 from .yaml_reader import is_empty
 
@@ -254,5 +254,9 @@ class _SceneReader:
         if not 0 < value < 1 and node is not None:
             help = "write a relative accuracy such as `1e-8`"
             self.bag.error("E0313", "`tolerance` must lie between 0 and 1", node.span, help=(help,))
+            return DEFAULT_TOLERANCE
+        if value < LEAST_TOLERANCE and node is not None:
+            help = "doubles hold some 16 digits; the least that can be asked for is `1e-15`"
+            self.bag.error("E0313", "`tolerance` is finer than the numbers of a run", node.span, help=(help,))
             return DEFAULT_TOLERANCE
         return value

@@ -10,6 +10,7 @@ from nhc.records import record
 from .syntax import Syntax
 
 DEFAULT_TOLERANCE = Fraction(1, 10**8)
+LEAST_TOLERANCE = Fraction(1, 10**15)
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
 ROTATION_FRAMES = ("body", "space")
 FIGURES = ("point", "line", "circle", "body")
