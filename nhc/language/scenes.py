@@ -15,7 +15,7 @@ from .orientation import read_orientation
 from .parser import parse_expression
 from .scope import Scope, check_name, names_in
 from .shape import Shapes
-from .spec import DEFAULT_TOLERANCE, LEAST_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
+from .spec import DEFAULT_TOLERANCE, LEAST_PART, LEAST_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
 from .syntax import Number, Syntax
 from .yaml_reader import is_empty
 
@@ -75,7 +75,7 @@ class _SceneReader:
         self._check_values(text, overrides)
         initial = self._initial(table.get("initial"))
         time_node = table.get("time")
-        time = self.shapes.interval(time_node, "`time`") if time_node is not None else None
+        time = self._time(time_node) if time_node is not None else None
         return Scene(
             name=fold(text.value),
             span=text.span,
@@ -246,6 +246,17 @@ class _SceneReader:
         if velocity is not None:
             return Need("velocity", f"{velocity}'", text.span)
         return Need(name, name, text.span) if name in self.own_needs else None
+
+    def _time(self, node: Node) -> tuple[Fraction, Fraction] | None:
+        """The scene's start and end, some thousand doubles apart at least."""
+        time = self.shapes.interval(node, "`time`")
+        if time is not None and time[1] - time[0] < LEAST_PART * max(map(abs, time)):
+            help = "doubles hold some 16 digits; begin at 0, and let the forces count from there"
+            self.bag.error(
+                "E0313", "`time` is too short for so late a time: its times are not told apart", node.span, help=(help,)
+            )
+            return None
+        return time
 
     def _tolerance(self, node: Node | None) -> Fraction:
         value = self.shapes.number(node, "`tolerance`") if node is not None else None

@@ -123,6 +123,8 @@ def test_a_driver_starts_from_rest(tmp_path: Path, swum: list[float]) -> None:
     ("method", "torque"),
     [
         ("dop853", "A*t^8"),
+        ("dop853", "A*t^12"),
+        ("dop853", "A*t^16"),
         ("dopri5", "A*t^4"),
         ("radau5", "A*t^3"),
         ("radau5", "A*t^5"),
@@ -144,6 +146,7 @@ def test_forces_of_a_high_power_of_the_time_from_rest(method: str, torque: str, 
         "A*t^3": scale * 2**5 / 20,
         "A*t^5": scale * 2**7 / 42,
         "A*t^12": scale * 2**14 / 182,
+        "A*t^16": scale * 2**18 / 306,
         "A*max(0, t - 1)": scale / 6,
     }
     assert found.rows[-1] == pytest.approx([exact[torque]], rel=1e-8)

@@ -99,13 +99,13 @@ class Step:
 
     @property
     def telling(self) -> bool:
-        """Whether a refused step tells anything: not where the state grows by a higher power of the time than the twelfth.
+        """Whether a refused step tells anything: not where the state grows by a higher power of the time than ``LIMITS.power``.
 
         Far beyond its stability a method makes anything of a state, and its estimate of the error may be a tenth of that.
         """
         end = max((*self.size, *map(abs, self.reached)), default=0.0)
         speed = max(map(abs, self.arrived), default=0.0)
-        return abs(self.h) * speed <= 12.0 * end
+        return abs(self.h) * speed <= LIMITS.power * end
 
     @property
     def resting(self) -> bool:
@@ -128,7 +128,9 @@ class Step:
             return
         rows = zip(self.coming, self.size, map(abs, self.reached), map(abs, self.arrived), strict=True)
         h = abs(self.h)
-        told = [end if size <= 1e-3 * end and (tame or h * v <= 12.0 * end) else 0.0 for _, size, end, v in rows]
+        told = [
+            end if size <= 1e-3 * end and (tame or h * v <= LIMITS.power * end) else 0.0 for _, size, end, v in rows
+        ]
         if any(told) and h > abs(self.ahead):
             self.ahead = self.h
         self.coming = [max(a, b) for a, b in zip(self.coming, told, strict=True)]
