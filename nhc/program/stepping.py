@@ -9,6 +9,8 @@ SAFETY = 0.01
 LEAST_TOLERANCE = 3e-15
 FINEST = LEAST_TOLERANCE / SAFETY
 """With a finer accuracy steps are what they are with this one."""
+MANY_STEPS = 10_000
+"""From here on errors that all have one sign add up to a hundred times the accuracy and more, which is said."""
 MOST_STEPS = 1_000_000_000
 
 

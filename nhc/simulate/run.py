@@ -7,7 +7,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from nhc.program.stepping import FINEST, LEAST_TOLERANCE, MOST_STEPS, SAFETY
+from nhc.program.stepping import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
 from nhc.records import record
 from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel
@@ -121,6 +121,11 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     legs = follower.run(task)
     seconds = time.perf_counter() - before
     found = _gather(workshop, legs)
+    if adaptive and settings.step <= 0 and found.outcome.steps > MANY_STEPS and method not in PEERS:
+        notes += (
+            f"{found.outcome.steps} steps, each held to {wanted:.2g}: in so many, errors may add up to more than the accuracy of"
+            f" {tolerance:.3g}; see whether the end changes with a smaller `--tol`",
+        )
     return replace(found, seconds=seconds, notes=(*notes, *follower.notes))
 
 

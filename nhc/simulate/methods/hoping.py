@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from nhc.program.stepping import LIMITS
 from nhc.simulate.methods.explicit import find_errors
 from nhc.simulate.methods.step import Step
 from nhc.simulate.methods.tableau import Explicit, Tableau
@@ -36,8 +37,8 @@ def find_hollow(s: Step) -> list[bool]:
 
 def go_back(s: Step, back: Step) -> None:
     """Back to the step that was held to sizes which did not come, with those that came instead."""
-    rows = zip(find_hollow(s), s.hope, s.seen, strict=True)
-    coming = [min(seen, 0.1 * hope) if hollow else hope for hollow, hope, seen in rows]
+    rows, less = zip(find_hollow(s), s.hope, s.seen, strict=True), 0.1 if s.returns + 1 < LIMITS.returns else 0.0
+    coming = [min(seen, less * hope) if hollow else hope for hollow, hope, seen in rows]
     kept = {"calls": s.calls, "jacobians": s.jacobians, "returns": s.returns + 1, "ahead": s.until - back.t}
     vars(s).update(vars(back) | kept)
     s.coming, s.first, s.status = coming, True, 0
