@@ -172,6 +172,18 @@ def test_newton_s_iteration_from_rest_does_not_wait_for_the_last_bit(tolerance: 
     assert abs(alone.calls - beside.calls) <= 0.01 * alone.calls
 
 
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("method", ["dop853", "radau5"])
+def test_a_root_of_the_time_from_rest(method: str, compiled: bool) -> None:
+    """y'' = t^(1/3): no step from its zero was let pass, and at 1e-12 the run ended in an underflow."""
+    text = SHAKEN.replace("cos(w*t + f)", '"t^(1/3)"').replace("40]", "10]")
+    job = open_scene(Source("shaken.yaml", text), method=method, needs=("y", "y'"))
+    for tolerance in (1e-3, 1e-12) if method == "dop853" else (1e-3, 1e-6):
+        found = run(job, Settings(method, tolerance, 0.0, 2, compiled))
+        assert found.ended == "done", found.reason
+        assert found.rows[-1] == pytest.approx([10 ** (7 / 3) * 9 / 28, 10 ** (4 / 3) * 3 / 4], rel=10 * tolerance)
+
+
 SHAKEN = """nhc: 1
 system: shaken
 about: A body at rest under a force that goes to and fro far faster than the first steps can see.
