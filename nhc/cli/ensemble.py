@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from nhc.cli.options import check_steps
 from nhc.cli.progress import Progress
 from nhc.cli.terminal import Exit, Failure, describe_os_error, put, say
 
@@ -65,6 +66,7 @@ def run_starts(
         raise Failure(str(error), error.help, exit=Exit.FAILED) from error
     if not scene:
         say(f"taking the scene `{job.scene.name}`")
+    check_steps(settings.step, *job.time)
     bar = Progress(0.0, 1.0, "")
     try:
         found = run_ensemble(job, starts, settings, bar.show)

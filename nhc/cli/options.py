@@ -24,6 +24,20 @@ def split_names(context: click.Context, parameter: click.Parameter, value: str |
     return names
 
 
+def check_steps(step: float, start: float, end: float) -> None:
+    """Refuse fixed steps that are longer than a scene, or more than any run takes.
+
+    Raises:
+        click.UsageError: they are.
+    """
+    from nhc.program.stepping import MOST_STEPS
+
+    if step > (1.0 + 1e-9) * abs(end - start):
+        raise click.UsageError(f"`--step {step!r}` is longer than this scene, which takes {abs(end - start):.6g}")
+    if step and abs(end - start) / step > MOST_STEPS:
+        raise click.UsageError(f"`--step {step!r}` makes more than {MOST_STEPS:.0e} steps of this scene's time")
+
+
 SweepRange = tuple[str, float, float, int]
 """Name, least value, largest value, number of values."""
 

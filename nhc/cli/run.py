@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import formulation_option, list_examples, spec_argument, split_names
+from nhc.cli.options import check_steps, formulation_option, list_examples, spec_argument, split_names
 from nhc.cli.progress import Progress
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
@@ -26,6 +26,8 @@ METHODS = (
 )
 LOST = 1e-5
 """Smallest singular value of constraints that are taken to have lost their rank."""
+LEAST = 1e-15
+"""Smallest tolerance, as of specs, charts and drivers: doubles hold some 16 digits."""
 KINDS = (".csv", ".npz", ".svg", ".html")
 
 
@@ -144,7 +146,7 @@ def command(
         raise Failure(str(error), error.help) from error
     if not scene:
         say(f"taking the scene `{job.scene.name}`")
-    _check_steps(step, *job.time)
+    check_steps(step, *job.time)
     found = _integrate(job, settings)
     for note in found.notes:
         say(f"note: {note}")
@@ -160,16 +162,10 @@ def _check_accuracy(method: str, tolerance: float, step: float) -> None:
     """Refuse what contradicts itself."""
     if tolerance >= 1:
         raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
+    if 0 < tolerance < LEAST:
+        raise click.UsageError(f"`--tol {tolerance!r}` is finer than doubles are; ask for {LEAST!r} or more")
     if step and method.startswith(("scipy", "cvode")):
         raise click.UsageError(f"`{method}` chooses its own steps; leave `--step` out")
-
-
-def _check_steps(step: float, start: float, end: float) -> None:
-    """Refuse fixed steps that are more than any run takes."""
-    from nhc.program.stepping import MOST_STEPS
-
-    if step and abs(end - start) / step > MOST_STEPS:
-        raise click.UsageError(f"`--step {step!r}` makes more than {MOST_STEPS:.0e} steps of this scene's time")
 
 
 def _integrate(job: Job, settings: Settings) -> Trajectory:

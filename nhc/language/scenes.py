@@ -14,7 +14,17 @@ from nhc.language.keys import NEAR_KEYS, SCENE_KEYS
 from nhc.language.orientation import read_orientation
 from nhc.language.scope import Scope, check_name, names_in
 from nhc.language.shape import Shapes
-from nhc.language.spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
+from nhc.language.spec import (
+    DEFAULT_TOLERANCE,
+    LEAST_PART,
+    LEAST_TOLERANCE,
+    Initial,
+    Need,
+    Override,
+    Parameter,
+    Rotation,
+    Scene,
+)
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
@@ -74,7 +84,7 @@ class _SceneReader:
         self._check_values(text, overrides)
         initial = self._initial(table.get("initial"))
         time_node = table.get("time")
-        time = self.shapes.interval(time_node, "`time`") if time_node is not None else None
+        time = self._time(time_node) if time_node is not None else None
         return Scene(
             name=fold(text.value),
             span=text.span,
@@ -246,6 +256,17 @@ class _SceneReader:
             return Need("velocity", f"{velocity}'", text.span)
         return Need(name, name, text.span) if name in self.own_needs else None
 
+    def _time(self, node: Node) -> tuple[Fraction, Fraction] | None:
+        """The scene's start and end, some thousand doubles apart at least."""
+        time = self.shapes.interval(node, "`time`")
+        if time is not None and time[1] - time[0] < LEAST_PART * max(map(abs, time)):
+            help = "doubles hold some 16 digits; begin at 0, and let the forces count from there"
+            self.bag.error(
+                "E0313", "`time` is too short for so late a time: its times are not told apart", node.span, help=(help,)
+            )
+            return None
+        return time
+
     def _tolerance(self, node: Node | None) -> Fraction:
         value = self.shapes.number(node, "`tolerance`") if node is not None else None
         if value is None:
@@ -253,5 +274,9 @@ class _SceneReader:
         if not 0 < value < 1 and node is not None:
             help = "write a relative accuracy such as `1e-8`"
             self.bag.error("E0313", "`tolerance` must lie between 0 and 1", node.span, help=(help,))
+            return DEFAULT_TOLERANCE
+        if value < LEAST_TOLERANCE and node is not None:
+            help = "doubles hold some 16 digits; the least that can be asked for is `1e-15`"
+            self.bag.error("E0313", "`tolerance` is finer than the numbers of a run", node.span, help=(help,))
             return DEFAULT_TOLERANCE
         return value

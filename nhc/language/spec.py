@@ -9,6 +9,9 @@ from nhc.language.expressions.syntax import Syntax
 from nhc.records import record
 
 DEFAULT_TOLERANCE = Fraction(1, 10**8)
+LEAST_TOLERANCE = Fraction(1, 10**15)
+LEAST_PART = Fraction(1, 10**12)
+"""Of its times that a scene lasts."""
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
 ROTATION_FRAMES = ("body", "space")
 FIGURES = ("point", "line", "circle", "body")

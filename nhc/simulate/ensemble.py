@@ -10,10 +10,10 @@ from nhc.program.stepping import LEAST_TOLERANCE, SAFETY
 from nhc.records import record
 from nhc.simulate.compile import CompileError, build, lane_flags
 from nhc.simulate.compiled import CompiledModel
-from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.prepare import Job, move_start
-from nhc.simulate.run import Model, Settings, Trajectory, collect, list_times, load
+from nhc.simulate.run import Model, Settings, Trajectory, collect, list_times, load, tell_finest
 from nhc.simulate.source import write_source
 from nhc.simulate.task import STOPPED, News, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
@@ -56,7 +56,8 @@ def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Sh
     members = (
         collect(one, method, model, task, outcome, seconds, ()) for one, outcome in zip(jobs, outcomes, strict=False)
     )
-    return Ensemble(job, len(starts), tuple(members), seconds, (*job.notes, *notes))
+    finest = tell_finest(tolerance) if is_adaptive(method) and settings.step <= 0 else ()
+    return Ensemble(job, len(starts), tuple(members), seconds, (*job.notes, *notes, *finest))
 
 
 def load_lanes(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str, ...]]:

@@ -7,7 +7,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from nhc.program.stepping import LEAST_TOLERANCE, MOST_STEPS, SAFETY
+from nhc.program.stepping import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
 from nhc.records import record
 from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel
@@ -116,10 +116,23 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
             lambda one: _go(workshop, follower, one), lambda one: _go(workshop, beside, one), task, tolerance
         )
         notes += (more,)
+    if adaptive and settings.step <= 0:
+        notes += tell_finest(tolerance)
     legs = follower.run(task)
     seconds = time.perf_counter() - before
     found = _gather(workshop, legs)
+    if adaptive and settings.step <= 0 and found.outcome.steps > MANY_STEPS and method not in PEERS:
+        notes += (
+            f"{found.outcome.steps} steps, each held to {wanted:.2g}: in so many, errors may add up to more than the accuracy of"
+            f" {tolerance:.3g}; see whether the end changes with a smaller `--tol`",
+        )
     return replace(found, seconds=seconds, notes=(*notes, *follower.notes))
+
+
+def tell_finest(tolerance: float) -> tuple[str, ...]:
+    """A note where an accuracy is asked for that adaptive steps in doubles do not have."""
+    finer = f"rounding is what limits steps at a tolerance of {FINEST:.0e}, and {tolerance:.3g} asks for the same ones"
+    return (finer,) if tolerance < FINEST * (1.0 - 1e-9) else ()
 
 
 def _go(workshop: Workshop, follower: Follower, task: Task) -> Trajectory:

@@ -199,6 +199,7 @@ def write_source(
         "collocations": bool(implicit),
         "hermite": bool(explicit) or any(not method.adaptive for method in implicit),
         "adaptive": any(method.adaptive for method in methods),
+        "counted": True,
         "allowed": any(method.adaptive for method in methods) or bool(implicit),
         "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),
         "methods": tuple(describe(method, kernel) for method in methods),

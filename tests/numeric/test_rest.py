@@ -17,9 +17,9 @@ from nhc.simulate.compile import build, loop_flags
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, is_adaptive
 from nhc.simulate.opening import RunError, open_scene
-from nhc.simulate.run import Settings, run
+from nhc.simulate.run import Settings, load, run
 from nhc.simulate.source import write_source
-from nhc.simulate.task import Task
+from nhc.simulate.task import DONE, Task
 from tests.support import COMPILER, compile_c, spec_path
 
 PUSH = """nhc: 1
@@ -123,6 +123,8 @@ def test_a_driver_starts_from_rest(tmp_path: Path, swum: list[float]) -> None:
     ("method", "torque"),
     [
         ("dop853", "A*t^8"),
+        ("dop853", "A*t^12"),
+        ("dop853", "A*t^16"),
         ("dopri5", "A*t^4"),
         ("radau5", "A*t^3"),
         ("radau5", "A*t^5"),
@@ -144,6 +146,7 @@ def test_forces_of_a_high_power_of_the_time_from_rest(method: str, torque: str, 
         "A*t^3": scale * 2**5 / 20,
         "A*t^5": scale * 2**7 / 42,
         "A*t^12": scale * 2**14 / 182,
+        "A*t^16": scale * 2**18 / 306,
         "A*max(0, t - 1)": scale / 6,
     }
     assert found.rows[-1] == pytest.approx([exact[torque]], rel=1e-8)
@@ -167,3 +170,91 @@ def test_newton_s_iteration_from_rest_does_not_wait_for_the_last_bit(tolerance: 
     assert alone.y == pytest.approx(beside.y, rel=1e-3 * tolerance)
     assert (alone.steps, alone.rejected) == (beside.steps, beside.rejected)
     assert abs(alone.calls - beside.calls) <= 0.01 * alone.calls
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("method", ["dop853", "radau5"])
+def test_a_root_of_the_time_from_rest(method: str, compiled: bool) -> None:
+    """y'' = t^(1/3): no step from its zero was let pass, and at 1e-12 the run ended in an underflow."""
+    text = SHAKEN.replace("cos(w*t + f)", '"t^(1/3)"').replace("40]", "10]")
+    job = open_scene(Source("shaken.yaml", text), method=method, needs=("y", "y'"))
+    for tolerance in (1e-3, 1e-12) if method == "dop853" else (1e-3, 1e-6):
+        found = run(job, Settings(method, tolerance, 0.0, 2, compiled))
+        assert found.ended == "done", found.reason
+        assert found.rows[-1] == pytest.approx([10 ** (7 / 3) * 9 / 28, 10 ** (4 / 3) * 3 / 4], rel=10 * tolerance)
+
+
+SHAKEN = """nhc: 1
+system: shaken
+about: A body at rest under a force that goes to and fro far faster than the first steps can see.
+coordinates: [y]
+parameters: {w: 50, f: 0}
+T: y'^2/2
+forces: {y: cos(w*t + f)}
+scenes:
+  go: {initial: {}, time: [0, 40]}
+"""
+
+
+def shaken(w: float, f: float, t: float) -> tuple[float, float]:
+    """(y, y') of y'' = cos(w t + f) from rest."""
+    place = (math.cos(f) - math.cos(w * t + f)) / w**2 - t * math.sin(f) / w
+    return place, (math.sin(w * t + f) - math.sin(f)) / w
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("method", [m for m in RUNGE_KUTTA if is_adaptive(m)])
+def test_sizes_that_do_not_come_are_taken_back(method: str, compiled: bool) -> None:
+    """Refused steps over hundreds of periods told sizes that were thousands of times too large, and errors were held to them."""
+    job = open_scene(Source("shaken.yaml", SHAKEN), method=method, needs=("y", "y'"))
+    model = load(job, method, compiled)[0]
+    phases = [(10 ** (k * 0.05 + 0.6), 0.37 * k * (k % 3)) for k in range(40 if compiled else 3)]
+    for tolerance in (1e-2, 1e-3) if compiled else (1e-2,):
+        for w, f in phases:
+            times = (0.0, 20.0, 40.0)
+            found = model.integrate(Task((w, f), job.y, times, 0.01 * tolerance), method, model.news())
+            assert found.kind == DONE and len(found.states) == 3
+            for t, (y, speed) in zip(times, found.states, strict=True):
+                place, exact = shaken(w, f, t)
+                assert speed == pytest.approx(exact, abs=10 * tolerance / w), (tolerance, w, f)
+                assert y == pytest.approx(place, abs=10 * tolerance * t / w), (tolerance, w, f)
+
+
+@pytest.mark.parametrize("method", ["dopri5", "dop853"])
+def test_sizes_that_do_not_come_are_taken_back_in_lanes(method: str) -> None:
+    job = open_scene(Source("shaken.yaml", SHAKEN), method=method, needs=("y", "y'"), whole=True)
+    sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds, dips=job.watch.dips, lanes=True)
+    model = CompiledModel(build(sources, "shaken_run.c", loop_flags(len(job.y))), "shaken", len(job.y), job.width)
+    values = [(10 ** (k * 0.05 + 0.6), 0.37 * k * (k % 3)) for k in range(40)]
+    for tolerance in (1e-2, 1e-3):
+        task = Task(values[0], job.y, (0.0, 20.0, 40.0), 0.01 * tolerance)
+        each = model.integrate_each(task, method, [job.y] * len(values), values, model.news())
+        for (w, f), found in zip(values, each, strict=True):
+            assert found.kind == DONE and len(found.states) == 3
+            for t, (y, speed) in zip(task.times, found.states, strict=True):
+                place, exact = shaken(w, f, t)
+                assert speed == pytest.approx(exact, abs=10 * tolerance / w), (tolerance, w, f)
+                assert y == pytest.approx(place, abs=10 * tolerance * t / w), (tolerance, w, f)
+
+
+def test_a_driver_takes_them_back(tmp_path: Path) -> None:
+    scenes = "\n".join(
+        f"  s{k}: {{initial: {{}}, time: [0, 40], parameters: {{w: {10 ** (0.1 * k + 0.6)}}}}}" for k in range(24)
+    )
+    text = SHAKEN.replace("  go: {initial: {}, time: [0, 40]}", scenes).replace("scenes:", "outputs: {v: y'}\nscenes:")
+    program = compile_c(emit(Source("shaken.yaml", text), "c", Options(driver=True)), tmp_path, "shaken", library=False)
+    for k in range(24):
+        done = subprocess.run([program, f"s{k}", "2", "1e-2"], capture_output=True, text=True, timeout=60)
+        assert done.returncode == 0, done.stderr
+        last = list(csv.reader(io.StringIO(done.stdout)))[-1]
+        w = 10 ** (0.1 * k + 0.6)
+        assert float(last[1]) == pytest.approx(shaken(w, 0.0, 40.0)[0], abs=10 * 1e-2 * 40 / w)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+def test_no_whole_number_of_periods_fits_the_first_step(compiled: bool) -> None:
+    """90 Hz for 10 s: over a tenth of the run the stages of dopri5 saw a constant, and it went 50 m at any tolerance."""
+    text = SHAKEN.replace("w: 50", "w: 2*pi*90").replace("40]", "10]" if compiled else "1]")
+    job = open_scene(Source("shaken.yaml", text), method="dopri5", needs=("y",))
+    found = run(job, Settings("dopri5", 1e-4, 0.0, 2, compiled))
+    assert found.rows[-1] == pytest.approx([0.0], abs=1e-6)

@@ -121,6 +121,7 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
         "limits": LIMITS,
         "adaptive": True,
         "allowed": True,
+        "counted": False,
     }
 
 

@@ -82,6 +82,7 @@ def _estimate(s: Step, method: Collocation, jacobian: list[Vector]) -> float:
     factors, allowed = factor(matrix), s.allowed(s.reached)
     for _ in range(2):
         right = resolve(factors, [s.h * f + combine(method.errors, s.k, i) for i, f in enumerate(slope)])
+        s.errors = right
         norm = sqrt(sum((x / a) ** 2 for x, a in zip(right, allowed, strict=True)) / n)
         if norm < 1.0 or not s.first:
             return norm

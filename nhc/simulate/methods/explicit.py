@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import sqrt
+
 from nhc.simulate.methods.step import Step, Vector, combine
 from nhc.simulate.methods.tableau import Explicit
 
@@ -35,6 +37,15 @@ def again(s: Step, method: Explicit) -> float:
         return s.h * s.h * norms[0]
     mixed = norms[0] + 0.01 * norms[1]  # Hairer, Norsett and Wanner (1993), eq. (II.10.17)
     return (s.h * norms[0]) ** 2 / mixed if mixed > 0.0 else mixed  # a NaN stays one
+
+
+def find_errors(s: Step, method: Explicit) -> Vector:
+    """Of each entry, for a step that is there."""
+    columns = [[combine(row, s.k, i) for row in method.errors] for i in range(len(s.y))]
+    if len(method.errors) == 1:
+        return [s.h * error for (error,) in columns]
+    mixed = [sqrt(error * error + 0.01 * other * other) for error, other in columns]
+    return [s.h * error * (error / m) if m > 0.0 else 0.0 for (error, _), m in zip(columns, mixed, strict=True)]
 
 
 def shape(s: Step, method: Explicit) -> list[Vector]:

@@ -95,6 +95,8 @@ class _Course:
         u, v, part, least = abs(self.u), abs(self.v), self.part, self.least
         if part == 0.0:
             return self.off > 0.1 * max(u, v) or max(self.bend, self.bending) > 10.0 * max(u, v)
+        if u == 0.0 and least == 0.0:  # it leaves a root's zero, and does so alike in steps of every length
+            return self.off > 0.0
         return (
             abs(self.a) > (part if self.u * self.a < 0.0 else 4.0 * part) * u + least
             or abs(self.b) > (part if self.v * self.b > 0.0 else 4.0 * part) * v + least

@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from copy import copy
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from nhc.program.stepping import LIMITS
 from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.holding import Held, hold_end
+from nhc.simulate.methods.hoping import count_on_hopes, find_hollow, go_back, look_on
 from nhc.simulate.methods.leaping import Placed, find_most
+from nhc.simulate.methods.lengths import find_pace, guess_length, limit_growth
 from nhc.simulate.methods.rounding import is_faint, reconsider
 from nhc.simulate.methods.step import NoSolution, Step
 from nhc.simulate.methods.stops import cross, foresee, next_bound
@@ -73,6 +76,7 @@ class _Run:
     most: float = math.inf
     bound: float = 0.0
     since: float = 0.0
+    back: _Run | None = None
     before: list[float] = field(default_factory=list)
     trend: list[float] = field(default_factory=list)
 
@@ -93,31 +97,47 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
         step.slope = step.rhs(step.t, step.y)
         run.before = model.watch(step.t, step.y, task.p)
         foresee(step, task)
-        run.growth = _limit(method)
+        run.growth = limit_growth(method)
         run.former = 1.0  # no error came before
-        run.next = _guess(step, method, task.times[-1] - task.times[0])
+        run.next = guess_length(step, method, task.times[-1] - task.times[0])
         if model.dips < len(run.before):
             run.trend = _find_trend(run)
-        while True:
-            done = _advance(run)
-            if done is not None:
-                return done
     except ArithmeticError as error:
         return run.leave(SINGULAR, getattr(error, "status", 0))
+    while True:
+        try:
+            done = _advance(run)
+        except ArithmeticError as error:
+            done = run.leave(SINGULAR, getattr(error, "status", 0))
+        if not _goes_back(run, done) and done is not None:
+            return done
 
 
-def _guess(step: Step, method: Tableau, duration: float) -> float:
-    """The first step: the state moves by the part that the tolerance's root allows, with other methods by a hundredth.
+def _remember(run: _Run) -> None:
+    """Before a step is taken that was held to sizes to come."""
+    s = run.step
+    if not any(s.coming):
+        return
+    if not s.hoping:
+        run.back = replace(run, step=copy(s), states=list(run.states), back=None)
+    count_on_hopes(s)
 
-    From a state at zero, which has no size, it is found from above: in very short steps what grows late has no digits yet.
+
+def _goes_back(run: _Run, done: Outcome | None) -> bool:
+    """Whether sizes to come that steps were held to have not come by their time, or before the run ends (``done``): then it goes on
+    from the first of these steps.
     """
-    trusted = isinstance(method, Explicit)
-    part, longest = 0.01, (0.1 if trusted else 0.01) * abs(duration)
-    if trusted and step.tolerance > 0:
-        part = find_pace(step.tolerance, -1.0 / max(method.exponent, 1), 1.0, 0.0)
-    size, speed = max(map(abs, step.y), default=0.0), max(map(abs, step.slope), default=0.0)
-    wish = part * size / speed if size > 1e-5 and speed > 1e-5 else longest
-    return min(wish, longest)
+    s, back = run.step, run.back
+    if not s.hoping or back is None or (done is not None and done.kind == STOPPED):
+        return False
+    if not any(find_hollow(s)):
+        s.hoping = False
+        return False
+    if done is None and s.h * (s.until - s.t) > 0.0:
+        return False
+    go_back(s, back.step)
+    vars(run).update(vars(back) | {"step": s, "growth": 1.0, "former": 1.0, "next": abs(s.h)})
+    return True
 
 
 def _find_trend(run: _Run) -> list[float]:
@@ -129,19 +149,6 @@ def _find_trend(run: _Run) -> list[float]:
     except ArithmeticError:
         at = [0.0] * len(run.before)
     return [(b - a) / h for a, b in zip(run.before, at, strict=True)]
-
-
-def _limit(method: Tableau) -> float:
-    """How much longer than this one the next step may be."""
-    return 10.0 if isinstance(method, Explicit) else 6.0
-
-
-def find_pace(error: float, a: float, former: float, b: float) -> float:
-    """error^-a former^b to 6 percent: logarithm and power are straight lines between the powers of two."""
-    (x, i), (z, j) = math.frexp(error), math.frexp(former)
-    power = b * (2.0 * z + j - 2.0) - a * (2.0 * x + i - 2.0)
-    whole = math.floor(power)
-    return math.ldexp(1.0 + (power - whole), whole)
 
 
 def _pace(run: _Run, error: float, refused: bool) -> float:
@@ -239,10 +246,11 @@ def _advance(run: _Run) -> Outcome | None:
         if task.step > 0 or run.next < 4 * _EPSILON * max(abs(s.t), 1e-3 * duration):
             return run.leave(reason, s.status)
         return None
+    _remember(run)
     if task.step <= 0:
         growth = _pace(run, error, False) if error > 0 else run.growth
         run.next = min(h * min(run.growth, max(growth, 0.333)), run.most)
-        run.growth, run.former = _limit(run.method), max(error, _LEAST_ERROR)
+        run.growth, run.former = limit_growth(run.method), max(error, _LEAST_ERROR)
     return _accept(run, reach)
 
 
@@ -263,7 +271,10 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     run.steps += 1
     if which >= 0:
         s.y, s.t = _point(run, cut), s.t + cut * s.h
+        s.seen = [max(a, abs(b)) for a, b in zip(s.seen, s.y, strict=True)] if s.hoping else s.seen
         return run.leave(EVENT if which < model.events else CROSSED, which)
+    if s.hoping:
+        look_on(s, run.method)
     s.move(reach)
     run.news.t = reach
     if reach == task.times[-1]:

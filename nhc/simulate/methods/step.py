@@ -28,9 +28,12 @@ class NoSolution(Exception):
 class Step:
     """From (t, y) with slope to (t + h, reached) with arrived; ``tolerance`` 0 means fixed steps; ``shape`` is the interpolant.
 
-    ``size``: the largest magnitudes so far; ``coming``: those that refused steps let hope for; ``noise``: what rounding may make of
-    the slopes; ``wrong``: the square of the error of the step refused last, ``stuck``: how often in a row that was none the less
-    for its length; ``spared``: the part of the largest entry that does for one, if for any.
+    ``size``: the largest magnitudes so far; ``coming``: those that refused steps let hope for, ``ahead``: how far from here the
+    longest of these steps went; ``hope``: what steps of late were held to, while ``hoping``, that is until it came, ``until``:
+    when it must have come; ``seen`` and ``drift``: what came, and the errors meanwhile, added up; ``returns``: how often it did
+    not; ``noise``: what rounding may make of the slopes; ``wrong``: the square of the error of the step refused last, ``stuck``:
+    how often in a row that was none the less for its length; ``spared``: the part of the largest entry that does for one, if for
+    any.
     """
 
     model: Model
@@ -44,6 +47,14 @@ class Step:
     arrived: Vector = field(default_factory=list)
     size: Vector = field(default_factory=list)
     coming: Vector = field(default_factory=list)
+    ahead: float = 0.0
+    hope: Vector = field(default_factory=list)
+    seen: Vector = field(default_factory=list)
+    drift: Vector = field(default_factory=list)
+    until: float = 0.0
+    hoping: bool = False
+    returns: int = 0
+    errors: Vector = field(default_factory=list)
     noise: Vector = field(default_factory=list)
     wrong: float = 0.0
     stuck: int = 0
@@ -88,13 +99,13 @@ class Step:
 
     @property
     def telling(self) -> bool:
-        """Whether a refused step tells anything: not where the state grows by a higher power of the time than the twelfth.
+        """Whether a refused step tells anything: not where the state grows by a higher power of the time than ``LIMITS.power``.
 
         Far beyond its stability a method makes anything of a state, and its estimate of the error may be a tenth of that.
         """
         end = max((*self.size, *map(abs, self.reached)), default=0.0)
         speed = max(map(abs, self.arrived), default=0.0)
-        return abs(self.h) * speed <= 12.0 * end
+        return abs(self.h) * speed <= LIMITS.power * end
 
     @property
     def resting(self) -> bool:
@@ -111,14 +122,18 @@ class Step:
         tame = trust >= 1.0  # any step that is solved
         self.stuck = self.stuck + 1 if self.wrong > 0.0 and square >= 0.25 * self.wrong else 0
         self.wrong = square
-        if not (square * self.tolerance**2 <= max(trust**2, 0.09 if self.spared else 0.0) and (tame or self.telling)):
-            self.coming = [0.0] * len(self.y)
+        right = square * self.tolerance**2 <= max(trust**2, 0.09 if self.spared else 0.0) and (tame or self.telling)
+        if not right or self.returns >= LIMITS.returns:
+            self.coming, self.ahead = [0.0] * len(self.y), 0.0
             return
         rows = zip(self.coming, self.size, map(abs, self.reached), map(abs, self.arrived), strict=True)
         h = abs(self.h)
-        self.coming = [
-            max(a, end) if size <= 1e-3 * end and (tame or h * v <= 12.0 * end) else a for a, size, end, v in rows
+        told = [
+            end if size <= 1e-3 * end and (tame or h * v <= LIMITS.power * end) else 0.0 for _, size, end, v in rows
         ]
+        if any(told) and h > abs(self.ahead):
+            self.ahead = self.h
+        self.coming = [max(a, b) for a, b in zip(self.coming, told, strict=True)]
 
     def spare(self) -> None:
         """Where everything rests, or errors are none the less for shorter steps, as those of high powers of the time: from here on
