@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:e44289b28892e336)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:9ee3c4e7d6594c17)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -1795,7 +1795,6 @@ BICYCLE_SLOW
 double bicycle_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double yaw = y[3]; /* first turn of the rear frame, about z [rad] */
     const double roll = y[4]; /* second turn, about x [rad] */
     const double pitch = y[5]; /* third turn, about y [rad] */
     const double steer = y[6]; /* front frame against rear frame [rad] */
@@ -1807,8 +1806,6 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double e2z = sin(roll);
     const double s_steer = sin(steer);
     const double c_steer = cos(steer);
-    const double s_yaw = sin(yaw);
-    const double c_yaw = cos(yaw);
     const double z = y[2]; /* centre of the rear wheel, downwards [m] */
     const double roll_dot = y[9];
     const double steer_dot = y[10];
@@ -1847,8 +1844,14 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double k2 = w + c;
     const double k3 = c + (w - x_H);
     const double k4 = r_F * s_lam - c * c_lam;
-    const double k5 = r_R * s_lam - c_lam * k2;
-    const double k6 = s_lam * k2 - (r_F * c_lam + c * s_lam - r_R * c_lam);
+    const double k5 = z_H * s_lam + c_lam * k3;
+    const double k6 = r_R * s_lam - c_lam * k2;
+    const double k7 = r_R * c_lam;
+    const double k8 = s_lam * k2;
+    const double k9 = c_lam * k1 + x_B * s_lam;
+    const double k10 = s_lam * k1 - x_B * c_lam;
+    const double k11 = k8 + (z_H * c_lam - s_lam * k3 + k7);
+    const double k12 = k8 - (r_F * c_lam + c * s_lam - k7);
 
     /* from the state */
     const double z1 = s_pitch * c_roll;
@@ -1862,119 +1865,83 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double z7 = c_lam * z4 + s_lam * z6;
     const double z8 = c_lam * z6 - s_lam * z4;
     const double z9 = z * m_R + m_B * (z - x_B * z1 + e3z * k1) + m_H * (Sz - k3 * z7 + z_H * z8);
-    const double z10 = roll_dot * c_roll;
-    const double z11 = r_R / fabs(c_roll);
-    const double v2_x = z10 * z11;
-    const double z12 = c_roll * v2_x;
-    const double z13 = r_F / sqrt(z6 * z6 + z4 * z4);
-    const double z14 = z4 * z13;
-    const double z15 = k4 + z14;
-    const double z16 = z3 * z11;
-    const double z17 = k5 - z16 - c_steer * z15;
-    const double z18 = z15 * (s_steer * z3) - e2z * z17;
-    const double z19 = z6 * z11;
-    const double z20 = z6 * z13;
-    const double z21 = k6 + z20;
-    const double z22 = z19 - z21;
-    const double z23 = c_steer * z22;
-    const double z24 = roll_dot * z2;
-    const double z25 = steer_dot + z24;
-    const double z26 = roll_dot * z5;
-    const double z27 = c_steer * z26;
-    const double z28 = k5 * z24 - v2_x;
-    const double z29 = z25 * z14 - z27 * z20 - (k6 * z27 - k4 * z25 + c_steer * z28);
-    const double z30 = s_steer * z22;
-    const double z31 = s_steer * z26;
-    const double z32 = thF_dot - z31;
-    const double z33 = z32 * z20 - (k6 * z31 + s_steer * z28);
-    const double z34 = z23 * z29 + z30 * z33;
-    const double z35 = z2 * z21;
-    const double z36 = c_roll * (c_steer * z35 - z5 * (c_steer * k5 - z15)) + e2z * z30;
-    const double z37 = c_roll * (s_steer * z35 - k5 * (s_steer * z5)) - e2z * z23;
-    const double z38 = z36 * z33 - z37 * z29;
-    const double z39 = z23 * z36 + z37 * z30;
-    const double z40 = k4 * z31 - z32 * z14;
-    const double z41 = c_steer * z19;
-    const double z42 = s_steer * z19;
-    const double z43 = z41 * z36 + z37 * z42;
-    const double z44 = 1.0 / (z17 * z43 + z16 * z39);
-    const double z45 = z41 * z29 + z42 * z33;
-    const double z46 = (z18 * z45 + z43 * z40 - z16 * z38) * z44;
-    const double z47 = z44 * (z17 * z45 + z16 * z34);
-    const double z48 = z46 + e2z * z47;
-    const double z49 = (z18 * z34 + z17 * z38 + z39 * z40) * z44 - z48;
-    const double z50 = z49 * (z2 * z16 + z5 * z19);
-    const double z51 = s_yaw * z12 + c_yaw * z50;
-    const double z52 = s_yaw * z47;
-    const double z53 = s_pitch * z46;
-    const double z54 = c_yaw * z47;
-    const double z55 = s_yaw * z10 - e2z * z54;
-    const double z56 = s_yaw * e2z;
-    const double z57 = c_pitch * z46;
-    const double z58 = c_pitch * z52 + c_yaw * z53 - (s_pitch * z55 - z56 * z57);
-    const double z59 = s_pitch * z52 - c_yaw * z57 + (z56 * z53 + c_pitch * z55);
-    const double z60 = z51 - k2 * z58 - r_R * z59;
-    const double z61 = steer_dot * s_steer;
-    const double z62 = ((c_yaw * c_pitch - z56 * s_pitch) * c_lam - (c_yaw * s_pitch + c_pitch * z56) *
-        s_lam) * z61 - c_steer * (c_lam * z58 - s_lam * z59);
-    const double z63 = steer_dot * c_steer;
-    const double z64 = c_roll * z63;
-    const double z65 = roll_dot * e2z;
-    const double z66 = z62 + (s_yaw * z64 - s_steer * (s_yaw * z65 + c_roll * z54));
-    const double z67 = s_lam * z58 + c_lam * z59;
-    const double z68 = c_lam * z66 - s_lam * z67;
-    const double z69 = c_lam * z67 + s_lam * z66;
-    const double z70 = z60 - c * z68 + r_F * z69;
-    const double z71 = c_yaw * z12 - s_yaw * z50;
-    const double z72 = c_yaw * e2z;
-    const double z73 = c_yaw * z10 + e2z * z52;
-    const double z74 = s_yaw * z53 - c_pitch * z54 - (z72 * z57 - s_pitch * z73);
-    const double z75 = s_pitch * z54 + s_yaw * z57 + (z72 * z53 + c_pitch * z73);
-    const double z76 = z71 + k2 * z74 - r_R * z75;
-    const double z77 = ((c_pitch * s_yaw + s_pitch * z72) * c_lam - (s_yaw * s_pitch - c_pitch * z72) *
-        s_lam) * z61 - c_steer * (c_lam * z74 + s_lam * z75);
-    const double z78 = z77 - (c_yaw * z64 - s_steer * (c_yaw * z65 - c_roll * z52));
-    const double z79 = s_lam * z74 - c_lam * z75;
-    const double z80 = c_lam * z78 - s_lam * z79;
-    const double z81 = c_lam * z79 + s_lam * z78;
-    const double z82 = z76 + c * z80 - r_F * z81;
-    const double z83 = e2z * v2_x;
-    const double z84 = s_pitch * z65 + c_roll * z57;
-    const double z85 = c_pitch * z65 - c_roll * z53;
-    const double z86 = z83 + k2 * z84 - r_R * z85;
-    const double z87 = s_steer * z10 + e2z * z63 + (z61 * z3 + c_steer * (c_lam * z84 + s_lam * z85));
-    const double z88 = s_lam * z84 - c_lam * z85;
-    const double z89 = c_lam * z87 + s_lam * z88;
-    const double z90 = c_lam * z88 - s_lam * z87;
-    const double Fz_dot = z86 - c * z89 - r_F * z90;
-    const double w1 = roll_dot * c_pitch + z1 * z47;
-    const double w3 = roll_dot * s_pitch - e3z * z47;
-    const double z91 = c_lam * w1 - s_lam * w3;
-    const double z92 = s_steer * z48 - c_steer * z91;
-    const double ws = steer_dot + (s_lam * w1 + c_lam * w3);
-    const double z93 = c_lam * z92 - s_lam * ws;
-    const double z94 = z93 * z93;
-    const double o3 = c_lam * ws + s_lam * z92;
-    const double z95 = o3 * o3;
-    const double z96 = c_steer * z48 + s_steer * z91;
-    const double z97 = thF_dot - z96;
-    const double z98 = m_F * (z70 * z70 + z82 * z82 + Fz_dot * Fz_dot) + F_xx * (z94 + z95) + F_yy * (z97 *
-        z97);
-    const double z99 = z60 - k3 * z68 - z_H * z69;
-    const double z100 = z76 + k3 * z80 + z_H * z81;
-    const double Hz_dot = z86 - k3 * z89 + z_H * z90;
-    const double z101 = m_H * (z99 * z99 + z100 * z100 + Hz_dot * Hz_dot) + (H_xx * z94 + H_yy * (z96 * z96)
-        + H_zz * z95);
-    const double z102 = w1 * w1;
-    const double z103 = w3 * w3;
-    const double z104 = m_R * (z51 * z51 + z71 * z71 + z83 * z83) + R_xx * (z102 + z103) + R_yy * (z49 * z49);
-    const double z105 = z51 - x_B * z58 - k1 * z59;
-    const double z106 = z71 + x_B * z74 - k1 * z75;
-    const double Bz_dot = z83 + x_B * z84 - k1 * z85;
-    const double z107 = m_B * (z105 * z105 + z106 * z106 + Bz_dot * Bz_dot) + (B_xx * z102 + B_yy * (z48 *
-        z48) + B_zz * z103);
-    const double z108 = 0.5 * z101 - H_xz * (z93 * o3) + (0.5 * z104 + (0.5 * z107 + B_xz * (w1 * w3)));
-    return 0.5 * z98 + z108 - g * (z9 + m_F * (Sz - c * z7 - r_F * z8));
+    const double z10 = r_F / sqrt(z6 * z6 + z4 * z4);
+    const double z11 = z4 * z10;
+    const double z12 = k4 + z11;
+    const double z13 = r_R / fabs(c_roll);
+    const double z14 = z3 * z13;
+    const double z15 = k6 - z14 - c_steer * z12;
+    const double z16 = z12 * (s_steer * z3) - e2z * z15;
+    const double z17 = z6 * z13;
+    const double z18 = c_steer * z17;
+    const double z19 = roll_dot * z2;
+    const double z20 = steer_dot + z19;
+    const double z21 = roll_dot * z5;
+    const double z22 = c_steer * z21;
+    const double z23 = z6 * z10;
+    const double v2_x = c_roll * (roll_dot * z13);
+    const double z24 = v2_x - k6 * z19;
+    const double z25 = z20 * z11 - z22 * z23 - (k12 * z22 - k4 * z20 - c_steer * z24);
+    const double z26 = s_steer * z17;
+    const double z27 = s_steer * z21;
+    const double z28 = thF_dot - z27;
+    const double z29 = z28 * z23 - (k12 * z27 - s_steer * z24);
+    const double z30 = z18 * z25 + z26 * z29;
+    const double z31 = k12 + z23;
+    const double z32 = z2 * z31;
+    const double z33 = z17 - z31;
+    const double z34 = s_steer * z33;
+    const double z35 = c_roll * (c_steer * z32 - z5 * (c_steer * k6 - z12)) + e2z * z34;
+    const double z36 = c_steer * z33;
+    const double z37 = c_roll * (s_steer * z32 - k6 * (s_steer * z5)) - e2z * z36;
+    const double z38 = z18 * z35 + z37 * z26;
+    const double z39 = k4 * z27 - z28 * z11;
+    const double z40 = z35 * z29 - z37 * z25;
+    const double z41 = z36 * z35 + z37 * z34;
+    const double z42 = 1.0 / (z15 * z38 + z14 * z41);
+    const double z43 = z36 * z25 + z34 * z29;
+    const double z44 = z42 * (z15 * z30 + z14 * z43);
+    const double z45 = (z16 * z30 + z38 * z39 - z14 * z40) * z42 + e2z * z44;
+    const double z46 = c_roll * z44;
+    const double z47 = z21 + z2 * z46;
+    const double z48 = c_steer * z45 + s_steer * z47;
+    const double z49 = thF_dot - z48;
+    const double z50 = (z16 * z43 + z15 * z40 + z41 * z39) * z42 - z45;
+    const double z51 = z17 * z50;
+    const double z52 = z19 - z5 * z46;
+    const double z53 = v2_x - k6 * z52;
+    const double z54 = c_steer * z51 - s_steer * z53;
+    const double z55 = z54 + k12 * z48;
+    const double z56 = c_steer * z53 + s_steer * z51;
+    const double w3_steer = steer_dot + z52;
+    const double z57 = s_steer * z45 - c_steer * z47;
+    const double z58 = z56 + (k4 * w3_steer + k12 * z57);
+    const double z59 = z14 * z50;
+    const double z60 = z59 + k6 * z45;
+    const double z61 = z60 - k4 * z48;
+    const double z62 = c_lam * z57 - s_lam * w3_steer;
+    const double z63 = z62 * z62;
+    const double z64 = c_lam * w3_steer + s_lam * z57;
+    const double z65 = z64 * z64;
+    const double z66 = F_yy * (z49 * z49) + (m_F * (z55 * z55 + z58 * z58 + z61 * z61) + F_xx * (z63 + z65));
+    const double z67 = z54 + k11 * z48;
+    const double z68 = z56 - (k5 * w3_steer - k11 * z57);
+    const double z69 = z60 + k5 * z48;
+    const double z70 = m_H * (z67 * z67 + z68 * z68 + z69 * z69) + (H_xx * z63 + H_yy * (z48 * z48) + H_zz *
+        z65);
+    const double z71 = c_lam * z47 + s_lam * z52;
+    const double z72 = z71 * z71;
+    const double z73 = c_lam * z52 - s_lam * z47;
+    const double z74 = z73 * z73;
+    const double z75 = R_yy * (z50 * z50) + (m_R * (v2_x * v2_x + z51 * z51 + z59 * z59) + R_xx * (z72 +
+        z74));
+    const double z76 = z51 + k9 * z45;
+    const double z77 = v2_x - (k10 * z52 + k9 * z47);
+    const double z78 = z59 + k10 * z45;
+    const double z79 = m_B * (z76 * z76 + z77 * z77 + z78 * z78) + (B_yy * (z45 * z45) + B_xx * z72 + B_zz *
+        z74);
+    const double z80 = 0.5 * z70 - H_xz * (z62 * z64) + (0.5 * z75 + (0.5 * z79 + B_xz * (z71 * z73)));
+    return 0.5 * z66 + z80 - g * (z9 + m_F * (Sz - c * z7 - r_F * z8));
 }
 
 BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const double *p, double *kept,

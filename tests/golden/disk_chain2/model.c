@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:6055cf1622d4eae1)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:db91390de041e305)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -538,14 +538,14 @@ double disk_chain2_energy(double t, const double *y, const double *p)
     const double J = p[3]; /* about the vertical [kg*m^2] */
     const double k = p[4]; /* stiffness of the spring [N/m] */
 
-    /* from the parameters alone */
-    const double k1 = I + m * (R * R);
-
     /* from the state */
-    const double z1 = x1 * (0.5 * x1 - x2) + (y1_ * (0.5 * y1_ - y2) + 0.5 * (x2 * x2 + y2 * y2));
-    const double z2 = 0.5 * (theta1_dot * theta1_dot * k1 + (theta2_dot * theta2_dot * k1 + J * (phi1_dot *
-        phi1_dot + phi2_dot * phi2_dot)));
-    return k * z1 + z2;
+    const double z1 = x1 - x2;
+    const double z2 = y1_ - y2;
+    const double v1_x1 = theta1_dot * R;
+    const double v1_x2 = theta2_dot * R;
+    const double z3 = J * (phi1_dot * phi1_dot) + (I * (theta1_dot * theta1_dot) + m * (v1_x1 * v1_x1)) + (J
+        * (phi2_dot * phi2_dot) + (I * (theta2_dot * theta2_dot) + m * (v1_x2 * v1_x2)));
+    return 0.5 * (k * (z1 * z1 + z2 * z2) + z3);
 }
 
 DISK_CHAIN2_SLOW

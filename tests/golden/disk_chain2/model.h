@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:d94fc08328817fc1)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:ea2d88fe9a581aef)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -56,7 +56,7 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 6 *, 0 /, 4 calls
  * reactions: 13 +-, 26 *, 1 /, 4 calls
- * energy: 10 +-, 18 *, 0 /, 0 calls
+ * energy: 9 +-, 18 *, 0 /, 0 calls
  * jacobian: 5 +-, 21 *, 1 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:2e2c2616760ba723)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:e3491d7113b5ca59)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -35,7 +35,7 @@
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 7 +-, 11 *, 0 /, 4 calls
  * reactions: 12 +-, 34 *, 3 /, 2 calls
- * energy: 6 +-, 14 *, 1 /, 4 calls
+ * energy: 5 +-, 11 *, 1 /, 2 calls
  * jacobian: 36 +-, 92 *, 3 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
