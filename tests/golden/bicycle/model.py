@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:d4a1da9c1d5160cf).
+"""bicycle, emitted by nhc 0.1.0 (nhc:ed1905e964d1593b).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -62,8 +62,7 @@ out[0] = speed [m/s]
 out[1] = rear_height [m]
 out[2] = front_height [m]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 455 +-, 699 *, 6 /, 17 calls
 velocities: 56 +-, 99 *, 3 /, 17 calls
 accelerations: 153 +-, 264 *, 3 /, 12 calls

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:d94fc08328817fc1)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:19c2ecff8916ada8)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -49,7 +49,7 @@
  * 2: roll_x2
  * 3: roll_y2
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 5 +-, 15 *, 1 /, 4 calls
  * velocities: 0 +-, 6 *, 0 /, 4 calls
  * accelerations: 9 +-, 23 *, 1 /, 4 calls

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:4b9f176224e38a0f).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:b08ba8a67ef8d0c8).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -50,8 +50,7 @@ Constraints:
 2: roll_x2
 3: roll_y2
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 5 +-, 15 *, 1 /, 4 calls
 velocities: 0 +-, 6 *, 0 /, 4 calls
 accelerations: 9 +-, 23 *, 1 /, 4 calls

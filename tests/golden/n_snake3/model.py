@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:fb7714ab590a8099).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:65411120c35b9ce1).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -26,8 +26,7 @@ Constraints:
 1: wheel2
 2: wheel3
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 42 +-, 79 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 1 /, 6 calls
 accelerations: 56 +-, 97 *, 3 /, 6 calls

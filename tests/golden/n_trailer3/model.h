@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:b29b3168c297e93a)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:e739a0c2a603dded)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -32,7 +32,7 @@
  * out[0] = tail_x [m]
  * out[1] = tail_y [m]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 17 +-, 31 *, 2 /, 8 calls
  * velocities: 3 +-, 8 *, 1 /, 7 calls
  * accelerations: 24 +-, 47 *, 2 /, 8 calls

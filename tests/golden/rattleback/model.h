@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:7e770c62e808feae)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:1a1f9c5e4b661371)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -35,7 +35,7 @@
  * Outputs:
  * out[0] = spin [rad/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 64 +-, 118 *, 5 /, 7 calls
  * velocities: 15 +-, 40 *, 2 /, 7 calls
  * accelerations: 97 +-, 161 *, 5 /, 7 calls

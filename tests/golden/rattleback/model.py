@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:88f913f3f22c2ef7).
+"""rattleback, emitted by nhc 0.1.0 (nhc:3dec5b4528edfe50).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -36,8 +36,7 @@ Constraints:
 Outputs:
 out[0] = spin [rad/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 64 +-, 118 *, 5 /, 7 calls
 velocities: 15 +-, 40 *, 2 /, 7 calls
 accelerations: 97 +-, 161 *, 5 /, 7 calls

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:2e2c2616760ba723)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:82ae7426e1502f57)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -28,7 +28,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 8 +-, 28 *, 3 /, 4 calls
  * velocities: 2 +-, 6 *, 1 /, 4 calls
  * accelerations: 14 +-, 34 *, 3 /, 4 calls

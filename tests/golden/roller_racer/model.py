@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:b5ffe36c5825a120).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:12191c4e732c3349).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -28,8 +28,7 @@ Constraints:
 Outputs:
 out[0] = speed [m/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 8 +-, 28 *, 3 /, 4 calls
 velocities: 2 +-, 6 *, 1 /, 4 calls
 accelerations: 14 +-, 34 *, 3 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:cccbc76ecf52b41a)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:178f103f16065bb2)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -31,7 +31,7 @@
  * out[0] = jellett [kg*m^3/s]
  * out[1] = routh [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 24 +-, 47 *, 3 /, 4 calls
  * velocities: 2 +-, 7 *, 0 /, 3 calls
  * accelerations: 29 +-, 59 *, 3 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:874a9a4c12132496)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:8fa601ea2e42088b)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -31,7 +31,7 @@
  * out[2] = p_x [kg*m/s]
  * out[3] = p_y [kg*m/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 13 +-, 39 *, 4 /, 4 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 15 +-, 46 *, 4 /, 4 calls

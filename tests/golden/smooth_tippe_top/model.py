@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:284490cbfa13d8b9).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:1e3d7993c1c0b648).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -31,8 +31,7 @@ out[1] = spin [rad/s]
 out[2] = p_x [kg*m/s]
 out[3] = p_y [kg*m/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 13 +-, 39 *, 4 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 15 +-, 46 *, 4 /, 4 calls
