@@ -55,7 +55,7 @@ def show_origin(origin: Origin) -> str:
     return f"({origin.equation}) {origin.place}".rstrip() if origin.equation else origin.place
 
 
-OPERATIONS = "Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):"
+OPERATIONS = "Operations of one call (+-: sums and differences; calls: sin, cos, ...):"
 """The line above the counts of :func:`count_operations`."""
 
 

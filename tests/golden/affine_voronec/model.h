@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:488241763a84cf8c)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:57610dbd52d65cf8)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -18,7 +18,7 @@
  * Constraints:
  * 0: contact
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 62 +-, 105 *, 2 /, 4 calls
  * velocities: 4 +-, 10 *, 0 /, 3 calls
  * accelerations: 68 +-, 139 *, 2 /, 4 calls

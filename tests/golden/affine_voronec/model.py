@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:a8c5544c816b8675).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:7f38ccc735c5785d).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -18,8 +18,7 @@ No parameters.
 Constraints:
 0: contact
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 62 +-, 105 *, 2 /, 4 calls
 velocities: 4 +-, 10 *, 0 /, 3 calls
 accelerations: 68 +-, 139 *, 2 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:e4ea7d0d341bcb14)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:5a8db6f9e79eaeb5)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -40,7 +40,7 @@
  * out[0] = spin [rad/s]
  * out[1] = moving_energy [J]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 24 +-, 50 *, 2 /, 6 calls
  * velocities: 5 +-, 11 *, 0 /, 4 calls
  * accelerations: 37 +-, 76 *, 2 /, 6 calls

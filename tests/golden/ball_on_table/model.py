@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:0b6a354fbf48a3bc).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:2954243e72aad804).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -41,8 +41,7 @@ Outputs:
 out[0] = spin [rad/s]
 out[1] = moving_energy [J]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 24 +-, 50 *, 2 /, 6 calls
 velocities: 5 +-, 11 *, 0 /, 4 calls
 accelerations: 37 +-, 76 *, 2 /, 6 calls

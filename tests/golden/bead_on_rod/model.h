@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:5e96dd7ff98ac091)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:2a82220c8bad213c)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -17,7 +17,7 @@
  * out[0] = jacobi [kg*m^2/s^2]
  * out[1] = torque [kg*m^2/s^2]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 0 +-, 2 *, 0 /, 0 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 0 +-, 2 *, 0 /, 0 calls

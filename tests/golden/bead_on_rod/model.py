@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:d01e33b4c92b6254).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:d56301f1bdcd2490).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -18,8 +18,7 @@ Outputs:
 out[0] = jacobi [kg*m^2/s^2]
 out[1] = torque [kg*m^2/s^2]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 0 +-, 2 *, 0 /, 0 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 0 +-, 2 *, 0 /, 0 calls

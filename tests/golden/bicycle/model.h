@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:7c9644459ab1c5ed)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:fa6864973d8437c1)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -61,14 +61,14 @@
  * out[1] = rear_height [m]
  * out[2] = front_height [m]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 455 +-, 699 *, 6 /, 17 calls
  * velocities: 56 +-, 99 *, 3 /, 17 calls
  * accelerations: 153 +-, 264 *, 3 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 183 *, 2 /, 12 calls
  * reactions: 402 +-, 616 *, 3 /, 12 calls
- * energy: 118 +-, 186 *, 3 /, 10 calls
+ * energy: 168 +-, 278 *, 3 /, 12 calls
  * jacobian: 3683 +-, 5097 *, 7 /, 17 calls
  * outputs: 57 +-, 101 *, 3 /, 15 calls
  *

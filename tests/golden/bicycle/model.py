@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:edc279c439dedd31).
+"""bicycle, emitted by nhc 0.1.0 (nhc:ed1905e964d1593b).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -62,15 +62,14 @@ out[0] = speed [m/s]
 out[1] = rear_height [m]
 out[2] = front_height [m]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 455 +-, 699 *, 6 /, 17 calls
 velocities: 56 +-, 99 *, 3 /, 17 calls
 accelerations: 153 +-, 264 *, 3 /, 12 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 108 +-, 183 *, 2 /, 12 calls
 reactions: 402 +-, 616 *, 3 /, 12 calls
-energy: 118 +-, 186 *, 3 /, 10 calls
+energy: 168 +-, 278 *, 3 /, 12 calls
 jacobian: 3683 +-, 5097 *, 7 /, 17 calls
 outputs: 57 +-, 101 *, 3 /, 15 calls
 
@@ -1608,6 +1607,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     Returns a scalar.
     """
     z = float(y[2])  # centre of the rear wheel, downwards [m]
+    yaw = float(y[3])  # first turn of the rear frame, about z [rad]
     roll = float(y[4])  # second turn, about x [rad]
     pitch = float(y[5])  # third turn, about y [rad]
     steer = float(y[6])  # front frame against rear frame [rad]
@@ -1648,14 +1648,8 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         k2 = w + c
         k3 = c + (w - x_H)
         k4 = r_F * s_lam - c * c_lam
-        k5 = z_H * s_lam + c_lam * k3
-        k6 = r_R * s_lam - c_lam * k2
-        k7 = r_R * c_lam
-        k8 = s_lam * k2
-        k9 = c_lam * k1 + x_B * s_lam
-        k10 = s_lam * k1 - x_B * c_lam
-        k11 = k8 + (z_H * c_lam - s_lam * k3 + k7)
-        k12 = k8 - (r_F * c_lam + c * s_lam - k7)
+        k5 = r_R * s_lam - c_lam * k2
+        k6 = s_lam * k2 - (r_F * c_lam + c * s_lam - r_R * c_lam)
         # from the state
         s_pitch = math.sin(pitch)
         c_roll = math.cos(roll)
@@ -1675,86 +1669,127 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         z8 = c_lam * z6 - s_lam * z4
         s1 = z * m_R + m_B * (z - x_B * z1 + e3z * k1)
         z9 = s1 + m_H * (Sz - k3 * z7 + z_H * z8)
-        z10 = r_F / math.sqrt(z6 * z6 + z4 * z4)
-        z11 = z4 * z10
-        z12 = k4 + z11
-        z13 = r_R / abs(c_roll)
-        z14 = z3 * z13
-        z15 = k6 - z14 - c_steer * z12
-        z16 = z12 * (s_steer * z3) - e2z * z15
-        z17 = z6 * z13
-        z18 = c_steer * z17
-        z19 = roll_dot * z2
-        z20 = steer_dot + z19
-        z21 = roll_dot * z5
-        z22 = c_steer * z21
-        z23 = z6 * z10
-        v2_x = c_roll * (roll_dot * z13)
-        z24 = v2_x - k6 * z19
-        z25 = z20 * z11 - z22 * z23 - (k12 * z22 - k4 * z20 - c_steer * z24)
-        z26 = s_steer * z17
-        z27 = s_steer * z21
-        z28 = thF_dot - z27
-        z29 = z28 * z23 - (k12 * z27 - s_steer * z24)
-        z30 = z18 * z25 + z26 * z29
-        z31 = k12 + z23
-        z32 = z2 * z31
-        z33 = z17 - z31
-        z34 = s_steer * z33
-        s2 = c_roll * (c_steer * z32 - z5 * (c_steer * k6 - z12))
-        z35 = s2 + e2z * z34
-        z36 = c_steer * z33
-        z37 = c_roll * (s_steer * z32 - k6 * (s_steer * z5)) - e2z * z36
-        z38 = z18 * z35 + z37 * z26
-        z39 = k4 * z27 - z28 * z11
-        z40 = z35 * z29 - z37 * z25
-        z41 = z36 * z35 + z37 * z34
-        z42 = 1.0 / (z15 * z38 + z14 * z41)
-        z43 = z36 * z25 + z34 * z29
-        z44 = z42 * (z15 * z30 + z14 * z43)
-        z45 = (z16 * z30 + z38 * z39 - z14 * z40) * z42 + e2z * z44
-        z46 = c_roll * z44
-        z47 = z21 + z2 * z46
-        z48 = c_steer * z45 + s_steer * z47
-        z49 = thF_dot - z48
-        z50 = (z16 * z43 + z15 * z40 + z41 * z39) * z42 - z45
-        z51 = z17 * z50
-        z52 = z19 - z5 * z46
-        z53 = v2_x - k6 * z52
-        z54 = c_steer * z51 - s_steer * z53
-        z55 = z54 + k12 * z48
-        z56 = c_steer * z53 + s_steer * z51
-        w3_steer = steer_dot + z52
-        z57 = s_steer * z45 - c_steer * z47
-        z58 = z56 + (k4 * w3_steer + k12 * z57)
-        z59 = z14 * z50
-        z60 = z59 + k6 * z45
-        z61 = z60 - k4 * z48
-        z62 = c_lam * z57 - s_lam * w3_steer
-        z63 = z62 * z62
-        z64 = c_lam * w3_steer + s_lam * z57
-        z65 = z64 * z64
-        s3 = m_F * (z55 * z55 + z58 * z58 + z61 * z61)
-        z66 = F_yy * (z49 * z49) + (s3 + F_xx * (z63 + z65))
-        z67 = z54 + k11 * z48
-        z68 = z56 - (k5 * w3_steer - k11 * z57)
-        z69 = z60 + k5 * z48
-        s4 = H_xx * z63 + H_yy * (z48 * z48) + H_zz * z65
-        z70 = m_H * (z67 * z67 + z68 * z68 + z69 * z69) + s4
-        z71 = c_lam * z47 + s_lam * z52
-        z72 = z71 * z71
-        z73 = c_lam * z52 - s_lam * z47
-        z74 = z73 * z73
-        s5 = m_R * (v2_x * v2_x + z51 * z51 + z59 * z59)
-        z75 = R_yy * (z50 * z50) + (s5 + R_xx * (z72 + z74))
-        z76 = z51 + k9 * z45
-        z77 = v2_x - (k10 * z52 + k9 * z47)
-        z78 = z59 + k10 * z45
-        s6 = B_yy * (z45 * z45) + B_xx * z72 + B_zz * z74
-        z79 = m_B * (z76 * z76 + z77 * z77 + z78 * z78) + s6
-        s7 = 0.5 * z75 + (0.5 * z79 + B_xz * (z71 * z73))
-        z80 = 0.5 * z70 - H_xz * (z62 * z64) + s7
-        value1 = 0.5 * z66 + z80 - g * (z9 + m_F * (Sz - c * z7 - r_F * z8))
+        s_yaw = math.sin(yaw)
+        z10 = roll_dot * c_roll
+        z11 = r_R / abs(c_roll)
+        v2_x = z10 * z11
+        z12 = c_roll * v2_x
+        c_yaw = math.cos(yaw)
+        z13 = r_F / math.sqrt(z6 * z6 + z4 * z4)
+        z14 = z4 * z13
+        z15 = k4 + z14
+        z16 = z3 * z11
+        z17 = k5 - z16 - c_steer * z15
+        z18 = z15 * (s_steer * z3) - e2z * z17
+        z19 = z6 * z11
+        z20 = z6 * z13
+        z21 = k6 + z20
+        z22 = z19 - z21
+        z23 = c_steer * z22
+        z24 = roll_dot * z2
+        z25 = steer_dot + z24
+        z26 = roll_dot * z5
+        z27 = c_steer * z26
+        z28 = k5 * z24 - v2_x
+        z29 = z25 * z14 - z27 * z20 - (k6 * z27 - k4 * z25 + c_steer * z28)
+        z30 = s_steer * z22
+        z31 = s_steer * z26
+        z32 = thF_dot - z31
+        z33 = z32 * z20 - (k6 * z31 + s_steer * z28)
+        z34 = z23 * z29 + z30 * z33
+        z35 = z2 * z21
+        s2 = c_roll * (c_steer * z35 - z5 * (c_steer * k5 - z15))
+        z36 = s2 + e2z * z30
+        z37 = c_roll * (s_steer * z35 - k5 * (s_steer * z5)) - e2z * z23
+        z38 = z36 * z33 - z37 * z29
+        z39 = z23 * z36 + z37 * z30
+        z40 = k4 * z31 - z32 * z14
+        z41 = c_steer * z19
+        z42 = s_steer * z19
+        z43 = z41 * z36 + z37 * z42
+        z44 = 1.0 / (z17 * z43 + z16 * z39)
+        z45 = z41 * z29 + z42 * z33
+        z46 = (z18 * z45 + z43 * z40 - z16 * z38) * z44
+        z47 = z44 * (z17 * z45 + z16 * z34)
+        z48 = z46 + e2z * z47
+        z49 = (z18 * z34 + z17 * z38 + z39 * z40) * z44 - z48
+        z50 = z49 * (z2 * z16 + z5 * z19)
+        z51 = s_yaw * z12 + c_yaw * z50
+        z52 = s_yaw * z47
+        z53 = s_pitch * z46
+        z54 = c_yaw * z47
+        z55 = s_yaw * z10 - e2z * z54
+        z56 = s_yaw * e2z
+        z57 = c_pitch * z46
+        z58 = c_pitch * z52 + c_yaw * z53 - (s_pitch * z55 - z56 * z57)
+        z59 = s_pitch * z52 - c_yaw * z57 + (z56 * z53 + c_pitch * z55)
+        z60 = z51 - k2 * z58 - r_R * z59
+        z61 = steer_dot * s_steer
+        s3 = (c_yaw * c_pitch - z56 * s_pitch) * c_lam
+        s4 = (s3 - (c_yaw * s_pitch + c_pitch * z56) * s_lam) * z61
+        z62 = s4 - c_steer * (c_lam * z58 - s_lam * z59)
+        z63 = steer_dot * c_steer
+        z64 = c_roll * z63
+        z65 = roll_dot * e2z
+        z66 = z62 + (s_yaw * z64 - s_steer * (s_yaw * z65 + c_roll * z54))
+        z67 = s_lam * z58 + c_lam * z59
+        z68 = c_lam * z66 - s_lam * z67
+        z69 = c_lam * z67 + s_lam * z66
+        z70 = z60 - c * z68 + r_F * z69
+        z71 = c_yaw * z12 - s_yaw * z50
+        z72 = c_yaw * e2z
+        z73 = c_yaw * z10 + e2z * z52
+        z74 = s_yaw * z53 - c_pitch * z54 - (z72 * z57 - s_pitch * z73)
+        z75 = s_pitch * z54 + s_yaw * z57 + (z72 * z53 + c_pitch * z73)
+        z76 = z71 + k2 * z74 - r_R * z75
+        s5 = (c_pitch * s_yaw + s_pitch * z72) * c_lam
+        s6 = (s5 - (s_yaw * s_pitch - c_pitch * z72) * s_lam) * z61
+        z77 = s6 - c_steer * (c_lam * z74 + s_lam * z75)
+        z78 = z77 - (c_yaw * z64 - s_steer * (c_yaw * z65 - c_roll * z52))
+        z79 = s_lam * z74 - c_lam * z75
+        z80 = c_lam * z78 - s_lam * z79
+        z81 = c_lam * z79 + s_lam * z78
+        z82 = z76 + c * z80 - r_F * z81
+        z83 = e2z * v2_x
+        z84 = s_pitch * z65 + c_roll * z57
+        z85 = c_pitch * z65 - c_roll * z53
+        z86 = z83 + k2 * z84 - r_R * z85
+        s7 = z61 * z3 + c_steer * (c_lam * z84 + s_lam * z85)
+        z87 = s_steer * z10 + e2z * z63 + s7
+        z88 = s_lam * z84 - c_lam * z85
+        z89 = c_lam * z87 + s_lam * z88
+        z90 = c_lam * z88 - s_lam * z87
+        Fz_dot = z86 - c * z89 - r_F * z90
+        w1 = roll_dot * c_pitch + z1 * z47
+        w3 = roll_dot * s_pitch - e3z * z47
+        z91 = c_lam * w1 - s_lam * w3
+        z92 = s_steer * z48 - c_steer * z91
+        ws = steer_dot + (s_lam * w1 + c_lam * w3)
+        z93 = c_lam * z92 - s_lam * ws
+        z94 = z93 * z93
+        o3 = c_lam * ws + s_lam * z92
+        z95 = o3 * o3
+        z96 = c_steer * z48 + s_steer * z91
+        z97 = thF_dot - z96
+        s8 = m_F * (z70 * z70 + z82 * z82 + Fz_dot * Fz_dot)
+        z98 = s8 + F_xx * (z94 + z95) + F_yy * (z97 * z97)
+        z99 = z60 - k3 * z68 - z_H * z69
+        z100 = z76 + k3 * z80 + z_H * z81
+        Hz_dot = z86 - k3 * z89 + z_H * z90
+        s9 = m_H * (z99 * z99 + z100 * z100 + Hz_dot * Hz_dot)
+        z101 = s9 + (H_xx * z94 + H_yy * (z96 * z96) + H_zz * z95)
+        z102 = w1 * w1
+        z103 = w3 * w3
+        s10 = m_R * (z51 * z51 + z71 * z71 + z83 * z83)
+        z104 = s10 + R_xx * (z102 + z103) + R_yy * (z49 * z49)
+        z105 = z51 - x_B * z58 - k1 * z59
+        z106 = z71 + x_B * z74 - k1 * z75
+        Bz_dot = z83 + x_B * z84 - k1 * z85
+        s11 = m_B * (z105 * z105 + z106 * z106 + Bz_dot * Bz_dot)
+        z107 = s11 + (B_xx * z102 + B_yy * (z48 * z48) + B_zz * z103)
+        s12 = 0.5 * z104 + (0.5 * z107 + B_xz * (w1 * w3))
+        z108 = 0.5 * z101 - H_xz * (z93 * o3) + s12
+        value1 = 0.5 * z98 + z108 - g * (z9 + m_F * (Sz - c * z7 - r_F * z8))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:803e9c95a064b7ba).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:e2f8183370d0ea41).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -22,8 +22,7 @@ Constraints:
 Outputs:
 out[0] = length [m]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 2 +-, 8 *, 1 /, 2 calls
 velocities: 2 +-, 5 *, 1 /, 2 calls
 accelerations: 4 +-, 12 *, 1 /, 2 calls

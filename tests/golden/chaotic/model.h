@@ -1,5 +1,5 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:a9581384d0088232)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:3efe1e9b4d69b043)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -27,7 +27,7 @@
  * Constraints:
  * 0: contact
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 22 +-, 24 *, 1 /, 0 calls
  * velocities: 2 +-, 3 *, 0 /, 0 calls
  * accelerations: 25 +-, 24 *, 1 /, 0 calls

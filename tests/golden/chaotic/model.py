@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:0539265764e12b32).
+"""chaotic, emitted by nhc 0.1.0 (nhc:491ea91f2368aa9e).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -27,8 +27,7 @@ No parameters.
 Constraints:
 0: contact
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 22 +-, 24 *, 1 /, 0 calls
 velocities: 2 +-, 3 *, 0 /, 0 calls
 accelerations: 25 +-, 24 *, 1 /, 0 calls

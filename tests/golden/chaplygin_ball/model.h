@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:7f96adce70ad1f42)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:04bee1014423a63f)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -32,7 +32,7 @@
  * out[1] = K2 [kg*m^2/s]
  * out[2] = K3 [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 23 +-, 49 *, 4 /, 6 calls
  * velocities: 5 +-, 12 *, 1 /, 6 calls
  * accelerations: 37 +-, 77 *, 4 /, 6 calls

@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:022a5a6ba008b50c).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:a4d5ed06050907c6).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -32,8 +32,7 @@ out[0] = K1 [kg*m^2/s]
 out[1] = K2 [kg*m^2/s]
 out[2] = K3 [kg*m^2/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 23 +-, 49 *, 4 /, 6 calls
 velocities: 5 +-, 12 *, 1 /, 6 calls
 accelerations: 37 +-, 77 *, 4 /, 6 calls

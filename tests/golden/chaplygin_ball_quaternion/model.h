@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:fa8c3d630b6c1705)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:5691d766e4e9779d)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -34,7 +34,7 @@
  * out[1] = K_y [kg*m^2/s]
  * out[2] = K_z [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 53 +-, 113 *, 4 /, 0 calls
  * velocities: 23 +-, 47 *, 1 /, 0 calls
  * accelerations: 85 +-, 179 *, 4 /, 0 calls

@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:3a5f83b05dbee9cb).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:90f527a2ecd106f0).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -34,8 +34,7 @@ out[0] = K_x [kg*m^2/s]
 out[1] = K_y [kg*m^2/s]
 out[2] = K_z [kg*m^2/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 53 +-, 113 *, 4 /, 0 calls
 velocities: 23 +-, 47 *, 1 /, 0 calls
 accelerations: 85 +-, 179 *, 4 /, 0 calls

@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:6cd0579b25481bd6).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:7a967fbae4256bb8).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -25,8 +25,7 @@ out[0] = speed [m/s]
 out[1] = X [m]
 out[2] = Y [m]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 1 +-, 8 *, 1 /, 2 calls
 velocities: 0 +-, 2 *, 0 /, 2 calls
 accelerations: 3 +-, 10 *, 1 /, 2 calls

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:391eba566d0e167e)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:8e40109662a96252)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -24,7 +24,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 2 +-, 10 *, 2 /, 2 calls
  * velocities: 0 +-, 2 *, 0 /, 2 calls
  * accelerations: 4 +-, 13 *, 2 /, 2 calls

@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:d0b9330d226c8b17).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:80b815f1bb1b51c5).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -25,8 +25,7 @@ Constraints:
 Outputs:
 out[0] = speed [m/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 2 +-, 10 *, 2 /, 2 calls
 velocities: 0 +-, 2 *, 0 /, 2 calls
 accelerations: 4 +-, 13 *, 2 /, 2 calls

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:a6e11b0167bd5071)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:6478f69cf185dafc)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -23,7 +23,7 @@
  * out[0] = H_y
  * out[1] = R
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 3 +-, 4 *, 1 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
  * accelerations: 4 +-, 4 *, 1 /, 0 calls

@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:ced2bf26e6b66092).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:670a2d84b121abcd).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -23,8 +23,7 @@ Outputs:
 out[0] = H_y
 out[1] = R
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 3 +-, 4 *, 1 /, 0 calls
 velocities: 0 +-, 1 *, 0 /, 0 calls
 accelerations: 4 +-, 4 *, 1 /, 0 calls

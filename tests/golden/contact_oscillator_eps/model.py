@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:ca7e221219074518).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:b3ca3146a5468e89).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -27,8 +27,7 @@ Outputs:
 out[0] = H_y
 out[1] = R
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 5 +-, 9 *, 1 /, 0 calls
 velocities: 0 +-, 1 *, 0 /, 0 calls
 accelerations: 6 +-, 10 *, 1 /, 0 calls

@@ -1,5 +1,5 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:84efe40252beedad)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:013c3c0921445f80)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -23,7 +23,7 @@
  * out[0] = E_xi
  * out[1] = E_xy
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 3 +-, 5 *, 1 /, 2 calls
  * velocities: 0 +-, 1 *, 0 /, 1 calls
  * accelerations: 4 +-, 5 *, 1 /, 2 calls

@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:8858e8f5faee6b90).
+"""cvt, emitted by nhc 0.1.0 (nhc:1a92dcfc4e6e282a).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -24,8 +24,7 @@ Outputs:
 out[0] = E_xi
 out[1] = E_xy
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 3 +-, 5 *, 1 /, 2 calls
 velocities: 0 +-, 1 *, 0 /, 1 calls
 accelerations: 4 +-, 5 *, 1 /, 2 calls

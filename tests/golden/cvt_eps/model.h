@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:9e84afc1e0e03ee7)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:24e223b92a73a6a2)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -25,7 +25,7 @@
  * out[0] = E_xi
  * out[1] = E_xy
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 5 +-, 7 *, 1 /, 2 calls
  * velocities: 0 +-, 1 *, 0 /, 1 calls
  * accelerations: 6 +-, 7 *, 1 /, 2 calls

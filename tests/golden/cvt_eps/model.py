@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:b6a9e583435937c4).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:72a8a057f837905e).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -25,8 +25,7 @@ Outputs:
 out[0] = E_xi
 out[1] = E_xy
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 5 +-, 7 *, 1 /, 2 calls
 velocities: 0 +-, 1 *, 0 /, 1 calls
 accelerations: 6 +-, 7 *, 1 /, 2 calls

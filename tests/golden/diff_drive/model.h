@@ -1,5 +1,5 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:fa327a9a6a5750aa)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:b34b956ddae53b2a)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -30,7 +30,7 @@
  * 1: roll_R
  * 2: roll_L
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 9 +-, 22 *, 3 /, 2 calls
  * velocities: 2 +-, 5 *, 1 /, 2 calls
  * accelerations: 11 +-, 24 *, 3 /, 2 calls

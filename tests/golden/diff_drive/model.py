@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:48f7b57538dc40ff).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:6d367d70721e40de).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -31,8 +31,7 @@ Constraints:
 1: roll_R
 2: roll_L
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 9 +-, 22 *, 3 /, 2 calls
 velocities: 2 +-, 5 *, 1 /, 2 calls
 accelerations: 11 +-, 24 *, 3 /, 2 calls

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:ea2d88fe9a581aef)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:19c2ecff8916ada8)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -49,14 +49,14 @@
  * 2: roll_x2
  * 3: roll_y2
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 5 +-, 15 *, 1 /, 4 calls
  * velocities: 0 +-, 6 *, 0 /, 4 calls
  * accelerations: 9 +-, 23 *, 1 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 6 *, 0 /, 4 calls
  * reactions: 13 +-, 26 *, 1 /, 4 calls
- * energy: 9 +-, 18 *, 0 /, 0 calls
+ * energy: 10 +-, 18 *, 0 /, 0 calls
  * jacobian: 5 +-, 21 *, 1 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *

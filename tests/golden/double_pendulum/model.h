@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:4fc32d4d61148e14)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:465f6bfc06e19c54)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -22,7 +22,7 @@
  * out[0] = tip_x [m]
  * out[1] = tip_y [m]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 6 +-, 14 *, 3 /, 4 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 6 +-, 14 *, 3 /, 4 calls

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:3c778651555e02dd).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:7e657ae314fa5b41).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -23,8 +23,7 @@ Outputs:
 out[0] = tip_x [m]
 out[1] = tip_y [m]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 6 +-, 14 *, 3 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 6 +-, 14 *, 3 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:b8bfbd094080effb)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:6ceb87c74f50638a)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -21,7 +21,7 @@
  * Outputs:
  * out[0] = L_squared [kg^2*m^4/s^2]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 6 +-, 11 *, 4 /, 4 calls
  * velocities: 3 +-, 5 *, 1 /, 4 calls
  * accelerations: 15 +-, 29 *, 4 /, 4 calls

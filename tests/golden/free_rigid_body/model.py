@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:4f88bd09287f2b19).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:01bdc1fc1ba5d5f6).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -22,8 +22,7 @@ p[2]: I3 = 3.0 [kg*m^2]
 Outputs:
 out[0] = L_squared [kg^2*m^4/s^2]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 6 +-, 11 *, 4 /, 4 calls
 velocities: 3 +-, 5 *, 1 /, 4 calls
 accelerations: 15 +-, 29 *, 4 /, 4 calls

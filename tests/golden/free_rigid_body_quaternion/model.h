@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:632db29acf7ef168)
+ * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:630e3d971b3e6440)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -27,7 +27,7 @@
  * out[1] = L_y [kg*m^2/s]
  * out[2] = L_z [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 11 +-, 22 *, 3 /, 0 calls
  * velocities: 8 +-, 16 *, 0 /, 0 calls
  * accelerations: 17 +-, 39 *, 3 /, 0 calls

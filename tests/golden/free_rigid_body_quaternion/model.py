@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:a424b01994b278cd).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:762f6fdef59cd4d0).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -28,8 +28,7 @@ out[0] = L_x [kg*m^2/s]
 out[1] = L_y [kg*m^2/s]
 out[2] = L_z [kg*m^2/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 11 +-, 22 *, 3 /, 0 calls
 velocities: 8 +-, 16 *, 0 /, 0 calls
 accelerations: 17 +-, 39 *, 3 /, 0 calls

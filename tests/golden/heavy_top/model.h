@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:0196d7f200367f8f)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:388fb64a7cb8a681)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -22,7 +22,7 @@
  * out[0] = p_phi [kg*m^2/s]
  * out[1] = p_psi [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 5 +-, 13 *, 2 /, 2 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 5 +-, 13 *, 2 /, 2 calls

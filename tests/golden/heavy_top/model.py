@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:a2f4eb81363ab456).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:82fc42f67513de7e).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -22,8 +22,7 @@ Outputs:
 out[0] = p_phi [kg*m^2/s]
 out[1] = p_psi [kg*m^2/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 5 +-, 13 *, 2 /, 2 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 5 +-, 13 *, 2 /, 2 calls

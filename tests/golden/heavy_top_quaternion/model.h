@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:49ca544cbb666f91)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:7594ce473892a1cf)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -27,7 +27,7 @@
  * out[0] = height [1]
  * out[1] = L_z [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 16 +-, 33 *, 2 /, 0 calls
  * velocities: 8 +-, 16 *, 0 /, 0 calls
  * accelerations: 18 +-, 33 *, 2 /, 0 calls

@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:1f9737c770646471).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:e48b0cec36e27cd3).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -27,8 +27,7 @@ Outputs:
 out[0] = height [1]
 out[1] = L_z [kg*m^2/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 16 +-, 33 *, 2 /, 0 calls
 velocities: 8 +-, 16 *, 0 /, 0 calls
 accelerations: 18 +-, 33 *, 2 /, 0 calls

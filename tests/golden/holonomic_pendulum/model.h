@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:5db4bd753232bca3)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:4ab6070e218d8ed8)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -19,7 +19,7 @@
  * Constraints:
  * 0: rod
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 2 +-, 8 *, 1 /, 2 calls
  * velocities: 2 +-, 5 *, 1 /, 2 calls
  * accelerations: 4 +-, 12 *, 1 /, 2 calls

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:7daf2f24a69f7064).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:cf8d52c661f0165a).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -21,8 +21,7 @@ p[2]: l = 1.0 [m]: length of the rod
 Constraints:
 0: rod
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 2 +-, 8 *, 1 /, 2 calls
 velocities: 2 +-, 5 *, 1 /, 2 calls
 accelerations: 4 +-, 12 *, 1 /, 2 calls

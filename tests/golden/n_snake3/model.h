@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:324c99554ce21154)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:e3e64bc62fae6634)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,14 +25,14 @@
  * 1: wheel2
  * 2: wheel3
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 42 +-, 79 *, 3 /, 6 calls
  * velocities: 5 +-, 11 *, 1 /, 6 calls
  * accelerations: 56 +-, 97 *, 3 /, 6 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 11 +-, 15 *, 0 /, 6 calls
  * reactions: 66 +-, 118 *, 3 /, 4 calls
- * energy: 13 +-, 23 *, 1 /, 4 calls
+ * energy: 27 +-, 40 *, 1 /, 6 calls
  * jacobian: 191 +-, 301 *, 3 /, 6 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *

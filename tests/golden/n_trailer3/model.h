@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:95002b3c163a4744)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:e739a0c2a603dded)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -32,14 +32,14 @@
  * out[0] = tail_x [m]
  * out[1] = tail_y [m]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 17 +-, 31 *, 2 /, 8 calls
  * velocities: 3 +-, 8 *, 1 /, 7 calls
  * accelerations: 24 +-, 47 *, 2 /, 8 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 10 +-, 17 *, 0 /, 8 calls
  * reactions: 38 +-, 75 *, 2 /, 6 calls
- * energy: 9 +-, 14 *, 1 /, 3 calls
+ * energy: 23 +-, 45 *, 1 /, 8 calls
  * jacobian: 66 +-, 138 *, 2 /, 8 calls
  * outputs: 6 +-, 2 *, 0 /, 6 calls
  *

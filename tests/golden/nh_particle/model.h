@@ -1,5 +1,5 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:1f6d01f93d110f3f)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:b3b44f3c45893d9d)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -21,7 +21,7 @@
  * Outputs:
  * out[0] = p_x
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 1 +-, 5 *, 1 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
  * accelerations: 2 +-, 6 *, 1 /, 0 calls

@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:e407049031b6c773).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:5702bc252ba64b21).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -21,8 +21,7 @@ Constraints:
 Outputs:
 out[0] = p_x
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 1 +-, 5 *, 1 /, 0 calls
 velocities: 0 +-, 1 *, 0 /, 0 calls
 accelerations: 2 +-, 6 *, 1 /, 0 calls

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:7d84293df647af9b)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:f0e64456efc96a9b)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -19,7 +19,7 @@
  * Constraints:
  * 0: contact
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 2 +-, 7 *, 2 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
  * accelerations: 3 +-, 8 *, 2 /, 0 calls

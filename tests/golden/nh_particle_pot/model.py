@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:a87ccd6833ece86c).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:b41a4355046ed3bf).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -19,8 +19,7 @@ p[1]: k = 1.0
 Constraints:
 0: contact
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 2 +-, 7 *, 2 /, 0 calls
 velocities: 0 +-, 1 *, 0 /, 0 calls
 accelerations: 3 +-, 8 *, 2 /, 0 calls

@@ -1,5 +1,5 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:c37cf25673dd28af)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:c231d54045356679)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -17,7 +17,7 @@
  * Outputs:
  * out[0] = rate [rad/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 0 +-, 3 *, 1 /, 1 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 0 +-, 3 *, 1 /, 1 calls

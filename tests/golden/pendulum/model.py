@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:cc85a43bd612503b).
+"""pendulum, emitted by nhc 0.1.0 (nhc:dc9b562884f0b753).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -18,8 +18,7 @@ p[2]: g = 9.81 [m/s^2]: acceleration of gravity
 Outputs:
 out[0] = rate [rad/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 0 +-, 3 *, 1 /, 1 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 0 +-, 3 *, 1 /, 1 calls

@@ -1,5 +1,5 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:82a772e05c873416)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:5b9f2debc83fa588)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -21,7 +21,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 1 +-, 3 *, 1 /, 0 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 1 +-, 3 *, 1 /, 0 calls

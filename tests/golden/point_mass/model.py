@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:9572a585048f2192).
+"""point_mass, emitted by nhc 0.1.0 (nhc:68ab9a79a7b63d79).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -21,8 +21,7 @@ p[2]: c = 0.5 [kg/s]: drag coefficient
 Outputs:
 out[0] = speed [m/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 1 +-, 3 *, 1 /, 0 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 1 +-, 3 *, 1 /, 0 calls

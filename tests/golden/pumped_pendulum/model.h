@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:373ad8932dac243d)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:a022fad5294ff00c)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -16,7 +16,7 @@
  * p[3]: a = 0.3 [m]: amplitude of the pivot
  * p[4]: nu = 3.0 [rad/s]: frequency of the pivot
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 1 +-, 9 *, 1 /, 3 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 1 +-, 9 *, 1 /, 3 calls

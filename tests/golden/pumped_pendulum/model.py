@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:d0db5cb081cdea8b).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:22f2a86df738b9af).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -18,8 +18,7 @@ p[2]: g = 9.81 [m/s^2]: acceleration of gravity
 p[3]: a = 0.3 [m]: amplitude of the pivot
 p[4]: nu = 3.0 [rad/s]: frequency of the pivot
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 1 +-, 9 *, 1 /, 3 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 1 +-, 9 *, 1 /, 3 calls

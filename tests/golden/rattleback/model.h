@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:37a3a713de255a4f)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:1a1f9c5e4b661371)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -35,14 +35,14 @@
  * Outputs:
  * out[0] = spin [rad/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 64 +-, 118 *, 5 /, 7 calls
  * velocities: 15 +-, 40 *, 2 /, 7 calls
  * accelerations: 97 +-, 161 *, 5 /, 7 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 18 +-, 40 *, 1 /, 7 calls
  * reactions: 86 +-, 154 *, 5 /, 7 calls
- * energy: 13 +-, 36 *, 1 /, 5 calls
+ * energy: 19 +-, 48 *, 1 /, 7 calls
  * jacobian: 442 +-, 662 *, 5 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:e3491d7113b5ca59)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:82ae7426e1502f57)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -28,14 +28,14 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 8 +-, 28 *, 3 /, 4 calls
  * velocities: 2 +-, 6 *, 1 /, 4 calls
  * accelerations: 14 +-, 34 *, 3 /, 4 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 7 +-, 11 *, 0 /, 4 calls
  * reactions: 12 +-, 34 *, 3 /, 2 calls
- * energy: 5 +-, 11 *, 1 /, 2 calls
+ * energy: 6 +-, 14 *, 1 /, 4 calls
  * jacobian: 36 +-, 92 *, 3 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:f525fe1b5333549f)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:027052a601f1220c)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -31,7 +31,7 @@
  * out[1] = contact_x [m]
  * out[2] = contact_y [m]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 8 +-, 21 *, 4 /, 4 calls
  * velocities: 3 +-, 8 *, 1 /, 4 calls
  * accelerations: 15 +-, 41 *, 4 /, 4 calls

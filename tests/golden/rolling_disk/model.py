@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:919c0fec857293f2).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:dce5c5513c139e33).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -31,8 +31,7 @@ out[0] = height [m]
 out[1] = contact_x [m]
 out[2] = contact_y [m]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 8 +-, 21 *, 4 /, 4 calls
 velocities: 3 +-, 8 *, 1 /, 4 calls
 accelerations: 15 +-, 41 *, 4 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:10e608bcad208b1a)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:178f103f16065bb2)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -31,14 +31,14 @@
  * out[0] = jellett [kg*m^3/s]
  * out[1] = routh [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 24 +-, 47 *, 3 /, 4 calls
  * velocities: 2 +-, 7 *, 0 /, 3 calls
  * accelerations: 29 +-, 59 *, 3 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 7 *, 0 /, 3 calls
  * reactions: 34 +-, 73 *, 3 /, 4 calls
- * energy: 9 +-, 22 *, 0 /, 2 calls
+ * energy: 12 +-, 28 *, 0 /, 2 calls
  * jacobian: 46 +-, 124 *, 3 /, 4 calls
  * outputs: 5 +-, 17 *, 0 /, 3 calls
  *

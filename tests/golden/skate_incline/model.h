@@ -1,5 +1,5 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:052c2836709aa329)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:7a1a19aa2ff2eab0)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,7 +25,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 0 +-, 4 *, 0 /, 3 calls
  * velocities: 0 +-, 2 *, 0 /, 2 calls
  * accelerations: 2 +-, 7 *, 0 /, 3 calls

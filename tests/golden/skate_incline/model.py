@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:72d27bf73c9b1b69).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:8d31679e82ec0682).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -26,8 +26,7 @@ Constraints:
 Outputs:
 out[0] = speed [m/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 0 +-, 4 *, 0 /, 3 calls
 velocities: 0 +-, 2 *, 0 /, 2 calls
 accelerations: 2 +-, 7 *, 0 /, 3 calls

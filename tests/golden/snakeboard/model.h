@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:730415ad88af1dda)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:07c0b9672fd44eb9)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,7 +36,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 52 +-, 106 *, 4 /, 9 calls
  * velocities: 18 +-, 34 *, 1 /, 7 calls
  * accelerations: 62 +-, 117 *, 4 /, 9 calls

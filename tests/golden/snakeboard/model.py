@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:fc0a45b94453b005).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:ccad466b453be89e).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -39,8 +39,7 @@ Constraints:
 Outputs:
 out[0] = speed [m/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 52 +-, 106 *, 4 /, 9 calls
 velocities: 18 +-, 34 *, 1 /, 7 calls
 accelerations: 62 +-, 117 *, 4 /, 9 calls

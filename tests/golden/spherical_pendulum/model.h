@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:ed4517fd6e1c2f47)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:852775ba8b323c41)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -19,7 +19,7 @@
  * Outputs:
  * out[0] = L_z [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 1 +-, 10 *, 2 /, 2 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 1 +-, 10 *, 2 /, 2 calls

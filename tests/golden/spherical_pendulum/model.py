@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:b87a7fa64c230a01).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:da16dd8d567709b6).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -20,8 +20,7 @@ p[2]: g = 9.81 [m/s^2]: acceleration of gravity
 Outputs:
 out[0] = L_z [kg*m^2/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 1 +-, 10 *, 2 /, 2 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 1 +-, 10 *, 2 /, 2 calls

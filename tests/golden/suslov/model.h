@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:9278cbd6bff82100)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:68d3db1d05f9addb)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,7 +25,7 @@
  * Outputs:
  * out[0] = M3 [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 3 +-, 11 *, 3 /, 4 calls
  * velocities: 2 +-, 5 *, 1 /, 4 calls
  * accelerations: 11 +-, 30 *, 3 /, 4 calls

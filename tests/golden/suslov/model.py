@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:41c76402fd8f54c5).
+"""suslov, emitted by nhc 0.1.0 (nhc:71376adff53bbe1a).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -25,8 +25,7 @@ Constraints:
 Outputs:
 out[0] = M3 [kg*m^2/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 3 +-, 11 *, 3 /, 4 calls
 velocities: 2 +-, 5 *, 1 /, 4 calls
 accelerations: 11 +-, 30 *, 3 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:32eb59a10bcef5bd)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:1ddbf1290aed9c1b)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -26,7 +26,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 1 +-, 5 *, 0 /, 2 calls
  * velocities: 0 +-, 3 *, 0 /, 2 calls
  * accelerations: 1 +-, 6 *, 0 /, 2 calls

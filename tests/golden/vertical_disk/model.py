@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:786eb92fb3ed3fcc).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:a404bfc7a7bc7cde).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -27,8 +27,7 @@ Constraints:
 Outputs:
 out[0] = speed [m/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 1 +-, 5 *, 0 /, 2 calls
 velocities: 0 +-, 3 *, 0 /, 2 calls
 accelerations: 1 +-, 6 *, 0 /, 2 calls

@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:887e5e2d34d069b9)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:99046220f1a2132d)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -24,7 +24,7 @@
  * out[0] = L_x [kg*m^2/s]
  * out[1] = L_y [kg*m^2/s]
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 22 +-, 41 *, 3 /, 6 calls
  * velocities: 2 +-, 5 *, 1 /, 4 calls
  * accelerations: 30 +-, 59 *, 3 /, 6 calls

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:dc7298f5f8df9861).
+"""veselova, emitted by nhc 0.1.0 (nhc:735692191c263450).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -24,8 +24,7 @@ Outputs:
 out[0] = L_x [kg*m^2/s]
 out[1] = L_y [kg*m^2/s]
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 22 +-, 41 *, 3 /, 6 calls
 velocities: 2 +-, 5 *, 1 /, 4 calls
 accelerations: 30 +-, 59 *, 3 /, 6 calls

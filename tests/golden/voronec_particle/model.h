@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:e16e9e7046ac082d)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:9e293ff53407e2a7)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -18,7 +18,7 @@
  * Constraints:
  * 0: contact
  *
- * Operations of one call (+-: additions and subtractions; calls: of sin, cos and the like):
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 31 +-, 61 *, 2 /, 2 calls
  * velocities: 1 +-, 5 *, 0 /, 1 calls
  * accelerations: 34 +-, 78 *, 2 /, 2 calls

@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:c1268916290d4309).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:bdc9a8e5919ac23f).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Caplygin's hypotheses fail.
@@ -18,8 +18,7 @@ No parameters.
 Constraints:
 0: contact
 
-Operations of one call (+-: additions and subtractions; calls: of sin, cos and the
-    like):
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 31 +-, 61 *, 2 /, 2 calls
 velocities: 1 +-, 5 *, 0 /, 1 calls
 accelerations: 34 +-, 78 *, 2 /, 2 calls
