@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:4376892abcc98fa9)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:20322303a29c4dbe)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -620,12 +620,12 @@ double n_snake3_energy(double t, const double *y, const double *p)
     const double theta3 = y[4]; /* third link [rad] */
 
     /* sines and cosines */
-    const double c_theta2 = cos(theta2);
-    const double s_theta2 = sin(theta2);
-    const double s_theta1 = sin(theta1);
-    const double c_theta1 = cos(theta1);
-    const double c_theta3 = cos(theta3);
-    const double s_theta3 = sin(theta3);
+    const double z1 = theta1 - theta2;
+    const double z2 = theta2 - theta3;
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
+    const double s2 = sin(z2);
+    const double c2 = cos(z2);
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* each link [kg] */
@@ -637,28 +637,14 @@ double n_snake3_energy(double t, const double *y, const double *p)
     const double k1 = 1.0 / a;
 
     /* from the state */
-    const double z1 = theta1 - theta2;
-    const double z2 = theta2 - theta3;
-    const double z3 = c_theta2 * s_theta1 - c_theta1 * s_theta2;
-    const double z4 = a * w;
-    const double z5 = c_theta1 * c_theta2 + s_theta1 * s_theta2;
-    const double z6 = v * z3 - z4 * z5;
-    const double z7 = k1 * z6;
-    const double z8 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * (v * z5 + z4 * z3) - (c_theta2 * c_theta3
-        + s_theta2 * s_theta3) * z6;
-    const double z9 = k1 * z8;
-    const double z10 = c_theta1 * v;
-    const double z11 = s_theta1 * v;
-    const double z12 = s_theta2 * z6;
-    const double x2_dot = z10 + s_theta1 * z4 + z12;
-    const double z13 = c_theta2 * z6;
-    const double y2_dot = z11 - c_theta1 * z4 - z13;
-    const double x3_dot = z12 + x2_dot + s_theta3 * z8;
-    const double z14 = z13 - y2_dot + c_theta3 * z8;
-    const double z15 = z10 * z10 + z11 * z11 + x2_dot * x2_dot + y2_dot * y2_dot + x3_dot * x3_dot + z14 *
-        z14;
-    const double z16 = k * (z1 * z1 + z2 * z2) + (J * (w * w + z7 * z7 + z9 * z9) + m * z15);
-    return 0.5 * z16;
+    const double z3 = a * w;
+    const double z4 = v * s1 - c1 * z3;
+    const double z5 = k1 * z4;
+    const double v1_x2 = v * c1 + s1 * z3;
+    const double z6 = k1 * (s2 * v1_x2 - c2 * z4);
+    const double v1_x3 = c2 * v1_x2 + s2 * z4;
+    const double z7 = J * (w * w + z5 * z5 + z6 * z6) + m * (v * v + v1_x2 * v1_x2 + v1_x3 * v1_x3);
+    return 0.5 * (k * (z1 * z1 + z2 * z2) + z7);
 }
 
 N_SNAKE3_SLOW

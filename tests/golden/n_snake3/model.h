@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:244c548575283359)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:290d7c67d1754ccb)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -32,7 +32,7 @@
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 11 +-, 15 *, 0 /, 6 calls
  * reactions: 66 +-, 118 *, 3 /, 4 calls
- * energy: 27 +-, 40 *, 1 /, 6 calls
+ * energy: 13 +-, 23 *, 1 /, 4 calls
  * jacobian: 191 +-, 301 *, 3 /, 6 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *

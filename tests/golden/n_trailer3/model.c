@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:00767fd01ff8ea06)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:80db03b67f3ece81)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -570,14 +570,9 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     const double theta3 = y[5]; /* third trailer [rad] */
 
     /* sines and cosines */
-    const double c_theta2 = cos(theta2);
-    const double s_theta2 = sin(theta2);
-    const double c_theta3 = cos(theta3);
-    const double s_theta3 = sin(theta3);
-    const double c_theta1 = cos(theta1);
-    const double s_theta1 = sin(theta1);
-    const double c_theta0 = cos(theta0);
-    const double s_theta0 = sin(theta0);
+    const double c1 = cos(theta0 - theta1);
+    const double c2 = cos(theta1 - theta2);
+    const double c3 = cos(theta2 - theta3);
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -588,24 +583,13 @@ double n_trailer3_energy(double t, const double *y, const double *p)
 
     /* from the parameters alone */
     const double k1 = J / (L * L);
+    const double k2 = m0 + k1;
 
     /* from the state */
-    const double z1 = c_theta2 * c_theta3 + s_theta2 * s_theta3;
-    const double z2 = z1 * z1;
-    const double z3 = c_theta1 * c_theta0 + s_theta1 * s_theta0;
-    const double z4 = z3 * z3;
-    const double z5 = c_theta1 * c_theta2 + s_theta1 * s_theta2;
-    const double z6 = s_theta1 * c_theta2 - c_theta1 * s_theta2;
-    const double z7 = c_theta1 * s_theta0 - s_theta1 * c_theta0;
-    const double z8 = c_theta1 * z7;
-    const double z9 = s_theta1 * z7;
-    const double z10 = z3 * z6;
-    const double z11 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * (c_theta3 * (s_theta0 - (z8 + c_theta2 *
-        z10)) - s_theta3 * (c_theta0 + (z9 + s_theta2 * z10)));
-    const double z12 = 0.5 * z3 + 2.0 * (z6 * (c_theta2 * (s_theta0 - z8) - s_theta2 * (c_theta0 + z9))) + z5
-        * (z11 + 0.5 * (z3 * (z5 * (1.0 + z2))));
-    const double z13 = 0.5 * (m0 + k1 * (1.0 - z2 * (z4 * (z5 * z5)))) + m * (3.0 * z4 - z3 * z12);
-    return 0.5 * (J0 * (w * w)) + v * v * z13;
+    const double z1 = c2 * c2;
+    const double z2 = c3 * c3;
+    const double z3 = (k2 + c1 * c1 * (m * (1.0 + z1 * (1.0 + z2)) - k1 * (z1 * z2))) * v * v;
+    return 0.5 * (J0 * (w * w) + z3);
 }
 
 N_TRAILER3_SLOW

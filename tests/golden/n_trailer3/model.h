@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:29ba175e8098c20d)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:c85ddf0ea66029d9)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -39,7 +39,7 @@
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 10 +-, 17 *, 0 /, 8 calls
  * reactions: 38 +-, 75 *, 2 /, 6 calls
- * energy: 23 +-, 45 *, 1 /, 8 calls
+ * energy: 9 +-, 14 *, 1 /, 3 calls
  * jacobian: 66 +-, 138 *, 2 /, 8 calls
  * outputs: 6 +-, 2 *, 0 /, 6 calls
  *

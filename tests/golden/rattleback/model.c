@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:e3102708e5ea74b1)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:fb4119f769c5c12b)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -790,11 +790,8 @@ double rattleback_energy(double t, const double *y, const double *p)
     (void)t;
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
-    const double gamma_ = y[5]; /* heading [rad] */
 
     /* sines and cosines */
-    const double s_gamma = sin(gamma_);
-    const double c_gamma = cos(gamma_);
     const double c_alpha = cos(alpha);
     const double mu2 = sin(alpha);
     const double s_beta = sin(beta);
@@ -823,20 +820,13 @@ double rattleback_energy(double t, const double *y, const double *p)
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
     const double r3 = h - z2 * (mu3 * k3);
+    const double z3 = z2 * (mu2 * k2);
+    const double u1 = r3 * w2 + z3 * w3;
     const double r1 = z1 * k1 * z2;
-    const double z3 = r3 * w1 - r1 * w3;
-    const double z4 = z2 * (mu2 * k2);
-    const double u1 = r3 * w2 + z4 * w3;
-    const double z5 = r1 * w2 + z4 * w1;
-    const double z6 = s_beta * u1 + c_beta * z5;
-    const double z7 = c_alpha * z3 - mu2 * z6;
-    const double z8 = s_beta * z5 - c_beta * u1;
-    const double z9 = s_gamma * z7 - c_gamma * z8;
-    const double z10 = s_gamma * z8 + c_gamma * z7;
-    const double z11 = mu2 * z3 + c_alpha * z6;
-    const double z12 = z9 * z9 + z10 * z10 + z11 * z11 + (I_b * (w2 * w2) + I_a * (w1 * w1) + I_c * (w3 *
-        w3));
-    return 0.5 * z12 + w2 * (I_d * w1) - z * g;
+    const double z4 = r3 * w1 - r1 * w3;
+    const double z5 = r1 * w2 + z3 * w1;
+    const double z6 = u1 * u1 + z4 * z4 + z5 * z5 + (I_c * (w3 * w3) + (I_b * (w2 * w2) + I_a * (w1 * w1)));
+    return 0.5 * z6 + w2 * (I_d * w1) - z * g;
 }
 
 RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, const double *p, double
@@ -1262,7 +1252,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     const double z186 = z163 * z143 + 0.5 * (z28 * (z184 + z9 * z185));
     const double z187 = z84 * z166 + z79 * z174 + z92 * z177 + k2 * (z162 * z115 - z2 * z180) - 2.0 * (z5 *
         z186);
-    const double z188 = mu2 * z166 - z162 * z45;
+    const double z188 = mu2 * z166 - z45 * z162;
     const double z189 = mu2 * z177;
     const double z190 = g * r1;
     const double z191 = z190 + z112 * z169 + k3 * (z37 * z115 - z2 * z183) + 2.0 * (z3 * z186);

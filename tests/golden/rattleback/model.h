@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:aea7eed42ba9154f)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:4987c51bcb0af754)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -42,7 +42,7 @@
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 18 +-, 40 *, 1 /, 7 calls
  * reactions: 86 +-, 154 *, 5 /, 7 calls
- * energy: 19 +-, 48 *, 1 /, 7 calls
+ * energy: 13 +-, 36 *, 1 /, 5 calls
  * jacobian: 442 +-, 662 *, 5 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:166eca920f36b59f)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:6fcb69f7150ed8e1)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -495,12 +495,9 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
 double roller_racer_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double theta = y[2]; /* heading of the main body [rad] */
     const double phi = y[3]; /* second body, relative to the first [rad] */
 
     /* sines and cosines */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
     const double v = y[4];
@@ -515,11 +512,8 @@ double roller_racer_energy(double t, const double *y, const double *p)
     const double k1 = 1.0 / d2;
 
     /* from the state */
-    const double z1 = c_theta * v;
-    const double z2 = s_theta * v;
-    const double z3 = theta_dot - k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi);
-    const double z4 = 0.5 * (I1 * (theta_dot * theta_dot) + m * (z1 * z1 + z2 * z2) + I2 * (z3 * z3));
-    return z4;
+    const double z1 = theta_dot - k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi);
+    return 0.5 * (I2 * (z1 * z1) + (I1 * (theta_dot * theta_dot) + m * (v * v)));
 }
 
 ROLLER_RACER_SLOW

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:85eecba2fc2d911c)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:aee8ce067e0fadf3)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -35,7 +35,7 @@
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 7 +-, 11 *, 0 /, 4 calls
  * reactions: 12 +-, 34 *, 3 /, 2 calls
- * energy: 6 +-, 14 *, 1 /, 4 calls
+ * energy: 5 +-, 11 *, 1 /, 2 calls
  * jacobian: 36 +-, 92 *, 3 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:fe5007d13de0f433)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:bf12cfdfc14cbffd)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -543,8 +543,8 @@ double routh_sphere_energy(double t, const double *y, const double *p)
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
-    const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -556,18 +556,18 @@ double routh_sphere_energy(double t, const double *y, const double *p)
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
     /* from the parameters alone */
-    const double k1 = R * R;
-    const double k2 = 0.5 * e;
+    const double k1 = m * g;
 
     /* from the state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = theta_dot * theta_dot;
-    const double z3 = phi_dot * z1 * (psi_dot * R - 0.5 * (phi_dot * e)) - (z2 * (k2 + R * c_theta) + g *
-        c_theta);
-    const double z4 = psi_dot * psi_dot;
-    const double z5 = 0.5 * (I1 * z2 + I3 * z4) + phi_dot * (0.5 * (phi_dot * (I1 * z1 + I3 * (1.0 - z1))) +
-        I3 * (psi_dot * c_theta));
-    return z5 - m * (e * z3 - 0.5 * (k1 * (z2 + z1 * z4)));
+    const double Z = e * c_theta;
+    const double omega3 = psi_dot + phi_dot * c_theta;
+    const double z1 = e * s_theta;
+    const double z2 = theta_dot * z1;
+    const double z3 = theta_dot * (R + Z);
+    const double z4 = phi_dot * z1 - R * (psi_dot * s_theta);
+    const double z5 = I1 * (theta_dot * theta_dot + s_theta * s_theta * (phi_dot * phi_dot)) + m * (z2 * z2 +
+        (z3 * z3 + z4 * z4));
+    return Z * k1 + 0.5 * (I3 * (omega3 * omega3) + z5);
 }
 
 ROUTH_SPHERE_SLOW

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:10e4606d4d6cd62b)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:4985f46753fecb35)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -38,7 +38,7 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 7 *, 0 /, 3 calls
  * reactions: 34 +-, 73 *, 3 /, 4 calls
- * energy: 12 +-, 28 *, 0 /, 2 calls
+ * energy: 9 +-, 22 *, 0 /, 2 calls
  * jacobian: 46 +-, 124 *, 3 /, 4 calls
  * outputs: 5 +-, 17 *, 0 /, 3 calls
  *

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:0b32df24dcd11ef0)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:c694b9623e939ef8)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -234,24 +234,22 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
 
     /* from the parameters alone */
     const double k1 = m * e;
-    const double k2 = 1.0 / m;
+    const double k2 = e * k1;
     const double k3 = 1.0 / I1;
-    const double k4 = I1 + e * k1;
+    const double k4 = I1 + k2;
 
     /* from the state */
     const double z1 = s_theta * s_theta;
-    const double z2 = c_theta * k1;
-    const double z3 = c_phi * z2;
-    const double z4 = s_phi * z2;
-    const double z5 = k2 * (z3 * z3) - (k4 - k2 * (z4 * z4));
-    const double z6 = phi_dot * c_theta;
-    const double omega3 = psi_dot + z6;
-    const double z7 = k3 * (omega3 * (theta_dot * I3));
-    const double z8 = theta_dot * theta_dot;
-    const double z9 = I3 * omega3;
-    const double z10 = (phi_dot * (z9 - I1 * z6) - k1 * (g - e * (c_theta * z8))) / z5;
-    const double z11 = s_theta * (z8 + phi_dot * phi_dot - c_theta * z10);
-    const double z12 = theta_dot / s_theta * (2.0 * z6 - z9 * k3);
+    const double z2 = I1 + z1 * k2;
+    const double z3 = phi_dot * c_theta;
+    const double omega3 = psi_dot + z3;
+    const double z4 = k3 * (omega3 * (theta_dot * I3));
+    const double z5 = theta_dot * theta_dot;
+    const double z6 = I3 * omega3;
+    const double z7 = I1 * z3;
+    const double z8 = (phi_dot * (z6 - z7) - k1 * (g - e * (c_theta * z5))) / z2;
+    const double z9 = s_theta * (z5 + phi_dot * phi_dot + c_theta * z8);
+    const double z10 = theta_dot / (I1 * s_theta) * (z6 - 2.0 * z7);
     /* (II.3) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
@@ -259,17 +257,17 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
     /* (II.3) 24:4 */
-    dydt[5] = (s_phi * z11 - c_phi * z7) * e; /* x'' */
-    dydt[6] = -e * (s_phi * z7 + c_phi * z11); /* y'' */
-    dydt[7] = -z12; /* phi'' */
-    dydt[8] = s_theta * z10; /* theta'' */
-    dydt[9] = s_theta * (phi_dot * theta_dot) + c_theta * z12; /* psi'' */
+    dydt[5] = (s_phi * z9 - c_phi * z4) * e; /* x'' */
+    dydt[6] = -e * (s_phi * z4 + c_phi * z9); /* y'' */
+    dydt[7] = z10; /* phi'' */
+    dydt[8] = -s_theta * z8; /* theta'' */
+    dydt[9] = s_theta * (phi_dot * theta_dot) - c_theta * z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[9]) <= DBL_MAX
+    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(m) > 0.0
         && fabs(I3) > 0.0
-        && fabs(-I1 * z1) > 1e-13 * (z1 * k4)
-        && fabs(-z5) > 1e-13 * k4)) {
+        && fabs(I1 * z1) > 1e-13 * (z1 * k4)
+        && fabs(z2) > 1e-13 * k4)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
@@ -279,12 +277,12 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-I1 * z1) > 1e-13 * (z1 * k4))) {
-            return smooth_tippe_top_refuse(fabs(-I1 * z1), 1e-13 * (z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(I1 * z1) > 1e-13 * (z1 * k4))) {
+            return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z5) > 1e-13 * k4)) {
-            return smooth_tippe_top_refuse(fabs(-z5), 1e-13 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z2) > 1e-13 * k4)) {
+            return smooth_tippe_top_refuse(fabs(z2), 1e-13 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(10, dydt);
     }
@@ -322,10 +320,10 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double phi_dot = y[7];
     const double theta_dot = y[8];
     const double psi_dot = y[9];
@@ -337,39 +335,34 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
 
     /* from the parameters alone */
     const double k1 = m * e;
-    const double k2 = I1 + m * (e * e);
-    const double k3 = 1.0 / m;
+    const double k2 = m * e * e;
+    const double k3 = I1 + k2;
     const double k4 = 1.0 / I1;
 
     /* from the state */
-    const double z1 = s_theta * k1;
-    const double z2 = s_phi * z1;
-    const double z3 = k2 * s_theta * s_theta;
-    const double z4 = c_phi * z1;
-    const double z5 = c_theta * k1;
-    const double z6 = c_phi * z5;
-    const double z7 = s_phi * z5;
-    const double z8 = k3 * (z6 * z6) - (k2 - k3 * (z7 * z7));
-    const double z9 = phi_dot * c_theta;
-    const double omega3 = psi_dot + z9;
-    const double z10 = k4 * (omega3 * (theta_dot * I3));
-    const double z11 = theta_dot * theta_dot;
-    const double z12 = I3 * omega3;
-    const double z13 = (phi_dot * (z12 - I1 * z9) - k1 * (g - e * (c_theta * z11))) / z8;
-    const double z14 = s_theta * (z11 + phi_dot * phi_dot - c_theta * z13);
-    const double z15 = theta_dot / s_theta * (2.0 * z9 - z12 * k4);
+    const double z1 = s_theta * s_theta;
+    const double z2 = I1 + z1 * k2;
+    const double z3 = phi_dot * c_theta;
+    const double omega3 = psi_dot + z3;
+    const double z4 = k4 * (omega3 * (theta_dot * I3));
+    const double z5 = theta_dot * theta_dot;
+    const double z6 = I3 * omega3;
+    const double z7 = I1 * z3;
+    const double z8 = (phi_dot * (z6 - z7) - k1 * (g - e * (c_theta * z5))) / z2;
+    const double z9 = s_theta * (z5 + phi_dot * phi_dot + c_theta * z8);
+    const double z10 = theta_dot / (I1 * s_theta) * (z6 - 2.0 * z7);
     /* (II.3) */
-    qddot[0] = (s_phi * z14 - c_phi * z10) * e; /* x'' */
-    qddot[1] = -e * (s_phi * z10 + c_phi * z14); /* y'' */
-    qddot[2] = -z15; /* phi'' */
-    qddot[3] = s_theta * z13; /* theta'' */
-    qddot[4] = s_theta * (phi_dot * theta_dot) + c_theta * z15; /* psi'' */
+    qddot[0] = (s_phi * z9 - c_phi * z4) * e; /* x'' */
+    qddot[1] = -e * (s_phi * z4 + c_phi * z9); /* y'' */
+    qddot[2] = z10; /* phi'' */
+    qddot[3] = -s_theta * z8; /* theta'' */
+    qddot[4] = s_theta * (phi_dot * theta_dot) - c_theta * z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[4]) <= DBL_MAX
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX
         && fabs(m) > 0.0
         && fabs(I3) > 0.0
-        && fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))) > 1e-13 * z3
-        && fabs(-z8) > 1e-13 * k2)) {
+        && fabs(I1 * z1) > 1e-13 * (z1 * k3)
+        && fabs(z2) > 1e-13 * k3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
@@ -379,13 +372,12 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))) > 1e-13 * z3)) {
-            return smooth_tippe_top_refuse(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))), 1e-13 * z3,
-                SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(I1 * z1) > 1e-13 * (z1 * k3))) {
+            return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (z1 * k3), SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z8) > 1e-13 * k2)) {
-            return smooth_tippe_top_refuse(fabs(-z8), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z2) > 1e-13 * k3)) {
+            return smooth_tippe_top_refuse(fabs(z2), 1e-13 * k3, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(5, qddot);
     }
@@ -438,32 +430,19 @@ int smooth_tippe_top_residuals(double t, const double *q, const double *qdot, co
 int smooth_tippe_top_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
-
-    /* sines and cosines */
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
     const double m = p[0]; /* mass [kg] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
     const double I3 = p[4]; /* about the axis [kg*m^2] */
 
     /* from the parameters alone */
-    const double k1 = m * e;
-    const double k2 = I1 + m * (e * e);
-    const double k3 = 1.0 / m;
+    const double k1 = m * e * e;
+    const double k2 = I1 + k1;
 
     /* from the state */
-    const double z1 = s_theta * k1;
-    const double z2 = s_phi * z1;
-    const double z3 = k2 * s_theta * s_theta;
-    const double z4 = c_phi * z1;
-    const double z5 = c_theta * k1;
-    const double z6 = c_phi * z5;
-    const double z7 = s_phi * z5;
+    const double s_theta = sin(theta);
+    const double z1 = s_theta * s_theta;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
@@ -473,14 +452,12 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
         return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))) > 1e-13 * z3)) {
-        return smooth_tippe_top_refuse(fabs(k3 * (z2 * z2) - (z3 - k3 * (z4 * z4))), 1e-13 * z3,
-            SMOOTH_TIPPE_TOP_SINGULAR_2);
+    if (!(fabs(I1 * z1) > 1e-13 * (z1 * k2))) {
+        return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (z1 * k2), SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(k2 - k3 * (z7 * z7) - k3 * (z6 * z6)) > 1e-13 * k2)) {
-        return smooth_tippe_top_refuse(fabs(k2 - k3 * (z7 * z7) - k3 * (z6 * z6)), 1e-13 * k2,
-            SMOOTH_TIPPE_TOP_SINGULAR_2);
+    if (!(fabs(I1 + z1 * k1) > 1e-13 * k2)) {
+        return smooth_tippe_top_refuse(fabs(I1 + z1 * k1), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     (void)lambda;
     return SMOOTH_TIPPE_TOP_OK;
@@ -533,10 +510,10 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double phi_dot = y[7];
     const double theta_dot = y[8];
     const double psi_dot = y[9];
@@ -548,97 +525,93 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
 
     /* from the parameters alone */
     const double k1 = m * e;
-    const double k2 = I1 + m * (e * e);
-    const double k3 = 1.0 / m;
-    const double k4 = I1 - I3;
-    const double k5 = 1.0 / I1;
-    const double k6 = I3 * k5;
+    const double k2 = e * k1;
+    const double k3 = m * e * e;
+    const double k4 = I1 + k3;
+    const double k5 = I1 - I3;
+    const double k6 = 1.0 / I1;
 
     /* from the state */
-    const double z1 = s_theta * k1;
-    const double z2 = c_phi * z1;
-    const double z3 = z2 * k3;
-    const double z4 = k2 * s_theta * s_theta;
-    const double z5 = s_phi * z1;
-    const double z6 = c_theta * k1;
-    const double z7 = c_phi * z6;
-    const double z8 = s_phi * z6;
-    const double z9 = k3 * z8;
-    const double z10 = k3 * (z7 * z7) - (k2 - z8 * z9);
-    const double z11 = theta_dot * I3;
-    const double z12 = s_phi * z11;
-    const double z13 = phi_dot * c_theta;
-    const double omega3 = psi_dot + z13;
-    const double z14 = omega3 * k5;
-    const double z15 = s_theta * c_phi;
-    const double z16 = theta_dot * theta_dot;
-    const double z17 = e * z16;
-    const double z18 = I3 * omega3;
-    const double z19 = phi_dot * I1;
-    const double z20 = z18 - c_theta * z19;
-    const double z21 = k1 * (g - c_theta * z17) - phi_dot * z20;
-    const double z22 = 1.0 / z10;
-    const double z23 = c_theta * z22;
-    const double z24 = z16 + phi_dot * phi_dot + z21 * z23;
-    const double z25 = c_phi * z11;
-    const double z26 = phi_dot * s_theta;
-    const double z27 = z26 * k5;
-    const double z28 = c_theta * z24;
-    const double z29 = s_theta * s_phi;
-    const double z30 = s_theta * z22;
-    const double z31 = z22 * z22 * (z3 * z7 + z5 * z9);
-    const double z32 = I3 * z26;
-    const double z33 = phi_dot * (z32 - s_theta * z19) + z1 * z17;
-    const double z34 = z21 * (z30 - 2.0 * (c_theta * z31)) - z23 * z33;
-    const double z35 = c_theta * k5;
-    const double z36 = z13 * k4 - z20;
-    const double z37 = 2.0 * phi_dot + z23 * z36;
-    const double z38 = I3 * z14;
-    const double z39 = e * (theta_dot * z6);
-    const double z40 = theta_dot - z23 * z39;
-    const double z41 = phi_dot * I3;
-    const double z42 = z41 * z23;
-    const double z43 = 1.0 / s_theta;
-    const double z44 = theta_dot * z43;
-    const double z45 = 2.0 * z13 - z18 * k5;
-    const double z46 = z44 * (2.0 * z26 - k5 * z32) + z43 * z43 * (theta_dot * c_theta * z45);
-    const double z47 = z44 * (2.0 * c_theta - I3 * z35);
-    const double z48 = z43 * z45;
-    const double z49 = z44 * k6;
+    const double z1 = s_theta * s_theta;
+    const double z2 = I1 + z1 * k3;
+    const double z3 = s_theta * c_phi;
+    const double z4 = theta_dot * theta_dot;
+    const double z5 = 1.0 / z2;
+    const double z6 = c_theta * z5;
+    const double z7 = e * z4;
+    const double z8 = phi_dot * c_theta;
+    const double omega3 = psi_dot + z8;
+    const double z9 = I3 * omega3;
+    const double z10 = phi_dot * I1;
+    const double z11 = c_theta * z10;
+    const double z12 = z9 - z11;
+    const double z13 = k1 * (g - c_theta * z7) - phi_dot * z12;
+    const double z14 = z4 + phi_dot * phi_dot - z6 * z13;
+    const double z15 = theta_dot * I3;
+    const double z16 = s_phi * z15;
+    const double z17 = omega3 * k6;
+    const double z18 = c_theta * z14;
+    const double z19 = s_theta * s_phi;
+    const double z20 = phi_dot * s_theta;
+    const double z21 = I3 * z20;
+    const double z22 = s_theta * z10;
+    const double z23 = k1 * (s_theta * z7) + phi_dot * (z21 - z22);
+    const double z24 = s_theta * z5;
+    const double z25 = k3 * (s_theta * c_theta * (z5 * z5));
+    const double z26 = z6 * z23 - z13 * (z24 + 2.0 * (c_theta * z25));
+    const double z27 = c_phi * z15;
+    const double z28 = z27 * k6;
+    const double z29 = z8 * k5 - z12;
+    const double z30 = 2.0 * phi_dot - z6 * z29;
+    const double z31 = theta_dot * c_theta * k2;
+    const double z32 = theta_dot + z6 * z31;
+    const double z33 = I3 * z17;
+    const double z34 = phi_dot * I3;
+    const double z35 = z6 * z34;
+    const double z36 = k6 * z16;
+    const double z37 = 1.0 / (I1 * s_theta);
+    const double z38 = theta_dot * z37;
+    const double z39 = I1 * c_theta;
+    const double z40 = z9 - 2.0 * z11;
+    const double z41 = z38 * (z21 - 2.0 * z22) + z39 * (z37 * z37 * (theta_dot * z40));
+    const double z42 = z38 * (I3 * c_theta - 2.0 * z39);
+    const double z43 = z37 * z40;
+    const double z44 = I3 * z38;
     /* (II.3) */
     J[5] = 1.0;
     J[16] = 1.0;
     J[27] = 1.0;
     J[38] = 1.0;
     J[49] = 1.0;
-    J[52] = e * (z12 * z14 + z15 * z24);
-    J[53] = e * (z25 * z27 + (s_phi * z28 - z29 * z34));
-    J[57] = (z29 * z37 - z25 * z35) * e;
-    J[58] = (2.0 * (z29 * z40) - c_phi * z38) * e;
-    J[59] = -e * (z25 * k5 + z29 * z42);
-    J[62] = (z29 * z24 - z25 * z14) * e;
-    J[63] = e * (z12 * z27 - (c_phi * z28 - z15 * z34));
-    J[67] = -e * (z12 * z35 + z15 * z37);
-    J[68] = -e * (s_phi * z38 + 2.0 * (z15 * z40));
-    J[69] = (z15 * z42 - k5 * z12) * e;
-    J[73] = z46;
-    J[77] = -z47;
-    J[78] = -z48;
-    J[79] = z49;
-    J[83] = -(z21 * (z23 + 2.0 * (s_theta * z31)) + z30 * z33);
-    J[87] = -z30 * z36;
-    J[88] = 2.0 * (z30 * z39);
-    J[89] = z41 * z30;
-    J[93] = theta_dot * z13 - (theta_dot * z45 + c_theta * z46);
-    J[97] = theta_dot * s_theta + c_theta * z47;
-    J[98] = z26 + c_theta * z48;
-    J[99] = -c_theta * z49;
+    J[52] = e * (z3 * z14 + z16 * z17);
+    J[53] = e * (s_phi * z18 - z19 * z26 + z20 * z28);
+    J[57] = e * (z19 * z30 - c_theta * z28);
+    J[58] = e * (2.0 * (z19 * z32) - c_phi * z33);
+    J[59] = (z19 * z35 - z28) * e;
+    J[62] = e * (z19 * z14 - z27 * z17);
+    J[63] = (z20 * z36 - (c_phi * z18 - z3 * z26)) * e;
+    J[67] = -e * (z3 * z30 + c_theta * z36);
+    J[68] = -e * (2.0 * (z3 * z32) + s_phi * z33);
+    J[69] = -e * (z36 + z3 * z35);
+    J[73] = -z41;
+    J[77] = z42;
+    J[78] = z43;
+    J[79] = z44;
+    J[83] = z24 * z23 + z13 * (z6 - 2.0 * (s_theta * z25));
+    J[87] = z24 * z29;
+    J[88] = -2.0 * (z24 * z31);
+    J[89] = -z24 * z34;
+    J[93] = theta_dot * z8 + (z40 * (s_theta * z38) + c_theta * z41);
+    J[97] = theta_dot * s_theta - c_theta * z42;
+    J[98] = z20 - c_theta * z43;
+    J[99] = -c_theta * z44;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[83] + J[87]
         + J[88] + J[89] + J[93] + J[97] + J[98] + J[99]) <= DBL_MAX
+        && fabs(m) > 0.0
         && fabs(I3) > 0.0
-        && fabs(z2 * z3 - z4 + k3 * (z5 * z5)) > 1e-13 * z4
-        && fabs(-z10) > 1e-13 * k2)) {
+        && fabs(I1 * z1) > 1e-13 * (z1 * k4)
+        && fabs(z2) > 1e-13 * k4)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
@@ -648,13 +621,12 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2 * z3 - z4 + k3 * (z5 * z5)) > 1e-13 * z4)) {
-            return smooth_tippe_top_refuse(fabs(z2 * z3 - z4 + k3 * (z5 * z5)), 1e-13 * z4,
-                SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(I1 * z1) > 1e-13 * (z1 * k4))) {
+            return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z10) > 1e-13 * k2)) {
-            return smooth_tippe_top_refuse(fabs(-z10), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        if (!(fabs(z2) > 1e-13 * k4)) {
+            return smooth_tippe_top_refuse(fabs(z2), 1e-13 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(100, J);
     }
@@ -733,28 +705,26 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes s_theta = sine1;
     const smooth_tippe_top_lanes z1 = s_theta * s_theta;
     /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-I1 * z1)), 1e-13 * (z1 *
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(I1 * z1)), 1e-13 * (z1 *
         k4));
+    const smooth_tippe_top_lanes z2 = I1 + z1 * k2;
+    /* the mass matrix is singular */
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z2)),
+        SMOOTH_TIPPE_TOP_SPREAD(1e-13 * k4));
     smooth_tippe_top_lanes sine2, cosine2;
     smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(phi), &far, &sine2, &cosine2);
     const smooth_tippe_top_lanes c_phi = cosine2;
     const smooth_tippe_top_lanes c_theta = cosine1;
-    const smooth_tippe_top_lanes z2 = c_theta * k1;
-    const smooth_tippe_top_lanes z3 = c_phi * z2;
+    const smooth_tippe_top_lanes z3 = phi_dot * c_theta;
+    const smooth_tippe_top_lanes omega3 = psi_dot + z3;
+    const smooth_tippe_top_lanes z4 = k3 * (omega3 * (theta_dot * I3));
     const smooth_tippe_top_lanes s_phi = sine2;
-    const smooth_tippe_top_lanes z4 = s_phi * z2;
-    const smooth_tippe_top_lanes z5 = k2 * (z3 * z3) - (k4 - k2 * (z4 * z4));
-    /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z5)),
-        SMOOTH_TIPPE_TOP_SPREAD(1e-13 * k4));
-    const smooth_tippe_top_lanes z6 = phi_dot * c_theta;
-    const smooth_tippe_top_lanes omega3 = psi_dot + z6;
-    const smooth_tippe_top_lanes z7 = k3 * (omega3 * (theta_dot * I3));
-    const smooth_tippe_top_lanes z8 = theta_dot * theta_dot;
-    const smooth_tippe_top_lanes z9 = I3 * omega3;
-    const smooth_tippe_top_lanes z10 = (phi_dot * (z9 - I1 * z6) - k1 * (g - e * (c_theta * z8))) / z5;
-    const smooth_tippe_top_lanes z11 = s_theta * (z8 + phi_dot * phi_dot - c_theta * z10);
-    const smooth_tippe_top_lanes z12 = theta_dot / s_theta * (2.0 * z6 - z9 * k3);
+    const smooth_tippe_top_lanes z5 = theta_dot * theta_dot;
+    const smooth_tippe_top_lanes z6 = I3 * omega3;
+    const smooth_tippe_top_lanes z7 = I1 * z3;
+    const smooth_tippe_top_lanes z8 = (phi_dot * (z6 - z7) - k1 * (g - e * (c_theta * z5))) / z2;
+    const smooth_tippe_top_lanes z9 = s_theta * (z5 + phi_dot * phi_dot + c_theta * z8);
+    const smooth_tippe_top_lanes z10 = theta_dot / (I1 * s_theta) * (z6 - 2.0 * z7);
     /* (II.3) */
     const smooth_tippe_top_lanes slope1 = x_dot;
     sum += slope1;
@@ -769,17 +739,18 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes slope5 = psi_dot;
     smooth_tippe_top_put(dydt + 4 * stride, slope5);
     /* (II.3) 24:4 */
-    const smooth_tippe_top_lanes slope6 = (s_phi * z11 - c_phi * z7) * e;
+    const smooth_tippe_top_lanes slope6 = (s_phi * z9 - c_phi * z4) * e;
     sum += slope6;
     smooth_tippe_top_put(dydt + 5 * stride, slope6);
-    const smooth_tippe_top_lanes slope7 = -e * (s_phi * z7 + c_phi * z11);
+    const smooth_tippe_top_lanes slope7 = -e * (s_phi * z4 + c_phi * z9);
     sum += slope7;
     smooth_tippe_top_put(dydt + 6 * stride, slope7);
-    const smooth_tippe_top_lanes slope8 = -z12;
+    const smooth_tippe_top_lanes slope8 = z10;
     smooth_tippe_top_put(dydt + 7 * stride, slope8);
-    const smooth_tippe_top_lanes slope9 = s_theta * z10;
+    const smooth_tippe_top_lanes slope9 = -s_theta * z8;
+    sum += slope9;
     smooth_tippe_top_put(dydt + 8 * stride, slope9);
-    const smooth_tippe_top_lanes slope10 = s_theta * (phi_dot * theta_dot) + c_theta * z12;
+    const smooth_tippe_top_lanes slope10 = s_theta * (phi_dot * theta_dot) - c_theta * z10;
     sum += slope10;
     smooth_tippe_top_put(dydt + 9 * stride, slope10);
     smooth_tippe_top_put(check, smooth_tippe_top_mark(far + (sum - sum), bad));
@@ -807,9 +778,9 @@ int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, c
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
     const double k1 = m * e;
-    const double k2 = 1.0 / m;
+    const double k2 = e * k1;
     const double k3 = 1.0 / I1;
-    const double k4 = I1 + e * k1;
+    const double k4 = I1 + k2;
     /* the mass matrix is singular */
     if (!(fabs(I3) > 0.0)) {
         return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:ae88bb0cd1d8c276)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:56e46f87f1517fba)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -32,14 +32,14 @@
  * out[3] = p_y [kg*m/s]
  *
  * Operations:
- * rhs: 13 +-, 39 *, 4 /, 4 calls
+ * rhs: 12 +-, 33 *, 3 /, 4 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
- * accelerations: 15 +-, 46 *, 4 /, 4 calls
+ * accelerations: 12 +-, 34 *, 3 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
- * reactions: 5 +-, 19 *, 1 /, 4 calls
+ * reactions: 2 +-, 6 *, 0 /, 1 calls
  * energy: 11 +-, 25 *, 0 /, 4 calls
- * jacobian: 42 +-, 128 *, 4 /, 4 calls
+ * jacobian: 38 +-, 116 *, 3 /, 4 calls
  * outputs: 7 +-, 18 *, 0 /, 4 calls
  *
  * Calls: t is the time, y has SMOOTH_TIPPE_TOP_NY entries and p SMOOTH_TIPPE_TOP_NP;
