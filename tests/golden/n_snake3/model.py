@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:65411120c35b9ce1).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:514750df6f73b225).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -26,14 +26,14 @@ Constraints:
 1: wheel2
 2: wheel3
 
-Operations of one call (+-: sums and differences; calls: sin, cos, ...):
+Operations:
 rhs: 42 +-, 79 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 1 /, 6 calls
 accelerations: 56 +-, 97 *, 3 /, 6 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 11 +-, 15 *, 0 /, 6 calls
 reactions: 66 +-, 118 *, 3 /, 4 calls
-energy: 27 +-, 40 *, 1 /, 6 calls
+energy: 13 +-, 23 *, 1 /, 4 calls
 jacobian: 191 +-, 301 *, 3 /, 6 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
@@ -563,33 +563,19 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # from the state
         z1 = theta1 - theta2
         z2 = theta2 - theta3
-        c_theta2 = math.cos(theta2)
-        s_theta1 = math.sin(theta1)
-        c_theta1 = math.cos(theta1)
-        s_theta2 = math.sin(theta2)
-        z3 = c_theta2 * s_theta1 - c_theta1 * s_theta2
-        z4 = a * w
-        z5 = c_theta1 * c_theta2 + s_theta1 * s_theta2
-        z6 = v * z3 - z4 * z5
-        z7 = k1 * z6
-        c_theta3 = math.cos(theta3)
-        s_theta3 = math.sin(theta3)
-        s1 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * (v * z5 + z4 * z3)
-        z8 = s1 - (c_theta2 * c_theta3 + s_theta2 * s_theta3) * z6
-        z9 = k1 * z8
-        z10 = c_theta1 * v
-        z11 = s_theta1 * v
-        z12 = s_theta2 * z6
-        x2_dot = z10 + s_theta1 * z4 + z12
-        z13 = c_theta2 * z6
-        y2_dot = z11 - c_theta1 * z4 - z13
-        x3_dot = z12 + x2_dot + s_theta3 * z8
-        z14 = z13 - y2_dot + c_theta3 * z8
-        s2 = z10 * z10 + z11 * z11 + x2_dot * x2_dot + y2_dot * y2_dot
-        z15 = s2 + x3_dot * x3_dot + z14 * z14
-        s3 = J * (w * w + z7 * z7 + z9 * z9) + m * z15
-        z16 = k * (z1 * z1 + z2 * z2) + s3
-        value1 = 0.5 * z16
+        s1 = math.sin(z1)
+        c1 = math.cos(z1)
+        z3 = a * w
+        z4 = v * s1 - c1 * z3
+        z5 = k1 * z4
+        s2 = math.sin(z2)
+        v1_x2 = v * c1 + s1 * z3
+        c2 = math.cos(z2)
+        z6 = k1 * (s2 * v1_x2 - c2 * z4)
+        v1_x3 = c2 * v1_x2 + s2 * z4
+        s3 = m * (v * v + v1_x2 * v1_x2 + v1_x3 * v1_x3)
+        z7 = J * (w * w + z5 * z5 + z6 * z6) + s3
+        value1 = 0.5 * (k * (z1 * z1 + z2 * z2) + z7)
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:ee5ab3fc082b5d18).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:7f490b387bb7f551).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -33,14 +33,14 @@ Outputs:
 out[0] = tail_x [m]
 out[1] = tail_y [m]
 
-Operations of one call (+-: sums and differences; calls: sin, cos, ...):
+Operations:
 rhs: 17 +-, 31 *, 2 /, 8 calls
 velocities: 3 +-, 8 *, 1 /, 7 calls
 accelerations: 24 +-, 47 *, 2 /, 8 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 10 +-, 17 *, 0 /, 8 calls
 reactions: 38 +-, 75 *, 2 /, 6 calls
-energy: 23 +-, 45 *, 1 /, 8 calls
+energy: 9 +-, 14 *, 1 /, 3 calls
 jacobian: 66 +-, 138 *, 2 /, 8 calls
 outputs: 6 +-, 2 *, 0 /, 6 calls
 
@@ -524,34 +524,16 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     try:
         # from the parameters alone
         k1 = J / (L * L)
+        k2 = m0 + k1
         # from the state
-        c_theta2 = math.cos(theta2)
-        c_theta3 = math.cos(theta3)
-        s_theta2 = math.sin(theta2)
-        s_theta3 = math.sin(theta3)
-        z1 = c_theta2 * c_theta3 + s_theta2 * s_theta3
-        z2 = z1 * z1
-        c_theta1 = math.cos(theta1)
-        c_theta0 = math.cos(theta0)
-        s_theta1 = math.sin(theta1)
-        s_theta0 = math.sin(theta0)
-        z3 = c_theta1 * c_theta0 + s_theta1 * s_theta0
-        z4 = z3 * z3
-        z5 = c_theta1 * c_theta2 + s_theta1 * s_theta2
-        z6 = s_theta1 * c_theta2 - c_theta1 * s_theta2
-        z7 = c_theta1 * s_theta0 - s_theta1 * c_theta0
-        z8 = c_theta1 * z7
-        z9 = s_theta1 * z7
-        z10 = z3 * z6
-        s1 = c_theta3 * (s_theta0 - (z8 + c_theta2 * z10))
-        s2 = s1 - s_theta3 * (c_theta0 + (z9 + s_theta2 * z10))
-        z11 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * s2
-        s3 = z6 * (c_theta2 * (s_theta0 - z8) - s_theta2 * (c_theta0 + z9))
-        s4 = z5 * (z11 + 0.5 * (z3 * (z5 * (1.0 + z2))))
-        z12 = 0.5 * z3 + 2.0 * s3 + s4
-        s5 = 0.5 * (m0 + k1 * (1.0 - z2 * (z4 * (z5 * z5))))
-        z13 = s5 + m * (3.0 * z4 - z3 * z12)
-        value1 = 0.5 * (J0 * (w * w)) + v * v * z13
+        c1 = math.cos(theta0 - theta1)
+        c2 = math.cos(theta1 - theta2)
+        z1 = c2 * c2
+        c3 = math.cos(theta2 - theta3)
+        z2 = c3 * c3
+        s1 = c1 * c1 * (m * (1.0 + z1 * (1.0 + z2)) - k1 * (z1 * z2))
+        z3 = (k2 + s1) * v * v
+        value1 = 0.5 * (J0 * (w * w) + z3)
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

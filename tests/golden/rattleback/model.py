@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:3dec5b4528edfe50).
+"""rattleback, emitted by nhc 0.1.0 (nhc:c134ff5efc18bb75).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -36,14 +36,14 @@ Constraints:
 Outputs:
 out[0] = spin [rad/s]
 
-Operations of one call (+-: sums and differences; calls: sin, cos, ...):
+Operations:
 rhs: 64 +-, 118 *, 5 /, 7 calls
 velocities: 15 +-, 40 *, 2 /, 7 calls
 accelerations: 97 +-, 161 *, 5 /, 7 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 18 +-, 40 *, 1 /, 7 calls
 reactions: 86 +-, 154 *, 5 /, 7 calls
-energy: 19 +-, 48 *, 1 /, 7 calls
+energy: 13 +-, 36 *, 1 /, 5 calls
 jacobian: 442 +-, 662 *, 5 /, 7 calls
 outputs: 0 +-, 0 *, 0 /, 1 calls
 
@@ -703,7 +703,6 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     z = float(y[2])  # centre of mass, downwards [cm]
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
-    gamma = float(y[5])  # heading [rad]
     w1 = float(y[6])
     w2 = float(y[7])
     w3 = float(y[8])
@@ -722,7 +721,6 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         k2 = b * b
         k3 = c * c
         # from the state
-        s_gamma = math.sin(gamma)
         c_alpha = math.cos(alpha)
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
@@ -732,21 +730,14 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         s1 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
         z2 = 1.0 / math.sqrt(s1)
         r3 = h - z2 * (mu3 * k3)
+        z3 = z2 * (mu2 * k2)
+        u1 = r3 * w2 + z3 * w3
         r1 = z1 * k1 * z2
-        z3 = r3 * w1 - r1 * w3
-        z4 = z2 * (mu2 * k2)
-        u1 = r3 * w2 + z4 * w3
-        z5 = r1 * w2 + z4 * w1
-        z6 = s_beta * u1 + c_beta * z5
-        z7 = c_alpha * z3 - mu2 * z6
-        c_gamma = math.cos(gamma)
-        z8 = s_beta * z5 - c_beta * u1
-        z9 = s_gamma * z7 - c_gamma * z8
-        z10 = s_gamma * z8 + c_gamma * z7
-        z11 = mu2 * z3 + c_alpha * z6
-        s2 = I_b * (w2 * w2) + I_a * (w1 * w1) + I_c * (w3 * w3)
-        z12 = z9 * z9 + z10 * z10 + z11 * z11 + s2
-        value1 = 0.5 * z12 + w2 * (I_d * w1) - z * g
+        z4 = r3 * w1 - r1 * w3
+        z5 = r1 * w2 + z3 * w1
+        s2 = I_c * (w3 * w3) + (I_b * (w2 * w2) + I_a * (w1 * w1))
+        z6 = u1 * u1 + z4 * z4 + z5 * z5 + s2
+        value1 = 0.5 * z6 + w2 * (I_d * w1) - z * g
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -1006,7 +997,7 @@ def jacobian(
         z186 = z163 * z143 + 0.5 * (z28 * (z184 + z9 * z185))
         s11 = z84 * z166 + z79 * z174 + z92 * z177
         z187 = s11 + k2 * (z162 * z115 - z2 * z180) - 2.0 * (z5 * z186)
-        z188 = mu2 * z166 - z162 * z45
+        z188 = mu2 * z166 - z45 * z162
         z189 = mu2 * z177
         z190 = g * r1
         s12 = z190 + z112 * z169 + k3 * (z37 * z115 - z2 * z183)

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:12191c4e732c3349).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:d8bac18370531f02).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -28,14 +28,14 @@ Constraints:
 Outputs:
 out[0] = speed [m/s]
 
-Operations of one call (+-: sums and differences; calls: sin, cos, ...):
+Operations:
 rhs: 8 +-, 28 *, 3 /, 4 calls
 velocities: 2 +-, 6 *, 1 /, 4 calls
 accelerations: 14 +-, 34 *, 3 /, 4 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 7 +-, 11 *, 0 /, 4 calls
 reactions: 12 +-, 34 *, 3 /, 2 calls
-energy: 6 +-, 14 *, 1 /, 4 calls
+energy: 5 +-, 11 *, 1 /, 2 calls
 jacobian: 36 +-, 92 *, 3 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
@@ -421,7 +421,6 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     Arguments: t (scalar), y (6,), p (5,).
     Returns a scalar.
     """
-    theta = float(y[2])  # heading of the main body [rad]
     phi = float(y[3])  # second body, relative to the first [rad]
     v = float(y[4])
     theta_dot = float(y[5])
@@ -434,16 +433,11 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # from the parameters alone
         k1 = 1.0 / d2
         # from the state
-        c_theta = math.cos(theta)
-        z1 = c_theta * v
-        s_theta = math.sin(theta)
-        z2 = s_theta * v
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
-        z3 = theta_dot - k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi)
-        s1 = I1 * (theta_dot * theta_dot) + m * (z1 * z1 + z2 * z2)
-        z4 = 0.5 * (s1 + I2 * (z3 * z3))
-        value1 = z4
+        z1 = theta_dot - k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi)
+        s1 = I2 * (z1 * z1) + (I1 * (theta_dot * theta_dot) + m * (v * v))
+        value1 = 0.5 * s1
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

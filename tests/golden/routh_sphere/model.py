@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:828bc6186705b3ac).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:c6213f1e889aca4c).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -32,14 +32,14 @@ Outputs:
 out[0] = jellett [kg*m^3/s]
 out[1] = routh [kg*m^2/s]
 
-Operations of one call (+-: sums and differences; calls: sin, cos, ...):
+Operations:
 rhs: 24 +-, 47 *, 3 /, 4 calls
 velocities: 2 +-, 7 *, 0 /, 3 calls
 accelerations: 29 +-, 59 *, 3 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 4 +-, 7 *, 0 /, 3 calls
 reactions: 34 +-, 73 *, 3 /, 4 calls
-energy: 12 +-, 28 *, 0 /, 2 calls
+energy: 9 +-, 22 *, 0 /, 2 calls
 jacobian: 46 +-, 124 *, 3 /, 4 calls
 outputs: 5 +-, 17 *, 0 /, 3 calls
 
@@ -480,20 +480,20 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
         # from the parameters alone
-        k1 = R * R
-        k2 = 0.5 * e
+        k1 = m * g
         # from the state
-        s_theta = math.sin(theta)
-        z1 = s_theta * s_theta
-        z2 = theta_dot * theta_dot
         c_theta = math.cos(theta)
-        s1 = phi_dot * z1 * (psi_dot * R - 0.5 * (phi_dot * e))
-        z3 = s1 - (z2 * (k2 + R * c_theta) + g * c_theta)
-        z4 = psi_dot * psi_dot
-        s2 = 0.5 * (phi_dot * (I1 * z1 + I3 * (1.0 - z1)))
-        s3 = phi_dot * (s2 + I3 * (psi_dot * c_theta))
-        z5 = 0.5 * (I1 * z2 + I3 * z4) + s3
-        value1 = z5 - m * (e * z3 - 0.5 * (k1 * (z2 + z1 * z4)))
+        Z = e * c_theta
+        omega3 = psi_dot + phi_dot * c_theta
+        s_theta = math.sin(theta)
+        z1 = e * s_theta
+        z2 = theta_dot * z1
+        z3 = theta_dot * (R + Z)
+        z4 = phi_dot * z1 - R * (psi_dot * s_theta)
+        s1 = s_theta * s_theta * (phi_dot * phi_dot)
+        s2 = m * (z2 * z2 + (z3 * z3 + z4 * z4))
+        z5 = I1 * (theta_dot * theta_dot + s1) + s2
+        value1 = Z * k1 + 0.5 * (I3 * (omega3 * omega3) + z5)
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

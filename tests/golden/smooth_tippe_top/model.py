@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:1e3d7993c1c0b648).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:8f0b555bf53e0916).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -31,15 +31,15 @@ out[1] = spin [rad/s]
 out[2] = p_x [kg*m/s]
 out[3] = p_y [kg*m/s]
 
-Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 13 +-, 39 *, 4 /, 4 calls
+Operations:
+rhs: 12 +-, 33 *, 3 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 15 +-, 46 *, 4 /, 4 calls
+accelerations: 12 +-, 34 *, 3 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
-reactions: 5 +-, 19 *, 1 /, 4 calls
+reactions: 2 +-, 6 *, 0 /, 1 calls
 energy: 11 +-, 25 *, 0 /, 4 calls
-jacobian: 42 +-, 128 *, 4 /, 4 calls
+jacobian: 38 +-, 116 *, 3 /, 4 calls
 outputs: 7 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -142,34 +142,31 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(I3), 0.0, 2, "rhs")
         # from the parameters alone
         k1 = m * e
-        k2 = 1.0 / m
+        k2 = e * k1
         k3 = 1.0 / I1
-        k4 = I1 + e * k1
+        k4 = I1 + k2
         # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         # the mass matrix is singular
-        if not abs(-I1 * z1) > 1e-13 * (z1 * k4):
-            raise _refuse(abs(-I1 * z1), 1e-13 * (z1 * k4), 2, "rhs")
+        if not abs(I1 * z1) > 1e-13 * (z1 * k4):
+            raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k4), 2, "rhs")
+        z2 = I1 + z1 * k2
+        # the mass matrix is singular
+        if not abs(z2) > 1e-13 * k4:
+            raise _refuse(abs(z2), 1e-13 * k4, 2, "rhs")
         c_phi = math.cos(phi)
         c_theta = math.cos(theta)
-        z2 = c_theta * k1
-        z3 = c_phi * z2
+        z3 = phi_dot * c_theta
+        omega3 = psi_dot + z3
+        z4 = k3 * (omega3 * (theta_dot * I3))
         s_phi = math.sin(phi)
-        z4 = s_phi * z2
-        z5 = k2 * (z3 * z3) - (k4 - k2 * (z4 * z4))
-        # the mass matrix is singular
-        if not abs(-z5) > 1e-13 * k4:
-            raise _refuse(abs(-z5), 1e-13 * k4, 2, "rhs")
-        z6 = phi_dot * c_theta
-        omega3 = psi_dot + z6
-        z7 = k3 * (omega3 * (theta_dot * I3))
-        z8 = theta_dot * theta_dot
-        z9 = I3 * omega3
-        s1 = phi_dot * (z9 - I1 * z6) - k1 * (g - e * (c_theta * z8))
-        z10 = s1 / z5
-        z11 = s_theta * (z8 + phi_dot * phi_dot - c_theta * z10)
-        z12 = theta_dot / s_theta * (2.0 * z6 - z9 * k3)
+        z5 = theta_dot * theta_dot
+        z6 = I3 * omega3
+        z7 = I1 * z3
+        z8 = (phi_dot * (z6 - z7) - k1 * (g - e * (c_theta * z5))) / z2
+        z9 = s_theta * (z5 + phi_dot * phi_dot + c_theta * z8)
+        z10 = theta_dot / (I1 * s_theta) * (z6 - 2.0 * z7)
         dydt: list[float] = [
             # x' (II.3)
             x_dot,
@@ -182,15 +179,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (II.3)
             psi_dot,
             # x'' (II.3) 24:4
-            (s_phi * z11 - c_phi * z7) * e,
+            (s_phi * z9 - c_phi * z4) * e,
             # y'' (II.3) 24:4
-            -e * (s_phi * z7 + c_phi * z11),
+            -e * (s_phi * z4 + c_phi * z9),
             # phi'' (II.3) 24:4
-            -z12,
+            z10,
             # theta'' (II.3) 24:4
-            s_theta * z10,
+            -s_theta * z8,
             # psi'' (II.3) 24:4
-            s_theta * (phi_dot * theta_dot) + c_theta * z12,
+            s_theta * (phi_dot * theta_dot) - c_theta * z10,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -260,50 +257,42 @@ def accelerations(
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # from the parameters alone
         k1 = m * e
-        k2 = I1 + m * (e * e)
-        k3 = 1.0 / m
+        k2 = m * e * e
+        k3 = I1 + k2
         k4 = 1.0 / I1
         # from the state
-        s_phi = math.sin(phi)
         s_theta = math.sin(theta)
-        z1 = s_theta * k1
-        z2 = s_phi * z1
-        z3 = k2 * s_theta * s_theta
+        z1 = s_theta * s_theta
+        # the mass matrix is singular
+        if not abs(I1 * z1) > 1e-13 * (z1 * k3):
+            raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k3), 2, "accelerations")
+        z2 = I1 + z1 * k2
+        # the mass matrix is singular
+        if not abs(z2) > 1e-13 * k3:
+            raise _refuse(abs(z2), 1e-13 * k3, 2, "accelerations")
         c_phi = math.cos(phi)
-        z4 = c_phi * z1
-        s1 = z3 - k3 * (z4 * z4)
-        s2 = k3 * (z2 * z2) - s1
-        # the mass matrix is singular
-        if not abs(s2) > 1e-13 * z3:
-            raise _refuse(abs(s2), 1e-13 * z3, 2, "accelerations")
         c_theta = math.cos(theta)
-        z5 = c_theta * k1
-        z6 = c_phi * z5
-        z7 = s_phi * z5
-        z8 = k3 * (z6 * z6) - (k2 - k3 * (z7 * z7))
-        # the mass matrix is singular
-        if not abs(-z8) > 1e-13 * k2:
-            raise _refuse(abs(-z8), 1e-13 * k2, 2, "accelerations")
-        z9 = phi_dot * c_theta
-        omega3 = psi_dot + z9
-        z10 = k4 * (omega3 * (theta_dot * I3))
-        z11 = theta_dot * theta_dot
-        z12 = I3 * omega3
-        s3 = phi_dot * (z12 - I1 * z9) - k1 * (g - e * (c_theta * z11))
-        z13 = s3 / z8
-        z14 = s_theta * (z11 + phi_dot * phi_dot - c_theta * z13)
-        z15 = theta_dot / s_theta * (2.0 * z9 - z12 * k4)
+        z3 = phi_dot * c_theta
+        omega3 = psi_dot + z3
+        z4 = k4 * (omega3 * (theta_dot * I3))
+        s_phi = math.sin(phi)
+        z5 = theta_dot * theta_dot
+        z6 = I3 * omega3
+        z7 = I1 * z3
+        z8 = (phi_dot * (z6 - z7) - k1 * (g - e * (c_theta * z5))) / z2
+        z9 = s_theta * (z5 + phi_dot * phi_dot + c_theta * z8)
+        z10 = theta_dot / (I1 * s_theta) * (z6 - 2.0 * z7)
         qddot: list[float] = [
             # x'' (II.3)
-            (s_phi * z14 - c_phi * z10) * e,
+            (s_phi * z9 - c_phi * z4) * e,
             # y'' (II.3)
-            -e * (s_phi * z10 + c_phi * z14),
+            -e * (s_phi * z4 + c_phi * z9),
             # phi'' (II.3)
-            -z15,
+            z10,
             # theta'' (II.3)
-            s_theta * z13,
+            -s_theta * z8,
             # psi'' (II.3)
-            s_theta * (phi_dot * theta_dot) + c_theta * z15,
+            s_theta * (phi_dot * theta_dot) - c_theta * z10,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -379,7 +368,6 @@ def reactions(
     Returns lambda_ (0,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
-    phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
     m = float(p[0])  # mass [kg]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
@@ -393,31 +381,18 @@ def reactions(
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
         # from the parameters alone
-        k1 = m * e
-        k2 = I1 + m * (e * e)
-        k3 = 1.0 / m
+        k1 = m * e * e
+        k2 = I1 + k1
         # from the state
-        s_phi = math.sin(phi)
         s_theta = math.sin(theta)
-        z1 = s_theta * k1
-        z2 = s_phi * z1
-        z3 = k2 * s_theta * s_theta
-        c_phi = math.cos(phi)
-        z4 = c_phi * z1
-        s1 = z3 - k3 * (z4 * z4)
-        s2 = k3 * (z2 * z2) - s1
+        z1 = s_theta * s_theta
         # the mass matrix is singular
-        if not abs(s2) > 1e-13 * z3:
-            raise _refuse(abs(s2), 1e-13 * z3, 2, "reactions")
-        c_theta = math.cos(theta)
-        z5 = c_theta * k1
-        z6 = c_phi * z5
-        z7 = s_phi * z5
-        s3 = k2 - k3 * (z7 * z7)
-        s4 = s3 - k3 * (z6 * z6)
+        if not abs(I1 * z1) > 1e-13 * (z1 * k2):
+            raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k2), 2, "reactions")
+        s1 = I1 + z1 * k1
         # the mass matrix is singular
-        if not abs(s4) > 1e-13 * k2:
-            raise _refuse(abs(s4), 1e-13 * k2, 2, "reactions")
+        if not abs(s1) > 1e-13 * k2:
+            raise _refuse(abs(s1), 1e-13 * k2, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -495,75 +470,68 @@ def jacobian(
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # from the parameters alone
         k1 = m * e
-        k2 = I1 + m * (e * e)
-        k3 = 1.0 / m
-        k4 = I1 - I3
-        k5 = 1.0 / I1
-        k6 = I3 * k5
+        k2 = e * k1
+        k3 = m * e * e
+        k4 = I1 + k3
+        k5 = I1 - I3
+        k6 = 1.0 / I1
         # from the state
-        c_phi = math.cos(phi)
         s_theta = math.sin(theta)
-        z1 = s_theta * k1
-        z2 = c_phi * z1
-        z3 = z2 * k3
-        z4 = k2 * s_theta * s_theta
-        s_phi = math.sin(phi)
-        z5 = s_phi * z1
-        s1 = k3 * (z5 * z5)
-        s2 = z2 * z3 - z4 + s1
+        z1 = s_theta * s_theta
         # the mass matrix is singular
-        if not abs(s2) > 1e-13 * z4:
-            raise _refuse(abs(s2), 1e-13 * z4, 2, "jacobian")
+        if not abs(I1 * z1) > 1e-13 * (z1 * k4):
+            raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k4), 2, "jacobian")
+        z2 = I1 + z1 * k3
+        # the mass matrix is singular
+        if not abs(z2) > 1e-13 * k4:
+            raise _refuse(abs(z2), 1e-13 * k4, 2, "jacobian")
+        c_phi = math.cos(phi)
+        z3 = s_theta * c_phi
+        z4 = theta_dot * theta_dot
         c_theta = math.cos(theta)
-        z6 = c_theta * k1
-        z7 = c_phi * z6
-        z8 = s_phi * z6
-        z9 = k3 * z8
-        z10 = k3 * (z7 * z7) - (k2 - z8 * z9)
-        # the mass matrix is singular
-        if not abs(-z10) > 1e-13 * k2:
-            raise _refuse(abs(-z10), 1e-13 * k2, 2, "jacobian")
-        z11 = theta_dot * I3
-        z12 = s_phi * z11
-        z13 = phi_dot * c_theta
-        omega3 = psi_dot + z13
-        z14 = omega3 * k5
-        z15 = s_theta * c_phi
-        z16 = theta_dot * theta_dot
-        z17 = e * z16
-        z18 = I3 * omega3
-        z19 = phi_dot * I1
-        z20 = z18 - c_theta * z19
-        z21 = k1 * (g - c_theta * z17) - phi_dot * z20
-        z22 = 1.0 / z10
-        z23 = c_theta * z22
-        z24 = z16 + phi_dot * phi_dot + z21 * z23
-        z25 = c_phi * z11
-        z26 = phi_dot * s_theta
-        z27 = z26 * k5
-        z28 = c_theta * z24
-        z29 = s_theta * s_phi
-        z30 = s_theta * z22
-        z31 = z22 * z22 * (z3 * z7 + z5 * z9)
-        z32 = I3 * z26
-        z33 = phi_dot * (z32 - s_theta * z19) + z1 * z17
-        z34 = z21 * (z30 - 2.0 * (c_theta * z31)) - z23 * z33
-        z35 = c_theta * k5
-        z36 = z13 * k4 - z20
-        z37 = 2.0 * phi_dot + z23 * z36
-        z38 = I3 * z14
-        z39 = e * (theta_dot * z6)
-        z40 = theta_dot - z23 * z39
-        z41 = phi_dot * I3
-        z42 = z41 * z23
-        z43 = 1.0 / s_theta
-        z44 = theta_dot * z43
-        z45 = 2.0 * z13 - z18 * k5
-        s3 = z43 * z43 * (theta_dot * c_theta * z45)
-        z46 = z44 * (2.0 * z26 - k5 * z32) + s3
-        z47 = z44 * (2.0 * c_theta - I3 * z35)
-        z48 = z43 * z45
-        z49 = z44 * k6
+        z5 = 1.0 / z2
+        z6 = c_theta * z5
+        z7 = e * z4
+        z8 = phi_dot * c_theta
+        omega3 = psi_dot + z8
+        z9 = I3 * omega3
+        z10 = phi_dot * I1
+        z11 = c_theta * z10
+        z12 = z9 - z11
+        z13 = k1 * (g - c_theta * z7) - phi_dot * z12
+        z14 = z4 + phi_dot * phi_dot - z6 * z13
+        s_phi = math.sin(phi)
+        z15 = theta_dot * I3
+        z16 = s_phi * z15
+        z17 = omega3 * k6
+        z18 = c_theta * z14
+        z19 = s_theta * s_phi
+        z20 = phi_dot * s_theta
+        z21 = I3 * z20
+        z22 = s_theta * z10
+        z23 = k1 * (s_theta * z7) + phi_dot * (z21 - z22)
+        z24 = s_theta * z5
+        z25 = k3 * (s_theta * c_theta * (z5 * z5))
+        z26 = z6 * z23 - z13 * (z24 + 2.0 * (c_theta * z25))
+        z27 = c_phi * z15
+        z28 = z27 * k6
+        z29 = z8 * k5 - z12
+        z30 = 2.0 * phi_dot - z6 * z29
+        z31 = theta_dot * c_theta * k2
+        z32 = theta_dot + z6 * z31
+        z33 = I3 * z17
+        z34 = phi_dot * I3
+        z35 = z6 * z34
+        z36 = k6 * z16
+        z37 = 1.0 / (I1 * s_theta)
+        z38 = theta_dot * z37
+        z39 = I1 * c_theta
+        z40 = z9 - 2.0 * z11
+        s1 = z39 * (z37 * z37 * (theta_dot * z40))
+        z41 = z38 * (z21 - 2.0 * z22) + s1
+        z42 = z38 * (I3 * c_theta - 2.0 * z39)
+        z43 = z37 * z40
+        z44 = I3 * z38
         J: list[float] = [
             0.0,
             0.0,
@@ -623,75 +591,75 @@ def jacobian(
             0.0,
             0.0,
             # (II.3)
-            e * (z12 * z14 + z15 * z24),
+            e * (z3 * z14 + z16 * z17),
             # (II.3)
-            e * (z25 * z27 + (s_phi * z28 - z29 * z34)),
-            0.0,
-            0.0,
-            0.0,
-            # (II.3)
-            (z29 * z37 - z25 * z35) * e,
-            # (II.3)
-            (2.0 * (z29 * z40) - c_phi * z38) * e,
-            # (II.3)
-            -e * (z25 * k5 + z29 * z42),
-            0.0,
-            0.0,
-            # (II.3)
-            (z29 * z24 - z25 * z14) * e,
-            # (II.3)
-            e * (z12 * z27 - (c_phi * z28 - z15 * z34)),
+            e * (s_phi * z18 - z19 * z26 + z20 * z28),
             0.0,
             0.0,
             0.0,
             # (II.3)
-            -e * (z12 * z35 + z15 * z37),
+            e * (z19 * z30 - c_theta * z28),
             # (II.3)
-            -e * (s_phi * z38 + 2.0 * (z15 * z40)),
+            e * (2.0 * (z19 * z32) - c_phi * z33),
             # (II.3)
-            (z15 * z42 - k5 * z12) * e,
-            0.0,
-            0.0,
-            0.0,
-            # (II.3)
-            z46,
-            0.0,
+            (z19 * z35 - z28) * e,
             0.0,
             0.0,
             # (II.3)
-            -z47,
+            e * (z19 * z14 - z27 * z17),
             # (II.3)
-            -z48,
-            # (II.3)
-            z49,
+            (z20 * z36 - (c_phi * z18 - z3 * z26)) * e,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            -(z21 * (z23 + 2.0 * (s_theta * z31)) + z30 * z33),
+            -e * (z3 * z30 + c_theta * z36),
+            # (II.3)
+            -e * (2.0 * (z3 * z32) + s_phi * z33),
+            # (II.3)
+            -e * (z36 + z3 * z35),
             0.0,
             0.0,
             0.0,
             # (II.3)
-            -z30 * z36,
-            # (II.3)
-            2.0 * (z30 * z39),
-            # (II.3)
-            z41 * z30,
+            -z41,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            theta_dot * z13 - (theta_dot * z45 + c_theta * z46),
+            z42,
+            # (II.3)
+            z43,
+            # (II.3)
+            z44,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            theta_dot * s_theta + c_theta * z47,
+            z24 * z23 + z13 * (z6 - 2.0 * (s_theta * z25)),
+            0.0,
+            0.0,
+            0.0,
             # (II.3)
-            z26 + c_theta * z48,
+            z24 * z29,
             # (II.3)
-            -c_theta * z49,
+            -2.0 * (z24 * z31),
+            # (II.3)
+            -z24 * z34,
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            theta_dot * z8 + (z40 * (s_theta * z38) + c_theta * z41),
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            theta_dot * s_theta - c_theta * z42,
+            # (II.3)
+            z20 - c_theta * z43,
+            # (II.3)
+            -c_theta * z44,
         ]
         _finish("jacobian", J)
         return [J[k7 : k7 + 10] for k7 in range(0, 100, 10)]
