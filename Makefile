@@ -74,7 +74,7 @@ demo: $(VENV)/installed
 	@ls $(DEMO)
 
 test: check
-	$(BIN)/python -m pytest -n 2 -m "not slow"
+	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not slow"
 
 slow: $(VENV)/installed-dev
 	$(BIN)/python -m pytest -n 2 -m slow

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import importlib
 import importlib.util
 import os
@@ -14,6 +15,7 @@ from pathlib import Path
 import numpy
 import pytest
 
+from nhc.cli.entry import _RARE_COLLECTION
 from nhc.simulate import compile as compiling
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -33,6 +35,9 @@ def pytest_configure(config: pytest.Config) -> None:
     """
     if not any(shutil.which(name) for name in ("cc", "gcc", "clang")):
         raise pytest.UsageError("the tests compile C, and there is no cc, gcc or clang on the path")
+    gc.set_threshold(
+        *_RARE_COLLECTION
+    )  # as the command line has it: a test's cycles are few, its nodes and statements many
 
 
 Compile = Callable[[Mapping[str, str], str, Sequence[str], Path], None]

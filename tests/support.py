@@ -142,16 +142,21 @@ def compile_c(
     return target
 
 
+@cache
+def emitted(name: str, language: str, options: Options) -> dict[str, str]:
+    """File name -> text of a gallery system."""
+    return emit(read(str(spec_path(name))), language, options)
+
+
 def c_model(name: str, formulation: str, folder: Path, flags: tuple[str, ...] = ("-O1",)) -> CModel:
     """A gallery system through emitted C."""
-    files = emit(read(str(spec_path(name))), "c", Options(formulation=formulation))
+    files = emitted(name, "c", Options(formulation=formulation))
     path = compile_c(files, folder, name, flags)
     return CModel(name, ctypes.CDLL(str(path)), {})
 
 
 def emitted_python(name: str, formulation: str = "", array: str = "") -> ModuleType:
-    files = emit(read(str(spec_path(name))), "python", Options(formulation=formulation, array=array))
-    (text,) = files.values()
+    (text,) = emitted(name, "python", Options(formulation=formulation, array=array)).values()
     return python_model(text, name)
 
 

@@ -33,6 +33,10 @@ class CompileError(Exception):
         self.missing = missing
 
 
+class CacheError(CompileError):
+    """There is no place for what the compiler would make."""
+
+
 def find_compiler() -> str:
     """The path of ``$CC``, cc, gcc or clang; empty where there is none."""
     for name in (os.environ.get("CC", ""), "cc", "gcc", "clang"):
@@ -155,13 +159,13 @@ def _compile(sources: Mapping[str, str], unit: str, command: Sequence[str], libr
         entry.parent.mkdir(parents=True, exist_ok=True)
         work = Path(tempfile.mkdtemp(prefix=f".{entry.name}.", dir=entry.parent))
     except OSError as error:
-        raise CompileError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
+        raise CacheError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
     try:
         try:
             for name, text in sources.items():
                 (work / name).write_text(text, encoding="utf-8")
         except OSError as error:
-            raise CompileError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
+            raise CacheError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
         done = subprocess.run(
             [*command, unit, "-lm", "-o", library.name],
             cwd=work,
@@ -177,7 +181,7 @@ def _compile(sources: Mapping[str, str], unit: str, command: Sequence[str], libr
             os.rename(work, entry)
         except OSError as error:
             if not library.exists():
-                raise CompileError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
+                raise CacheError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
     except subprocess.TimeoutExpired as error:
         raise CompileError(f"the compiler takes longer than {TIME_LIMIT:.0f} s") from error
     finally:

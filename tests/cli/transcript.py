@@ -70,6 +70,7 @@ def run(command: str, folder: Path, *, merged: bool = False) -> list[str]:
     With ``merged`` stderr is not marked and stands where the terminal would show it.
     """
     keep = {name: value for name, value in os.environ.items() if name in ("HOME", "LD_LIBRARY_PATH", "CC")}
+    keep["NHC_CACHE"] = str(Path(os.environ["NHC_CACHE"]).with_name("optimised"))  # not the user's
     environment = {**keep, "PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "error", "LC_ALL": "C.UTF-8"}
     tools = folder.parent / f"{folder.name}-bin"
     if not tools.exists():

@@ -203,6 +203,11 @@ def source(name: str) -> Source:
     return Source(f"{name}.yaml", "\n".join(line[8:] for line in _text(name).splitlines()) + "\n")
 
 
+@cache
+def errors_of(name: str) -> list[str]:
+    return [d.code for d in check(source(name)).diagnostics if d.code.startswith("E")]
+
+
 CASES = [(name, f.name) for name in SPECS for f in applicable(resolve(decode(source(name))))]
 
 
@@ -213,7 +218,7 @@ def _scaled(found: Any, expected: Any) -> float:
 
 @pytest.mark.parametrize(("name", "formulation"), CASES)
 def test_it_moves_as_multipliers_say(name: str, formulation: str, tmp_path: Path) -> None:
-    assert not [d for d in check(source(name)).diagnostics if d.code.startswith("E")]
+    assert not errors_of(name)
     options = Options(formulation=formulation)
     (text,) = emit(source(name), "python", options).values()
     model = python_model(text, f"{name}_{formulation.replace('-', '_')}")

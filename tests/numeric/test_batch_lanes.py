@@ -9,9 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from nhc.language import read
-from nhc.pipeline import Options, emit
-from tests.support import CModel, compile_c, doubles, spec_path
+from nhc.pipeline import Options
+from tests.support import CModel, compile_c, doubles, emitted
 
 COUNTS = (0, 1, 2, 7, 8, 9, 19)
 SYSTEMS = {
@@ -27,7 +26,7 @@ SYSTEMS = {
 
 def _model(name: str, trig: str, width: int, folder: Path) -> CModel:
     """GCC takes vectors apart that the machine does not have, so that every width runs everywhere."""
-    files = emit(read(str(spec_path(name))), "c", Options(trig=trig, only=("rhs", "rhs_batch")))
+    files = emitted(name, "c", Options(trig=trig, only=("rhs", "rhs_batch")))
     flags = ("-O1", "-Wno-psabi", f"-D{name.upper()}_LANES={width}")
     return CModel(name, ctypes.CDLL(str(compile_c(files, folder, name, flags))), {})
 

@@ -8,9 +8,8 @@ from pathlib import Path
 import pytest
 from scipy.integrate import solve_ivp
 
-from nhc.language import read
-from nhc.pipeline import Options, emit
-from tests.support import compile_c, emitted_python, error, reference, spec_path
+from nhc.pipeline import Options
+from tests.support import compile_c, emitted, emitted_python, error, reference
 
 FINAL = {entry["system"]: entry for entry in reference("final_states")}
 TOLERANCE = 1e-8
@@ -30,7 +29,7 @@ def test_python_with_scipy(name: str) -> None:
 
 @pytest.mark.parametrize("name", sorted(FINAL))
 def test_the_c_driver(name: str, tmp_path: Path) -> None:
-    files = emit(read(str(spec_path(name))), "c", Options(driver=True))
+    files = emitted(name, "c", Options(driver=True))
     program = compile_c(files, tmp_path, name, ("-O2",), library=False)
     done = subprocess.run([program, "reference", "11", "1e-13"], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

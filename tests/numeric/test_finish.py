@@ -12,10 +12,9 @@ import pytest
 
 from nhc.diagnostics import Source
 from nhc.emit.c.finish import Finish, choose_finish
-from nhc.language import read
 from nhc.pipeline import Options, emit
 from nhc.program.ir import Binary, Call, Expr, Guard, Let, Load, Number, Power, Ref, Section, Statement, Store
-from tests.support import GALLERY, CModel, compile_c, emitted_python, error, python_model, spec_path
+from tests.support import GALLERY, CModel, compile_c, emitted, emitted_python, error, python_model
 
 ZERO, ONE = Number(Fraction(0)), Number(Fraction(1))
 X, V, K, D = Ref("x"), Ref("v"), Ref("k"), Ref("d")
@@ -67,7 +66,7 @@ HOSTILE = (0.0, math.inf, -math.inf, math.nan, 1e200, -1e-320, 1.7e308, -1.7e308
 def test_statuses_are_those_of_testing_everything(name: str, tmp_path: Path) -> None:
     """Every entry of state and parameters in turn made hostile: C refuses where Python does, and all that passes is finite."""
     functions = ("rhs", "velocities", "accelerations")
-    files = emit(read(str(spec_path(name))), "c", Options(only=functions))
+    files = emitted(name, "c", Options(only=functions))
     model = CModel(name, ctypes.CDLL(str(compile_c(files, tmp_path, name))), {})
     module = emitted_python(name)
     draw = random.Random(7)

@@ -12,11 +12,11 @@ import pytest
 
 from nhc.language import read
 from nhc.pipeline import Options, emit
-from tests.support import CModel, c_model, compile_c, doubles, error, spec_path
+from tests.support import CModel, c_model, compile_c, doubles, emitted, error
 
 
 def model(name: str, folder: Path) -> CModel:
-    files = emit(read(str(spec_path(name))), "c", Options(trig="inline"))
+    files = emitted(name, "c", Options(trig="inline"))
     return CModel(name, ctypes.CDLL(str(compile_c(files, folder, name, ("-O2",)))), {})
 
 

@@ -14,16 +14,15 @@ import numpy
 import pytest
 
 from nhc.diagnostics import Source
-from nhc.language import read
 from nhc.pipeline import Options, emit
-from tests.support import CModel, cases, compile_c, doubles, emitted_python, python_model, spec_path
+from tests.support import CModel, cases, compile_c, doubles, emitted, emitted_python, python_model
 
 NAMES = ["chaplygin_sleigh", "snakeboard", "diff_drive", "heavy_top_quaternion", "suslov"]
 OF_VELOCITIES = ("state", "residuals", "positions")  # functions of t, q, q', p or t, q, p
 
 
 def load_c(name: str, formulation: str, trig: str, folder: Path) -> CModel:
-    files = emit(read(str(spec_path(name))), "c", Options(formulation=formulation, trig=trig))
+    files = emitted(name, "c", Options(formulation=formulation, trig=trig))
     folder.mkdir()
     return CModel(name, ctypes.CDLL(str(compile_c(files, folder, name, ("-O0",)))), {})
 

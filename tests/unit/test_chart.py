@@ -164,13 +164,15 @@ def test_the_texts_carry_method_tolerance_reference_and_machine() -> None:
     assert [a["target"] for a in data["recommendations"]] == [1e-3, 1e-6, 1e-9, 1e-12]
     words = to_markdown(made)
     assert "multipliers with rk4: it blows up (6 runs)" in words and "newton: does not apply" in words
+    assert "| voronec | dop853 | C | 6.32 µs | 20 µs | 35.6 µs | - |" in words.splitlines()
     assert "machine: cpu (2 cores); cc 1 -O2; Python 3.11; nhc 0.1" in words and "confirmed by gauss6" in words
     assert list_failures(made) == [("multipliers with rk4", "it blows up", 6)]
     assert "NaN" not in json.dumps(to_data(made), allow_nan=False)
 
 
 def test_the_page_is_alone_and_escapes_what_it_is_given() -> None:
-    page = make_file(study(CROSSING), ".html")
+    page, picture = (make_file(study(CROSSING), ending) for ending in (".html", ".svg"))
+    assert picture.startswith("<svg") and picture.rstrip().endswith("</svg>") and "checkbox" not in picture
     assert "about &lt;a&gt; toy" in page and "<a> toy" not in page
     assert not re.search(r'(src|href)="', page) and "http" not in page.replace("http://www.w3.org/2000/svg", "")
     (text,) = re.findall(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)

@@ -9,7 +9,7 @@ import pytest
 
 from nhc.report.drawing import shorten
 from nhc.report.svg import LEFT, Axis, Chart, Series, draw
-from nhc.report.ticks import Scale, linear_scale
+from nhc.report.ticks import Scale, linear_scale, log_scale
 
 LENGTH = 600.0
 MOST = 6  # letters beside an axis: they do not reach its name
@@ -50,6 +50,19 @@ def test_a_constant_stands_inside(value: float) -> None:
         scale = linear_scale(value, end, LENGTH)
         assert scale.low < value < scale.high and 0.2 < scale.place(value) / LENGTH < 0.8
         assert len(scale.ticks) >= 3
+
+
+def test_few_decades_have_ticks_between() -> None:
+    assert [text for _, text in log_scale(1e-3, 0.1, LENGTH).ticks] == [
+        "1e-3",
+        "2e-3",
+        "5e-3",
+        "1e-2",
+        "2e-2",
+        "5e-2",
+        "1e-1",
+    ]
+    assert [text for _, text in log_scale(1e-20, 1.0, LENGTH).ticks] == [f"1e{k}" for k in range(-20, 1, 2)]
 
 
 def test_what_overflows_leaves_an_axis() -> None:
