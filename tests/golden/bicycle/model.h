@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:fa6864973d8437c1)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:f539ce6abe049a15)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -68,7 +68,7 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 183 *, 2 /, 12 calls
  * reactions: 402 +-, 616 *, 3 /, 12 calls
- * energy: 168 +-, 278 *, 3 /, 12 calls
+ * energy: 118 +-, 186 *, 3 /, 10 calls
  * jacobian: 3683 +-, 5097 *, 7 /, 17 calls
  * outputs: 57 +-, 101 *, 3 /, 15 calls
  *

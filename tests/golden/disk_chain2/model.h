@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:19c2ecff8916ada8)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:e722b8c7df65552e)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -56,7 +56,7 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 6 *, 0 /, 4 calls
  * reactions: 13 +-, 26 *, 1 /, 4 calls
- * energy: 10 +-, 18 *, 0 /, 0 calls
+ * energy: 9 +-, 18 *, 0 /, 0 calls
  * jacobian: 5 +-, 21 *, 1 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *

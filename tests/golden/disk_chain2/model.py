@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:b08ba8a67ef8d0c8).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:5eeac95902f86a31).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -57,7 +57,7 @@ accelerations: 9 +-, 23 *, 1 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 4 +-, 6 *, 0 /, 4 calls
 reactions: 13 +-, 26 *, 1 /, 4 calls
-energy: 10 +-, 18 *, 0 /, 0 calls
+energy: 9 +-, 18 *, 0 /, 0 calls
 jacobian: 5 +-, 21 *, 1 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
@@ -507,15 +507,16 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     J = float(p[3])  # about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
-        # from the parameters alone
-        k1 = I + m * (R * R)
         # from the state
-        s1 = y1 * (0.5 * y1 - y2) + 0.5 * (x2 * x2 + y2 * y2)
-        z1 = x1 * (0.5 * x1 - x2) + s1
-        s2 = J * (phi1_dot * phi1_dot + phi2_dot * phi2_dot)
-        s3 = theta2_dot * theta2_dot * k1 + s2
-        z2 = 0.5 * (theta1_dot * theta1_dot * k1 + s3)
-        value1 = k * z1 + z2
+        z1 = x1 - x2
+        z2 = y1 - y2
+        v1_x1 = theta1_dot * R
+        v1_x2 = theta2_dot * R
+        s1 = I * (theta1_dot * theta1_dot) + m * (v1_x1 * v1_x1)
+        s2 = I * (theta2_dot * theta2_dot) + m * (v1_x2 * v1_x2)
+        s3 = J * (phi1_dot * phi1_dot) + s1
+        z3 = s3 + (J * (phi2_dot * phi2_dot) + s2)
+        value1 = 0.5 * (k * (z1 * z1 + z2 * z2) + z3)
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

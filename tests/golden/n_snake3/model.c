@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:20322303a29c4dbe)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:c27f621294a6e2d8)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -110,7 +110,8 @@ static inline void n_snake3_put(double *to, n_snake3_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int n_snake3_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int n_snake3_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = N_SNAKE3_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -150,7 +151,8 @@ static inline n_snake3_lanes n_snake3_size(n_snake3_lanes x)
 {
     return (n_snake3_lanes)((n_snake3_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int n_snake3_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -165,8 +167,9 @@ static inline int n_snake3_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void n_snake3_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void n_snake3_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < N_SNAKE3_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -177,6 +180,7 @@ static inline void n_snake3_fill(size_t left, size_t count, const double *t, con
     }
 }
 
+/* the results of the last states */
 static inline void n_snake3_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < N_SNAKE3_NY; ++k) {
@@ -187,7 +191,8 @@ static inline void n_snake3_pour(size_t left, size_t count, const double *slope,
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void n_snake3_turn_lanes(n_snake3_lanes x, n_snake3_lanes *far, n_snake3_lanes *sine, n_snake3_lanes *cosine)
+static inline void n_snake3_turn_lanes(n_snake3_lanes x, n_snake3_lanes *far,
+    n_snake3_lanes *sine, n_snake3_lanes *cosine)
 {
     double angle[N_SNAKE3_LANES];
     double up[N_SNAKE3_LANES];
@@ -948,8 +953,8 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     n_snake3_put(check, n_snake3_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void n_snake3_rhs_tail(const double *fixed, size_t left, size_t count, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void n_snake3_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[N_SNAKE3_LANES];
     double state[7 * N_SNAKE3_LANES];

@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:290d7c67d1754ccb)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:51e0846a947c32df)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,7 +25,7 @@
  * 1: wheel2
  * 2: wheel3
  *
- * Operations:
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 42 +-, 79 *, 3 /, 6 calls
  * velocities: 5 +-, 11 *, 1 /, 6 calls
  * accelerations: 56 +-, 97 *, 3 /, 6 calls
@@ -36,12 +36,14 @@
  * jacobian: 191 +-, 301 *, 3 /, 6 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has N_SNAKE3_NY entries and p N_SNAKE3_NP; n_snake3_parameter_defaults can be p.
- *     n_snake3_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has N_SNAKE3_NY entries, p has N_SNAKE3_NP; n_snake3_parameter_defaults may be
+ *     passed as p. n_snake3_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: N_SNAKE3_OK (0) where the result is good; after any other code the output is not to be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: N_SNAKE3_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:514750df6f73b225).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:528c42e12c6bf23c).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -26,7 +26,7 @@ Constraints:
 1: wheel2
 2: wheel3
 
-Operations:
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 42 +-, 79 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 1 /, 6 calls
 accelerations: 56 +-, 97 *, 3 /, 6 calls

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:80db03b67f3ece81)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:5c380d0a6f5d2dd4)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -114,7 +114,8 @@ static inline void n_trailer3_put(double *to, n_trailer3_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int n_trailer3_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int n_trailer3_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = N_TRAILER3_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -143,7 +144,8 @@ static inline n_trailer3_lanes n_trailer3_mark(n_trailer3_lanes value, n_trailer
 {
     return (n_trailer3_lanes)((n_trailer3_bits)value | bad);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int n_trailer3_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -158,8 +160,9 @@ static inline int n_trailer3_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void n_trailer3_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void n_trailer3_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < N_TRAILER3_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -170,6 +173,7 @@ static inline void n_trailer3_fill(size_t left, size_t count, const double *t, c
     }
 }
 
+/* the results of the last states */
 static inline void n_trailer3_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < N_TRAILER3_NY; ++k) {
@@ -180,7 +184,8 @@ static inline void n_trailer3_pour(size_t left, size_t count, const double *slop
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void n_trailer3_turn_lanes(n_trailer3_lanes x, n_trailer3_lanes *far, n_trailer3_lanes *sine, n_trailer3_lanes *cosine)
+static inline void n_trailer3_turn_lanes(n_trailer3_lanes x, n_trailer3_lanes *far,
+    n_trailer3_lanes *sine, n_trailer3_lanes *cosine)
 {
     double angle[N_TRAILER3_LANES];
     double up[N_TRAILER3_LANES];
@@ -765,8 +770,8 @@ int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
 }
 
 #if N_TRAILER3_LANES >= 2
-static __attribute__((noinline)) void n_trailer3_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void n_trailer3_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     n_trailer3_lanes far = {0}; /* the squares of the angles */
@@ -848,8 +853,8 @@ static __attribute__((noinline)) void n_trailer3_rhs_tail(const double *fixed, s
 }
 #endif
 
-int n_trailer3_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int n_trailer3_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if N_TRAILER3_LANES >= 2
     const double m0 = p[0]; /* tractor [kg] */

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:c85ddf0ea66029d9)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:3a8c8f857c12f7e9)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -32,7 +32,7 @@
  * out[0] = tail_x [m]
  * out[1] = tail_y [m]
  *
- * Operations:
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 17 +-, 31 *, 2 /, 8 calls
  * velocities: 3 +-, 8 *, 1 /, 7 calls
  * accelerations: 24 +-, 47 *, 2 /, 8 calls
@@ -43,13 +43,14 @@
  * jacobian: 66 +-, 138 *, 2 /, 8 calls
  * outputs: 6 +-, 2 *, 0 /, 6 calls
  *
- * Calls: t is the time, y has N_TRAILER3_NY entries and p N_TRAILER3_NP; n_trailer3_parameter_defaults can be
- *     p. n_trailer3_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has N_TRAILER3_NY entries, p has N_TRAILER3_NP; n_trailer3_parameter_defaults may
+ *     be passed as p. n_trailer3_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: N_TRAILER3_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: N_TRAILER3_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

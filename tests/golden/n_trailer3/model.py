@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:7f490b387bb7f551).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:87923b5535f3a9b6).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -33,7 +33,7 @@ Outputs:
 out[0] = tail_x [m]
 out[1] = tail_y [m]
 
-Operations:
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 17 +-, 31 *, 2 /, 8 calls
 velocities: 3 +-, 8 *, 1 /, 7 calls
 accelerations: 24 +-, 47 *, 2 /, 8 calls

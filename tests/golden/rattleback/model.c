@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:fb4119f769c5c12b)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:76da39c3b8802302)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -123,7 +123,8 @@ static inline void rattleback_put(double *to, rattleback_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int rattleback_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int rattleback_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = RATTLEBACK_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -163,7 +164,8 @@ static inline rattleback_lanes rattleback_size(rattleback_lanes x)
 {
     return (rattleback_lanes)((rattleback_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int rattleback_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -178,8 +180,9 @@ static inline int rattleback_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void rattleback_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void rattleback_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < RATTLEBACK_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -190,6 +193,7 @@ static inline void rattleback_fill(size_t left, size_t count, const double *t, c
     }
 }
 
+/* the results of the last states */
 static inline void rattleback_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < RATTLEBACK_NY; ++k) {
@@ -200,7 +204,8 @@ static inline void rattleback_pour(size_t left, size_t count, const double *slop
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void rattleback_turn_lanes(rattleback_lanes x, rattleback_lanes *far, rattleback_lanes *sine, rattleback_lanes *cosine)
+static inline void rattleback_turn_lanes(rattleback_lanes x, rattleback_lanes *far,
+    rattleback_lanes *sine, rattleback_lanes *cosine)
 {
     double angle[RATTLEBACK_LANES];
     double up[RATTLEBACK_LANES];
@@ -829,8 +834,8 @@ double rattleback_energy(double t, const double *y, const double *p)
     return 0.5 * z6 + w2 * (I_d * w1) - z * g;
 }
 
-RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, const double *p, double
-    *kept, double *J)
+RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, const double *p,
+    double *kept, double *J)
 {
     (void)t;
 
@@ -1111,8 +1116,8 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, 
     return RATTLEBACK_OK;
 }
 
-RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, const double *p, double
-    *kept, double *J)
+RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, const double *p,
+    double *kept, double *J)
 {
     (void)t;
     const double k1 = kept[4];
@@ -1436,8 +1441,8 @@ int rattleback_outputs(double t, const double *y, const double *p, double *out)
 }
 
 #if RATTLEBACK_LANES >= 2
-static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     rattleback_lanes far = {0}; /* the squares of the angles */
@@ -1574,8 +1579,8 @@ static __attribute__((noinline)) void rattleback_rhs_tail(const double *fixed, s
 }
 #endif
 
-int rattleback_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int rattleback_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if RATTLEBACK_LANES >= 2
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */

@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:4987c51bcb0af754)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:a6f81da59121f669)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -35,7 +35,7 @@
  * Outputs:
  * out[0] = spin [rad/s]
  *
- * Operations:
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 64 +-, 118 *, 5 /, 7 calls
  * velocities: 15 +-, 40 *, 2 /, 7 calls
  * accelerations: 97 +-, 161 *, 5 /, 7 calls
@@ -46,13 +46,14 @@
  * jacobian: 442 +-, 662 *, 5 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *
- * Calls: t is the time, y has RATTLEBACK_NY entries and p RATTLEBACK_NP; rattleback_parameter_defaults can be
- *     p. rattleback_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has RATTLEBACK_NY entries, p has RATTLEBACK_NP; rattleback_parameter_defaults may
+ *     be passed as p. rattleback_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: RATTLEBACK_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: RATTLEBACK_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:c134ff5efc18bb75).
+"""rattleback, emitted by nhc 0.1.0 (nhc:d9deb92942b38bcf).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -36,7 +36,7 @@ Constraints:
 Outputs:
 out[0] = spin [rad/s]
 
-Operations:
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 64 +-, 118 *, 5 /, 7 calls
 velocities: 15 +-, 40 *, 2 /, 7 calls
 accelerations: 97 +-, 161 *, 5 /, 7 calls

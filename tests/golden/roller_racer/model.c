@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:6fcb69f7150ed8e1)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:cf5020bc9d7e75ca)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -111,7 +111,8 @@ static inline void roller_racer_put(double *to, roller_racer_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int roller_racer_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int roller_racer_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = ROLLER_RACER_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -151,7 +152,8 @@ static inline roller_racer_lanes roller_racer_size(roller_racer_lanes x)
 {
     return (roller_racer_lanes)((roller_racer_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int roller_racer_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -166,8 +168,9 @@ static inline int roller_racer_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void roller_racer_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void roller_racer_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < ROLLER_RACER_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -178,6 +181,7 @@ static inline void roller_racer_fill(size_t left, size_t count, const double *t,
     }
 }
 
+/* the results of the last states */
 static inline void roller_racer_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < ROLLER_RACER_NY; ++k) {
@@ -188,7 +192,8 @@ static inline void roller_racer_pour(size_t left, size_t count, const double *sl
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void roller_racer_turn_lanes(roller_racer_lanes x, roller_racer_lanes *far, roller_racer_lanes *sine, roller_racer_lanes *cosine)
+static inline void roller_racer_turn_lanes(roller_racer_lanes x, roller_racer_lanes *far,
+    roller_racer_lanes *sine, roller_racer_lanes *cosine)
 {
     double angle[ROLLER_RACER_LANES];
     double up[ROLLER_RACER_LANES];
@@ -636,8 +641,8 @@ int roller_racer_outputs(double t, const double *y, const double *p, double *out
 }
 
 #if ROLLER_RACER_LANES >= 2
-static __attribute__((noinline)) void roller_racer_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void roller_racer_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     roller_racer_lanes far = {0}; /* the squares of the angles */
@@ -710,8 +715,8 @@ static __attribute__((noinline)) void roller_racer_rhs_tail(const double *fixed,
 }
 #endif
 
-int roller_racer_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int roller_racer_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if ROLLER_RACER_LANES >= 2
     const double m = p[0]; /* mass of the main body [kg] */

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:aee8ce067e0fadf3)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:07eebadfd8c968bf)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -28,7 +28,7 @@
  * Outputs:
  * out[0] = speed [m/s]
  *
- * Operations:
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 8 +-, 28 *, 3 /, 4 calls
  * velocities: 2 +-, 6 *, 1 /, 4 calls
  * accelerations: 14 +-, 34 *, 3 /, 4 calls
@@ -39,13 +39,14 @@
  * jacobian: 36 +-, 92 *, 3 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
- * Calls: t is the time, y has ROLLER_RACER_NY entries and p ROLLER_RACER_NP; roller_racer_parameter_defaults
- *     can be p. roller_racer_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has ROLLER_RACER_NY entries, p has ROLLER_RACER_NP; roller_racer_parameter_defaults
+ *     may be passed as p. roller_racer_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: ROLLER_RACER_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: ROLLER_RACER_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:d8bac18370531f02).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:721df1c846afb445).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -28,7 +28,7 @@ Constraints:
 Outputs:
 out[0] = speed [m/s]
 
-Operations:
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 8 +-, 28 *, 3 /, 4 calls
 velocities: 2 +-, 6 *, 1 /, 4 calls
 accelerations: 14 +-, 34 *, 3 /, 4 calls

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:bf12cfdfc14cbffd)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:06e00d83d3f70b9d)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -115,7 +115,8 @@ static inline void routh_sphere_put(double *to, routh_sphere_lanes value)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int routh_sphere_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int routh_sphere_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = ROUTH_SPHERE_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -155,7 +156,8 @@ static inline routh_sphere_lanes routh_sphere_size(routh_sphere_lanes x)
 {
     return (routh_sphere_lanes)((routh_sphere_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int routh_sphere_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -170,8 +172,9 @@ static inline int routh_sphere_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void routh_sphere_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void routh_sphere_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < ROUTH_SPHERE_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -182,6 +185,7 @@ static inline void routh_sphere_fill(size_t left, size_t count, const double *t,
     }
 }
 
+/* the results of the last states */
 static inline void routh_sphere_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < ROUTH_SPHERE_NY; ++k) {
@@ -192,7 +196,8 @@ static inline void routh_sphere_pour(size_t left, size_t count, const double *sl
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void routh_sphere_turn_lanes(routh_sphere_lanes x, routh_sphere_lanes *far, routh_sphere_lanes *sine, routh_sphere_lanes *cosine)
+static inline void routh_sphere_turn_lanes(routh_sphere_lanes x, routh_sphere_lanes *far,
+    routh_sphere_lanes *sine, routh_sphere_lanes *cosine)
 {
     double angle[ROUTH_SPHERE_LANES];
     double up[ROUTH_SPHERE_LANES];
@@ -733,8 +738,8 @@ int routh_sphere_outputs(double t, const double *y, const double *p, double *out
 }
 
 #if ROUTH_SPHERE_LANES >= 2
-static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed, size_t stride, const double
-    *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     routh_sphere_lanes far = {0}; /* the squares of the angles */
@@ -823,8 +828,8 @@ static __attribute__((noinline)) void routh_sphere_rhs_tail(const double *fixed,
 }
 #endif
 
-int routh_sphere_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
-    dydt)
+int routh_sphere_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if ROUTH_SPHERE_LANES >= 2
     const double m = p[0]; /* mass [kg] */

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:4985f46753fecb35)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:d5870d3d9ef51458)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -31,7 +31,7 @@
  * out[0] = jellett [kg*m^3/s]
  * out[1] = routh [kg*m^2/s]
  *
- * Operations:
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 24 +-, 47 *, 3 /, 4 calls
  * velocities: 2 +-, 7 *, 0 /, 3 calls
  * accelerations: 29 +-, 59 *, 3 /, 4 calls
@@ -42,13 +42,14 @@
  * jacobian: 46 +-, 124 *, 3 /, 4 calls
  * outputs: 5 +-, 17 *, 0 /, 3 calls
  *
- * Calls: t is the time, y has ROUTH_SPHERE_NY entries and p ROUTH_SPHERE_NP; routh_sphere_parameter_defaults
- *     can be p. routh_sphere_state makes y from coordinates and velocities.
+ * Calls: t is the time; y has ROUTH_SPHERE_NY entries, p has ROUTH_SPHERE_NP; routh_sphere_parameter_defaults
+ *     may be passed as p. routh_sphere_state makes y from coordinates and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: ROUTH_SPHERE_OK (0) where the result is good; after any other code the output is not to be
- *     used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: ROUTH_SPHERE_OK (0) if the result is good; after any other code the output must not be used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

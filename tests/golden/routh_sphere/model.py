@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:c6213f1e889aca4c).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:bd84df71e15fae31).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -32,7 +32,7 @@ Outputs:
 out[0] = jellett [kg*m^3/s]
 out[1] = routh [kg*m^2/s]
 
-Operations:
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 24 +-, 47 *, 3 /, 4 calls
 velocities: 2 +-, 7 *, 0 /, 3 calls
 accelerations: 29 +-, 59 *, 3 /, 4 calls

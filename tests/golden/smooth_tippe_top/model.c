@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:c694b9623e939ef8)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:7d30c2023599dcc6)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -117,7 +117,8 @@ static inline void smooth_tippe_top_put(double *to, smooth_tippe_top_lanes value
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static int smooth_tippe_top_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+static int smooth_tippe_top_one_by_one(size_t count, size_t first, size_t number,
+    const double *t, const double *y, const double *p, double *dydt)
 {
     int status = SMOOTH_TIPPE_TOP_OK;
     for (size_t i = first; i < first + number; ++i) {
@@ -157,7 +158,8 @@ static inline smooth_tippe_top_lanes smooth_tippe_top_size(smooth_tippe_top_lane
 {
     return (smooth_tippe_top_lanes)((smooth_tippe_top_bits)x & 0x7fffffffffffffffULL);
 }
-/* whether all states are done: no singular block, no infinity, no angle near 1e5; those of others go through rhs one by one */
+
+/* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
 static inline int smooth_tippe_top_is_good(int count, const double *check)
 {
     double sum = check[0] + check[1];
@@ -172,8 +174,9 @@ static inline int smooth_tippe_top_is_good(int count, const double *check)
     return sum <= 1e10;
 }
 
-/* the last states, fewer than there are lanes; the others repeat the last one */
-static inline void smooth_tippe_top_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+/* the last states, fewer than there are lanes; the other lanes repeat the last one */
+static inline void smooth_tippe_top_fill(size_t left, size_t count, const double *t, const double *y,
+    double *time, double *state)
 {
     for (size_t l = 0; l < SMOOTH_TIPPE_TOP_LANES; ++l) {
         const size_t i = l < left ? l : left - 1;
@@ -184,6 +187,7 @@ static inline void smooth_tippe_top_fill(size_t left, size_t count, const double
     }
 }
 
+/* the results of the last states */
 static inline void smooth_tippe_top_pour(size_t left, size_t count, const double *slope, double *dydt)
 {
     for (size_t k = 0; k < SMOOTH_TIPPE_TOP_NY; ++k) {
@@ -194,7 +198,8 @@ static inline void smooth_tippe_top_pour(size_t left, size_t count, const double
 }
 
 /* libm's sine and cosine, lane by lane */
-static inline void smooth_tippe_top_turn_lanes(smooth_tippe_top_lanes x, smooth_tippe_top_lanes *far, smooth_tippe_top_lanes *sine, smooth_tippe_top_lanes *cosine)
+static inline void smooth_tippe_top_turn_lanes(smooth_tippe_top_lanes x, smooth_tippe_top_lanes *far,
+    smooth_tippe_top_lanes *sine, smooth_tippe_top_lanes *cosine)
 {
     double angle[SMOOTH_TIPPE_TOP_LANES];
     double up[SMOOTH_TIPPE_TOP_LANES];
@@ -678,8 +683,8 @@ int smooth_tippe_top_outputs(double t, const double *y, const double *p, double 
 }
 
 #if SMOOTH_TIPPE_TOP_LANES >= 2
-static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *fixed, size_t stride, const
-    double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
 {
     (void)t;
     smooth_tippe_top_lanes far = {0}; /* the squares of the angles */
@@ -756,8 +761,8 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     smooth_tippe_top_put(check, smooth_tippe_top_mark(far + (sum - sum), bad));
 }
 
-static __attribute__((noinline)) void smooth_tippe_top_rhs_tail(const double *fixed, size_t left, size_t
-    count, const double *t, const double *y, double *restrict dydt, double *check)
+static __attribute__((noinline)) void smooth_tippe_top_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
 {
     double time[SMOOTH_TIPPE_TOP_LANES];
     double state[10 * SMOOTH_TIPPE_TOP_LANES];
@@ -768,8 +773,8 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_tail(const double *fi
 }
 #endif
 
-int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
-    *restrict dydt)
+int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *restrict dydt)
 {
 #if SMOOTH_TIPPE_TOP_LANES >= 2
     const double m = p[0]; /* mass [kg] */

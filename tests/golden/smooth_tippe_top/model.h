@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:56e46f87f1517fba)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:9859d6c211671f17)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -31,7 +31,7 @@
  * out[2] = p_x [kg*m/s]
  * out[3] = p_y [kg*m/s]
  *
- * Operations:
+ * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 12 +-, 33 *, 3 /, 4 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 12 +-, 34 *, 3 /, 4 calls
@@ -42,14 +42,16 @@
  * jacobian: 38 +-, 116 *, 3 /, 4 calls
  * outputs: 7 +-, 18 *, 0 /, 4 calls
  *
- * Calls: t is the time, y has SMOOTH_TIPPE_TOP_NY entries and p SMOOTH_TIPPE_TOP_NP;
- *     smooth_tippe_top_parameter_defaults can be p. smooth_tippe_top_state makes y from coordinates and
- *     velocities.
+ * Calls: t is the time; y has SMOOTH_TIPPE_TOP_NY entries, p has SMOOTH_TIPPE_TOP_NP;
+ *     smooth_tippe_top_parameter_defaults may be passed as p. smooth_tippe_top_state makes y from coordinates
+ *     and velocities.
  * All arrays are the caller's; an output must not overlap an input.
  * Units are in brackets, and nothing is converted.
- * Return codes: SMOOTH_TIPPE_TOP_OK (0) where the result is good; after any other code the output is not to
- *     be used.
- * Threads: nothing is kept between calls, and only the output is written; threads may call at the same time.
+ * Return codes: SMOOTH_TIPPE_TOP_OK (0) if the result is good; after any other code the output must not be
+ *     used.
+ * Compile without -ffast-math: it removes the tests for infinities and NaN.
+ * Threads: nothing is kept between calls and only the output is written, so threads may call at the same
+ *     time.
  * Numbers such as (I.2.15) are equations of A. Vigneront, Formes exterieures en mecanique des systemes non
  *     holonomes, Namur 1977; 17:4 beside a statement is line:column of the spec.
  */

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:8f0b555bf53e0916).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:0ceb0809e59c2139).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -31,7 +31,7 @@ out[1] = spin [rad/s]
 out[2] = p_x [kg*m/s]
 out[3] = p_y [kg*m/s]
 
-Operations:
+Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 12 +-, 33 *, 3 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 12 +-, 34 *, 3 /, 4 calls
