@@ -121,7 +121,8 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     legs = follower.run(task)
     seconds = time.perf_counter() - before
     found = _gather(workshop, legs)
-    if adaptive and settings.step <= 0 and found.outcome.steps > MANY_STEPS and method not in PEERS:
+    bounded = adaptive and settings.step <= 0 and method not in PEERS and not follower.notes
+    if bounded and found.outcome.steps > MANY_STEPS:  # else stability or a singular place may have made them many
         notes += (
             f"{found.outcome.steps} steps, each held to {wanted:.2g}: in so many, errors may add up to more than the accuracy of"
             f" {tolerance:.3g}; see whether the end changes with a smaller `--tol`",

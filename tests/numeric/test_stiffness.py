@@ -9,6 +9,7 @@ import pytest
 
 from nhc.cli.entry import main
 from nhc.language import Source, read
+from nhc.program.stepping import MANY_STEPS
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.stiffness import spectral_size
@@ -49,6 +50,18 @@ def test_a_method_that_is_asked_for_is_kept_and_warned_of() -> None:
     assert found.method == "dop853" and "leave `--method` out, or take radau5" in note
     assert pour("-2e4*(x' - cos(t))", "radau5").notes == ()
     assert pour("-2*(x' - cos(t))", "dop853").notes == ()
+
+
+def test_many_steps_say_that_errors_add_up() -> None:
+    """Where accuracy makes them many; not where stability does, of which another note speaks."""
+    spring = SYRUP.replace("FORCE", "-9*x").replace("y: 1", "x: 1")
+    for end, many in ((20000, True), (2000, False)):
+        job = open_scene(Source("spring.yaml", spring.replace("[0, 10]", f"[0, {end}]")), method="dop853")
+        found = run(job, Settings("dop853", 1e-6, points=21))
+        assert (found.outcome.steps > MANY_STEPS) == many
+        assert [(str(found.outcome.steps) in note, "errors may add up" in note) for note in found.notes] == [
+            (True, True)
+        ] * many
 
 
 def test_back_where_the_implicit_method_no_longer_pays() -> None:

@@ -18,7 +18,7 @@ from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
-from nhc.mechanics.choosing.independence import independence, strongest
+from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
 from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import (
@@ -35,8 +35,6 @@ from nhc.mechanics.turning import rows_in_base
 
 _MOST_ROWS = 3
 _MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
-_MANY_ROWS = 8  # whose order says more than the size of their determinant
-_SOUND = 1e-5  # of a free velocity's length: the mass matrix has its square, and six digits are left
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
 _TURNS = 8  # orders of velocities to complete a coframe with that are tried
 
@@ -212,7 +210,7 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
     pools = _pools(system)
     weighed = [weigh(pool) for pool in pools]
     (weak, _), best = min(weighed, key=lambda found: found[0])
-    if system.l > _MANY_ROWS:
+    if system.l > MANY_ROWS:
         best = _along_rows(system, forms, best, pools[0])
         weak = coframe_weakness(system, (*system.constraints, *best))[0]
     own = pools[0][: -system.n]
@@ -239,11 +237,11 @@ def _along_rows(
     least = weak_where_constraints_are_not(system, (*system.constraints, *best))
     if (
         weak_where_constraints_are_not(system, (*system.constraints, *ordered)) <= least
-        and independence(system, ordered, points) >= _SOUND
+        and independence(system, ordered, points) >= SOUND
     ):
         return ordered
     every = [coordinate_form(system, j) for j in range(system.n)]
-    strong = _extend(system, forms, wanted, [*strongest(system, forms, [every], points, _SOUND), *pool])
+    strong = _extend(system, forms, wanted, [*strongest(system, forms, [every], points, SOUND), *pool])
     return max(best, strong, key=lambda made: independence(system, made, points))
 
 

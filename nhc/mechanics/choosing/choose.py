@@ -10,6 +10,7 @@ from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import Bag, Span, several
 from nhc.mechanics.choosing.adapt import complete, turning_choices
+from nhc.mechanics.choosing.independence import leaves_digits
 from nhc.mechanics.choosing.reach import becomes_singular
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import Choice as DependentChoice
@@ -237,15 +238,17 @@ def _find_chaplygin_dependent(system: System, choice: DependentChoice) -> tuple[
 def choose(system: System) -> Formulation:
     """The cheapest formulation that is valid and regular.
 
-    The spec's own quasi-velocities come first.  Dependent velocities are taken where their block cannot vanish; else the adapted
-    coframe, unless it is weak at an ordinary state where the constraints are not: then the multipliers.
+    The spec's own quasi-velocities come first.  Dependent velocities are taken where their block cannot vanish and the others are
+    independent on what the constraints allow; else the adapted coframe, unless it is weak at an ordinary state where the
+    constraints are not: then the multipliers.
     """
     if system.quasi:
         return build(system, "euler-lagrange")
     if not system.constraints:
         return build(system, "lagrange")
     choice = dependent_of(system)
-    if choice.regular:
+    sound = leaves_digits(system, choice.dependent)
+    if choice.regular and sound:
         return _reduced_or_voronec(system)
     try:
         adapted = build(system, "euler-lagrange")
@@ -262,9 +265,8 @@ def choose(system: System) -> Formulation:
         return replace(multipliers, reason=why)
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     whose = "of the spec" if system.dependent else "that nhc would choose"
-    return replace(
-        adapted, reason=f"{adapted.reason}: the dependent velocities {whose} ({names}) are singular somewhere"
-    )
+    flaw = "leave too few digits of the others" if choice.regular else "are singular somewhere"
+    return replace(adapted, reason=f"{adapted.reason}: the dependent velocities {whose} ({names}) {flaw}")
 
 
 def _reduced_or_voronec(system: System) -> Formulation:

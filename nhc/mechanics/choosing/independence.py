@@ -7,11 +7,16 @@ import operator
 from collections.abc import Sequence
 
 from nhc.algebra.graph import Node
-from nhc.mechanics.regular.trials import sampled_rows
+from nhc.mechanics.frame import coordinate_form
+from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
 from nhc.mechanics.system import Form, System
 
 CLEAR = 0.03
 """Of a form's length: what is left of it beside others of which it is clearly independent."""
+MANY_ROWS = 8
+"""Constraints beyond which their order says more than the size of their determinant."""
+SOUND = 1e-5
+"""Of a free velocity's length: the mass matrix has its square, and six digits are left."""
 _ROUNDING = 1e-12
 
 
@@ -29,6 +34,15 @@ def independence(system: System, made: Sequence[Form], points: Sequence[dict[Nod
                 least = min(least, math.hypot(*rest))
             across.append(_unit(rest))
     return least
+
+
+def leaves_digits(system: System, dependent: Sequence[int]) -> bool:
+    """Whether the velocities beside the dependent ones of many rows are independent on what the constraints allow.
+
+    A determinant that never vanishes may still be small where each velocity follows from those before it.
+    """
+    free = [coordinate_form(system, j) for j in range(system.n) if j not in dependent]
+    return system.l <= MANY_ROWS or independence(system, free, ordinary_points(system)) >= SOUND
 
 
 def strongest(
