@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy
 import pytest
 
-from nhc.cli.entry import _RARE_COLLECTION
+from nhc.cli.entry import RARE_COLLECTION
 from nhc.simulate import compile as compiling
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -35,9 +35,7 @@ def pytest_configure(config: pytest.Config) -> None:
     """
     if not any(shutil.which(name) for name in ("cc", "gcc", "clang")):
         raise pytest.UsageError("the tests compile C, and there is no cc, gcc or clang on the path")
-    gc.set_threshold(
-        *_RARE_COLLECTION
-    )  # as the command line has it: a test's cycles are few, its nodes and statements many
+    gc.set_threshold(*RARE_COLLECTION)  # as the command line has it
 
 
 Compile = Callable[[Mapping[str, str], str, Sequence[str], Path], None]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import FORMULATIONS, json_option, list_examples, specs_argument
+from nhc.cli.options import FINEST_TOLERANCE, FORMULATIONS, json_option, list_examples, specs_argument
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
 
@@ -59,8 +58,8 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
             number = float(text)
         except ValueError:
             raise click.BadParameter(f"`{text.strip()}` is no number") from None
-        if not (1e-15 <= number < 1 and math.isfinite(number)):
-            raise click.BadParameter(f"`{text.strip()}` is no tolerance: from 1e-15 to less than 1")
+        if not FINEST_TOLERANCE <= number < 1:
+            raise click.BadParameter(f"`{text.strip()}` is no tolerance: from {FINEST_TOLERANCE!r} to less than 1")
         found.append(number)
     return tuple(dict.fromkeys(found))
 

@@ -39,11 +39,8 @@ VERBS = {
 # the index another project has this name.
 OPTIONAL = {"numpy": "numpy scipy", "scipy": "numpy scipy", "sksundae": "scikit-sundae"}
 
-_RARE_COLLECTION = (
-    50_000,
-    20,
-    100,
-)  # nodes and statements are many and live long: looking for cycles finds none of them
+# Nodes and statements are many and live long: looking for cycles finds none of them.
+RARE_COLLECTION = (50_000, 20, 100)
 
 
 class LazyGroup(click.Group):
@@ -95,7 +92,7 @@ def nhc() -> None:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run ``nhc`` with ``arguments`` (default: those of the process) and return its exit code."""
     set_up_streams()
-    gc.set_threshold(*_RARE_COLLECTION)
+    gc.set_threshold(*RARE_COLLECTION)
     try:
         code = nhc.main(list(sys.argv[1:] if arguments is None else arguments), prog_name="nhc", standalone_mode=False)
         if sys.stdout is not None:

@@ -15,6 +15,9 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 # nhc.language.FORMULATIONS again, which takes too long to import for a help text; a test holds them equal
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
 
+# nhc.language.spec.LEAST_TOLERANCE again, for the same reason: doubles hold some 16 digits
+FINEST_TOLERANCE = 1e-15
+
 
 def split_names(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
     """The names of ``a,b``; an option that is given names something."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import check_steps, formulation_option, list_examples, spec_argument, split_names
+from nhc.cli.options import FINEST_TOLERANCE, check_steps, formulation_option, list_examples, spec_argument, split_names
 from nhc.cli.progress import Progress
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
@@ -26,8 +26,6 @@ METHODS = (
 )
 LOST = 1e-5
 """Smallest singular value of constraints that are taken to have lost their rank."""
-LEAST = 1e-15
-"""Smallest tolerance, as of specs, charts and drivers: doubles hold some 16 digits."""
 KINDS = (".csv", ".npz", ".svg", ".html")
 
 
@@ -162,8 +160,8 @@ def _check_accuracy(method: str, tolerance: float, step: float) -> None:
     """Refuse what contradicts itself."""
     if tolerance >= 1:
         raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
-    if 0 < tolerance < LEAST:
-        raise click.UsageError(f"`--tol {tolerance!r}` is finer than doubles are; ask for {LEAST!r} or more")
+    if 0 < tolerance < FINEST_TOLERANCE:
+        raise click.UsageError(f"`--tol {tolerance!r}` is finer than doubles are; ask for {FINEST_TOLERANCE!r} or more")
     if step and method.startswith(("scipy", "cvode")):
         raise click.UsageError(f"`{method}` chooses its own steps; leave `--step` out")
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, several, suggest
 from nhc.language.advice import meant_key, meant_method
-from nhc.language.bodies.plain import plain
+from nhc.language.bodies.without import without_bodies
 from nhc.language.drawing import decode_drawing
 from nhc.language.equations import Equations
 from nhc.language.expressions.names import fold, is_name
@@ -59,7 +59,7 @@ class _Draft:
 class _Decoder:
     def __init__(self, source: Source, written: Table, bag: Bag, asked: str = "") -> None:
         self.source, self.written = source, written
-        self.plain = plain(written, bag, asked)
+        self.plain = without_bodies(written, bag, asked)
         self.root = self.plain.root
         self.bag = bag
         self.shapes = Shapes(bag)

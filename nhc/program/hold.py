@@ -18,7 +18,7 @@ from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.frame import form_value
-from nhc.mechanics.properties.constancy import shows_jumps
+from nhc.mechanics.properties.constancy import has_jumps
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import moving
 from nhc.program.build import Planner
@@ -69,7 +69,7 @@ def tell_torn(system: System) -> str:
     """Why a step's end lies far from the constraints: only those that jump somewhere tear a motion."""
     forms = system.constraints
     nodes = [x for form in forms for x in (form.equation, *form.coefficients, form.constant) if x is not None]
-    return TORN if shows_jumps(system, nodes) else STRAYED
+    return TORN if has_jumps(system, nodes, openly=True) else STRAYED
 
 
 def must_hold(equations: Equations) -> bool:

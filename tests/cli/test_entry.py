@@ -19,8 +19,9 @@ import pytest
 from nhc import language
 from nhc.cli import explain, main
 from nhc.cli.entry import VERBS
-from nhc.cli.options import FORMULATIONS
+from nhc.cli.options import FINEST_TOLERANCE, FORMULATIONS
 from nhc.cli.terminal import Exit, Failure, wants_colour
+from nhc.language.spec import LEAST_TOLERANCE
 from nhc.pipeline import STAGES
 from tests.support import INTERRUPTIBLE
 
@@ -51,8 +52,9 @@ def test_the_table_says_what_the_verb_says(verb: str) -> None:
     assert (command.help or "").splitlines()[0] == VERBS[verb]
 
 
-def test_the_formulations_are_those_of_the_language() -> None:
+def test_what_is_written_twice_is_that_of_the_language() -> None:
     assert FORMULATIONS == language.FORMULATIONS
+    assert float(LEAST_TOLERANCE) == FINEST_TOLERANCE
 
 
 @pytest.mark.parametrize("verb", VERBS)
@@ -116,6 +118,35 @@ def test_failures_carry_their_code(monkeypatch: pytest.MonkeyPatch, capsys: pyte
 
 def test_an_interrupt_is_130(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _raise(monkeypatch, KeyboardInterrupt()) == 130
+
+
+STARTS = {
+    "new": "sled -o {folder}",
+    "check": "pendulum --explain",
+    "derive": "pendulum",
+    "emit": "pendulum --lang c -o {folder}",
+    "run": "pendulum -o {folder}/pendulum.csv",
+    "chart": "pendulum --methods rk4,dopri5 --tolerances 1e-3 --langs c --no-peers",
+    "linearize": "pendulum --about theta=0",
+    "stability": "point_mass",
+    "reduce": "pendulum",
+    "compare": "pendulum",
+    "gallery": "",
+    "explain": "E0302",
+    "cite": "pendulum",
+    "schema": "",
+    "doctor": "",
+}
+
+
+@pytest.mark.parametrize("verb", sorted(VERBS))
+def test_each_verb_starts_in_a_process_of_its_own(verb: str, tmp_path: Path) -> None:
+    """Transcripts run in one that has imported everything already, in an order of its own."""
+    words = STARTS[verb].format(folder=tmp_path).split()
+    command = [sys.executable, "-m", "nhc", verb, *words]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout or list(tmp_path.iterdir())
 
 
 def test_an_interrupt_from_outside_is_130() -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from nhc.diagnostics import Bag
-from nhc.language.keys import BODILY
 from nhc.language.spec import Body
 from nhc.language.yaml_tree.nodes import Table
 from nhc.records import record
@@ -20,12 +18,3 @@ class Plain:
     offered: tuple[str, ...] = ()
     bodies: tuple[Body, ...] = ()
     velocities: frozenset[str] = frozenset()
-
-
-def plain(root: Table, bag: Bag, asked: str = "") -> Plain:
-    """The spec with its ``bodies`` written out; names in the expression ``asked`` count as used."""
-    if not any(text.value in BODILY for text, _ in root.entries):
-        return Plain(root)
-    from nhc.language.bodies.write_out import write_out  # few specs need it, and it is large
-
-    return Plain(*write_out(root, bag, asked))

@@ -15,27 +15,25 @@ from nhc.language.bodies.declarations import Body, BodyReader
 from nhc.language.bodies.draw_on import put_into_space
 from nhc.language.bodies.kinematics import AXES, Frame, Ledger
 from nhc.language.bodies.pieces import Piece, Triple, add, each, multiply, piece_of
+from nhc.language.bodies.plain import Plain
 from nhc.language.expressions.names import DOT, PI, fold
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.keys import BODILY, POINT_KEYS
 from nhc.language.rotation import foretell_rotations
 from nhc.language.shape import Shapes
-from nhc.language.spec import Body as Told
 from nhc.language.yaml_tree.extend import coordinate_names
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
 
-def write_out(
-    root: Table, bag: Bag, asked: str = ""
-) -> tuple[Table, tuple[str, ...], tuple[Told, ...], frozenset[str]]:
-    """The parts of a :class:`nhc.language.bodies.plain.Plain`: definitions and energies in place of ``bodies`` and the like.
+def write_out(root: Table, bag: Bag, asked: str = "") -> Plain:
+    """The spec with definitions and energies in place of ``bodies``, ``points`` and ``gravity``.
 
     Those that the expression ``asked`` names are made, too.
     """
     writer = _Writer(root, bag, asked)
     root, made = writer.run(), writer.ledger
-    return root, tuple(made.made), tuple(body.told for body in writer.bodies), frozenset(made.velocities)
+    return Plain(root, tuple(made.made), tuple(body.told for body in writer.bodies), frozenset(made.velocities))
 
 
 class _Writer:

@@ -97,15 +97,19 @@ def has_jumps(
     *,
     undecided: bool = True,
     elsewhere: bool = False,
+    openly: bool = False,
     ranges: Mapping[Node, Interval] = MappingProxyType({}),
 ) -> bool:
     """Whether one of the functions of (q, q', t) jumps somewhere, on a motion or not, for the parameters' values in the spec or one
     of its scenes; ``undecided`` where that takes too long.
 
-    ``elsewhere``: for other values, too: of either sign, as somebody may give them to what was emitted.  Only where coordinates
-    that have ``ranges`` keep to them.
+    ``elsewhere``: for other values, too: of either sign, as somebody may give them to what was emitted.  ``openly``: square roots
+    alone do not count, which change their branch where coordinates are singular (a wheel lies flat).  Coordinates that have
+    ``ranges`` keep to them.
     """
     g, moving = system.graph, (*system.q, *system.v, system.t)
+    if openly and not any(g.op[node] in _OPEN for node in reachable(g, nodes, g.mask(moving))):
+        return False
     if not find_breaks(g, nodes, g.mask(moving)):
         return False
     rng, given = random.Random(23), scene_values(system)
@@ -118,18 +122,3 @@ def has_jumps(
         )
     except TooLong:
         return undecided
-
-
-def shows_jumps(
-    system: System,
-    nodes: Sequence[Node],
-    *,
-    undecided: bool = True,
-    elsewhere: bool = False,
-    ranges: Mapping[Node, Interval] = MappingProxyType({}),
-) -> bool:
-    """The same for jumps in the open: square roots alone change their branch where coordinates are singular (a wheel lies flat)."""
-    g = system.graph
-    moving = g.mask((*system.q, *system.v, system.t))
-    shown = any(g.op[node] in _OPEN for node in reachable(g, nodes, moving))
-    return shown and has_jumps(system, nodes, undecided=undecided, elsewhere=elsewhere, ranges=ranges)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
+from types import MappingProxyType
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, quote
-from nhc.mechanics.properties.constancy import shows_jumps
+from nhc.mechanics.properties.constancy import has_jumps
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import coordinate_ranges, parameter_ranges
 
@@ -18,7 +19,11 @@ _ROUGH = frozenset({"abs", "sign", "min", "max"})
 def list_torn(system: System) -> frozenset[str]:
     """The names of the constraints and quasi-velocities that jump somewhere."""
     forms = (*system.constraints, *system.quasi)
-    return frozenset(form.name for form in forms if shows_jumps(system, _held(form), undecided=False))
+    return frozenset(form.name for form in forms if _shows_jumps(system, _held(form)))
+
+
+def _shows_jumps(system: System, nodes: Sequence[Node], ranges: Mapping[Node, Interval] = MappingProxyType({})) -> bool:
+    return has_jumps(system, nodes, undecided=False, openly=True, ranges=ranges)
 
 
 def _held(form: Form) -> tuple[Node, ...]:
@@ -40,7 +45,7 @@ def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
     """Warnings of what is rough where coordinates keep to the ranges that the spec expects; ``torn`` as of :func:`list_torn`."""
     spec, ranges = system.spec, coordinate_ranges(system)
     for key, node in (("T", system.T), (spec.potential_kind or "U", system.U)):
-        if shows_jumps(system, [node], undecided=False, ranges=ranges):
+        if _shows_jumps(system, [node], ranges):
             bag.warning(
                 "W0416",
                 f"`{key}` jumps: the equations have no force for the jump, so the energy changes there",
@@ -61,7 +66,7 @@ def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
     spans |= {entry.name: entry.span for entry in spec.quasi_velocities}
     forms = [("constraint", form) for form in system.constraints] + [("quasi-velocity", form) for form in system.quasi]
     for kind, form in forms:
-        if form.name in spans and form.name in torn and (not ranges or shows_jumps(system, _held(form), ranges=ranges)):
+        if form.name in spans and form.name in torn and (not ranges or _shows_jumps(system, _held(form), ranges)):
             bag.warning(
                 "W0416",
                 f"the {kind} `{form.name}` jumps: no motion follows it across the jump",

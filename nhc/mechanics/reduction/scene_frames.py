@@ -23,7 +23,7 @@ from nhc.mechanics.frame import (
     velocity_symbol,
 )
 from nhc.mechanics.kinetic import Kinetic
-from nhc.mechanics.properties.constancy import has_jumps, shows_jumps
+from nhc.mechanics.properties.constancy import has_jumps
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import moving
 
@@ -71,7 +71,7 @@ def _in_frame(system: System, forms: Sequence[Form], reason: str) -> Formulation
     except Singular:
         return None
     held = [x for form in named for x in (*form.coefficients, form.constant)]
-    if shows_jumps(system, held, elsewhere=True):  # it would be continuous in place of the velocities
+    if has_jumps(system, held, elsewhere=True, openly=True):  # it would be continuous in place of the velocities
         return None
     return Formulation("euler-lagrange", "I.2.15" if system.l else "I.2.14", frame, None, (), reason)
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from nhc.diagnostics import Bag, Source
 from nhc.language import Spec, decode
-from nhc.language.bodies.plain import plain
+from nhc.language.bodies.without import without_bodies
 from nhc.language.expressions.syntax import Binary, Name, Negate, Syntax, same
 from nhc.language.expressions.unparse import unparse
 from nhc.language.scope import names_in
@@ -212,7 +212,7 @@ def draft_of(source: Source, scene: Scene) -> Draft:
     trees.update((("outputs", d.name), d.value) for d in spec.outputs)
     shown = {name for figure in spec.draw for tree in figure.expressions for name in names_in(tree)}
     shown |= {name for entry in scene.initial for name in names_in(entry.value)}
-    return Draft(spec, scene, plain(merge_bases(source, read), bag).root, trees, frozenset(shown))
+    return Draft(spec, scene, without_bodies(merge_bases(source, read), bag).root, trees, frozenset(shown))
 
 
 def _other_side(side: str) -> str:
