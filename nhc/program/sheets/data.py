@@ -100,10 +100,10 @@ def _bodies(desk: Desk, sheet: DraftSheet) -> None:
 
 
 NAMES_OF_BODIES = (
-    "At the name of a body the index x, y or z means its origin in space, cx, cy or cz its centre of mass, x1 to z3 the"
-    " components of its axes, w1, w2 or w3 its angular velocity on these, angle its last turn, T its kinetic energy; at that"
-    " of a point x, y or z means its place in space, vx, vy or vz the velocity of the matter there, v1, v2 or v3 the same on"
-    " the axes on which it is placed."
+    "Indices at the name of a body: x, y, z are the coordinates of its origin in space; cx, cy, cz those of its centre of mass;"
+    " x1 to z3 the components of its axes; w1, w2, w3 its angular velocity on these axes; angle the angle of its last turn; T its"
+    " kinetic energy. Indices at the name of a point: x, y, z are its coordinates in space; vx, vy, vz the velocity of the"
+    " matter there; v1, v2, v3 the same velocity on the axes on which the point is placed."
 )
 
 
