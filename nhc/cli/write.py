@@ -31,7 +31,8 @@ def deliver(text: str, output: str | None, *, force: bool = False) -> None:
 def place_files(files: Mapping[str, str], output: str | None) -> dict[Path, str]:
     """Decide where ``files`` (name -> text) go: into the folder ``output``, by default the current one.
 
-    A single file goes to ``output`` itself when the suffix says that it is such a file.
+    A single file goes to ``output`` itself when the suffix says that it is such a file; several go beside the one of them that
+    ``output`` names.
     """
     target = Path(output or ".")
     if len(files) == 1 and not target.is_dir():
@@ -41,10 +42,15 @@ def place_files(files: Mapping[str, str], output: str | None) -> dict[Path, str]
             return {target: text}
         if target.exists() or target.suffix in _FILES:
             raise Failure(
-                f"`{output}` is a file, but no `{suffix}` file", [f"name a folder after `-o`, or a `{suffix}` file"]
+                f"`{output}` names a file, but no `{suffix}` file", [f"name a folder after `-o`, or a `{suffix}` file"]
             )
+    if not target.is_dir() and target.name in files:
+        return {target.parent / name: text for name, text in files.items()}
     if not target.is_dir() and (target.exists() or target.suffix in _FILES):
-        raise Failure(f"`{output}` is a file, but {len(files)} files are to be written", ["name a folder after `-o`"])
+        listed = ", ".join(f"`{name}`" for name in files)
+        raise Failure(
+            f"`{output}` names one file, but {len(files)} are to be written: {listed}", ["name a folder after `-o`"]
+        )
     return {target / name: text for name, text in files.items()}
 
 

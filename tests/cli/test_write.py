@@ -22,8 +22,9 @@ def test_several_files_go_into_a_folder_and_one_may_be_named(tmp_path: Path) -> 
     assert set(write.place_files(two, str(tmp_path / "new"))) == {tmp_path / "new/a.h", tmp_path / "new/a.c"}
     assert set(write.place_files({"a.py": ""}, str(tmp_path / "b.py"))) == {tmp_path / "b.py"}
     assert set(write.place_files({"a.py": ""}, str(tmp_path / "b"))) == {tmp_path / "b/a.py"}
+    assert set(write.place_files(two, str(tmp_path / "a.c"))) == {tmp_path / "a.h", tmp_path / "a.c"}
     (tmp_path / "file").write_text("")
-    with pytest.raises(Failure, match="is a file"):
+    with pytest.raises(Failure, match="names one file"):
         write.place_files(two, str(tmp_path / "file"))
 
 

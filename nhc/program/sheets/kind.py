@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from nhc.algebra.calculus import count
 from nhc.diagnostics import Bag
 from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.facts import describe
 from nhc.mechanics.resolve import resolve
+from nhc.mechanics.system import System
 from nhc.program.sheets.draft import Desk, DraftSheet
 
-_MOST = 6  # coordinates; beyond that the search takes longer than the derivation
+# beyond both of these the search takes longer than the derivation
+_FEW = 6  # coordinates
+_BUDGET = 1000  # coordinates times operations of the energies and constraints
 _OMITTED = ("degrees", "applicable", "formulation")
 
 
@@ -16,8 +21,8 @@ def kind_sheet(desk: Desk) -> DraftSheet | None:
     """The facts, a paragraph each; nothing for systems without constraints that are plainly Lagrangian."""
     system = desk.system
     sheet = DraftSheet("kind", "What kind of system this is")
-    if system.n > _MOST:
-        sheet.say(f"`nhc check --explain` classifies the constraints; with {system.n} coordinates that takes its time.")
+    if system.n > _FEW and system.n * _operations(system) > _BUDGET:
+        sheet.say("`nhc check --explain` classifies this system; that takes longer than to derive its equations.")
         return sheet
     # the search makes nodes (and names for them) of its own: it gets a graph of its own
     fresh = resolve(system.spec)
@@ -27,3 +32,10 @@ def kind_sheet(desk: Desk) -> DraftSheet | None:
         line = facts.marked[key]
         sheet.say(line[:1].upper() + line[1:] + ("" if line.endswith(".") else "."))
     return sheet
+
+
+def _operations(system: System) -> int:
+    """Of the energies and the constraints as the spec has them."""
+    return count(
+        system.graph, [system.T, system.U, *(form_value(system.graph, form, system.v) for form in system.constraints)]
+    )
