@@ -27,6 +27,12 @@ if TYPE_CHECKING:
     from nhc.study.sweep import Sweep
 
 
+_TURNING = ("multipliers", "voronec")
+_OTHERS = (
+    "velocities that turn with a body (x' and y', rates of a quaternion) are not steady here: leave out `--formulation`"
+)
+
+
 @click.command(
     "linearize",
     epilog=list_examples(
@@ -70,7 +76,8 @@ def command(
         found = linearize(source, request, Options(formulation=formulation or ""))
     except NotSteady as error:
         reached = f"; the rates that should vanish reach {error.residual:.3g}" if math.isfinite(error.residual) else ""
-        raise Failure(f"{error}{reached}", [error.advice], exit=Exit.NUMERICAL) from error
+        advice = [error.advice, *([_OTHERS] if formulation in _TURNING and math.isfinite(error.residual) else [])]
+        raise Failure(f"{error}{reached}", advice, exit=Exit.NUMERICAL) from error
     if as_json:
         put_json("nhc.linearize/1", describe(found))
     else:
@@ -105,7 +112,7 @@ def describe(found: Findings) -> dict[str, Any]:
         "verdict": verdict(made),
         "symbolic": [list(row) for row in found.paper],
         "symbolic_at": dict(found.held),
-        "notes": [*made.notes, *([f"no symbolic matrix: {found.why}"] if found.why else [])],
+        "notes": [*_notes(found), *([f"no symbolic matrix: {found.why}"] if found.why else [])],
     }
     if found.swept is not None:
         points = zip(found.swept.values, found.swept.points, strict=True)
@@ -175,7 +182,7 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
         lines.append(
             f"  {several(made.turns, 'direction')} left out: turns of the whole motion, on which nothing depends"
         )
-    lines += [f"  note: {note}" for note in made.notes]
+    lines += [f"  note: {note}" for note in _notes(found)]
     told = {
         "stable": "stable to first order",
         "unstable": "unstable",
@@ -183,6 +190,16 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
         "none": "none: no eigenvalue is left to judge by",
     }
     return [*lines, f"verdict: {told[verdict(made)]}"]
+
+
+def _notes(found: Findings) -> list[str]:
+    """What could not be told, and that this may not be the motion that was meant."""
+    notes = list(found.linearisation.notes)
+    if found.halted:
+        notes.append(f"not the motion asked about: {found.halted}; `--hold` keeps such a velocity")
+    if found.halted and found.formulation.name in _TURNING:
+        notes.append(_OTHERS)
+    return notes
 
 
 def _eigenvalue(mode: Mode) -> str:

@@ -10,12 +10,14 @@ from typing import TypeVar
 
 import numpy as np
 
+from nhc.algebra.calculus import substitute
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 from nhc.language.expressions.names import fold_typed
 from nhc.language.scope import names_in
+from nhc.language.spec import Scene
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation, build
@@ -28,6 +30,7 @@ from nhc.mechanics.properties.symmetry import Generator, turning_symmetries
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
+from nhc.mechanics.turning import moving
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.simulate.switching import SOUND
@@ -39,6 +42,7 @@ from nhc.study.tape import Tapes
 from nhc.study.units import Matrix
 
 _SNAP = 1e-11
+_LOST = 0.1  # of the kinetic energy: a motion with less is not the one that was asked about
 Found = TypeVar("Found")
 
 
@@ -64,6 +68,8 @@ class Findings:
     held: tuple[tuple[str, str], ...]
     why: str
     swept: Sweep | None
+    halted: str
+    """What has become of the motion that was asked about, where the one found has lost most of it; else empty."""
 
 
 def steady_model(equations: Equations, formulation: Formulation, p: Sequence[float]) -> SteadyModel:
@@ -114,15 +120,33 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     steady = find_steady(model, guess, holds)
     check_smooth(model, steady)
     made = linearise_at(model, steady)
+    halted = _describe_halt(model, scene, guess, steady.y)
     point = point_of(flow, scene)
     place = _exact_place(flow, point, model.values(guess), steady)
     paper = symbolic_matrix(flow, model.rest, place) if place else "the state is no expression in the parameters"
     swept = _sweep(model, guess, holds, request.sweep) if request.sweep else None
     if isinstance(paper, str):
-        return Findings(flow, formulation, model, made, (), (), paper, swept)
+        return Findings(flow, formulation, model, made, (), (), paper, swept, halted)
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
     held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
-    return Findings(flow, formulation, model, made, rows, held, "", swept)
+    return Findings(flow, formulation, model, made, rows, held, "", swept, halted)
+
+
+def _describe_halt(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> str:
+    """Which velocities that were asked for have gone with most of the kinetic energy: rest was nearer than what was meant."""
+    flow, g = model.flow, model.flow.graph
+    kinetic = substitute(g, [flow.system.T], moving(flow.system, flow.velocities))[0]
+    if not model.value(y, kinetic) < _LOST * model.value(guess, kinetic):
+        return ""
+    lost = list[str]()
+    for entry in scene.initial:
+        name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
+        node = None if entry.kind == "coordinate" else quantity(flow, name)
+        if node is not None:
+            before, after = model.value(guess, node), model.value(y, node)
+            if abs(after) < abs(before) / 2:
+                lost.append(f"{name} = {before:.6g} has become {after if abs(after) > _SNAP * abs(before) else 0:.6g}")
+    return "; ".join(lost)
 
 
 def linearise_whole(equations: Equations, formulation: Formulation, request: Request) -> Findings:
