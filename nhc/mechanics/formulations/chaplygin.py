@@ -17,6 +17,7 @@ from nhc.algebra.dense import Singular, solve_double
 from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import Node
 from nhc.algebra.solving.linear import steps_with
+from nhc.diagnostics import quote
 from nhc.mechanics.formulations.voronec import Reduced, applied_force, motion_rate
 from nhc.mechanics.frame import Frame, dependent_coefficients
 from nhc.mechanics.regular.trials import sampled_rows, trial_points
@@ -44,16 +45,17 @@ def hypotheses(frame: Frame, dependent: Sequence[int]) -> Hypotheses:
     system, g = frame.system, frame.graph
     b, b_0 = dependent_coefficients(frame, dependent)
     entries = [entry for row in b for entry in row]
-    fatal: list[str] = []
-    for alpha in dependent:
-        name = system.q_names[alpha]
-        if _contains(system, [system.T], alpha):
-            fatal.append(f"T contains the dependent coordinate `{name}`")
-        if _contains(system, entries, alpha):
-            fatal.append(f"the coefficients b of the constraints contain the dependent coordinate `{name}`")
+    fatal = [
+        *_name(system, "T contains", [alpha for alpha in dependent if _contains(system, [system.T], alpha)]),
+        *_name(
+            system,
+            "the coefficients b of the constraints contain",
+            [alpha for alpha in dependent if _contains(system, entries, alpha)],
+        ),
+    ]
     if fatal:
         return Hypotheses(tuple(fatal), tuple(fatal))
-    broken = [text for alpha in dependent for text in _outside(system, b_0, alpha)]
+    broken = _outside(system, b_0, dependent)
     if not all(are_zero(g, b_0)):
         broken.append("the constraints are not homogeneous (b_alpha is not zero)")
     timed = [derivative(g, x, system.t) for x in (system.T, system.U, *entries, *b_0)]
@@ -105,18 +107,23 @@ def _contains(system: System, nodes: Sequence[Node], i: int) -> bool:
     return not all(are_zero(g, tangent(g, seen, {q: g.one}))) or steps_with(g, seen, q)
 
 
-def _outside(system: System, b_0: Sequence[Node], alpha: int) -> list[str]:
-    """Hypotheses on forces and on the affine part that the dependent coordinate breaks."""
-    name, broken = system.q_names[alpha], []
-    if _contains(system, b_0, alpha):
-        broken.append(f"the affine part b_alpha of the constraints contains the dependent coordinate `{name}`")
+def _outside(system: System, b_0: Sequence[Node], dependent: Sequence[int]) -> list[str]:
+    """Hypotheses on forces and on the affine part that dependent coordinates break."""
     forces = [system.force(i) for i in range(system.n)]
-    if not is_zero(system.graph, forces[alpha]):
-        broken.append(f"a force acts on the dependent coordinate `{name}`")
+    affine = [alpha for alpha in dependent if _contains(system, b_0, alpha)]
+    forced = [alpha for alpha in dependent if not is_zero(system.graph, forces[alpha])]
+    broken = _name(system, "the affine part b_alpha of the constraints contains", affine)
+    broken += _name(system, "a force acts on", forced)
     for i, force in enumerate(forces):
-        if i != alpha and _contains(system, [force], alpha):
-            broken.append(f"the force on `{system.q_names[i]}` contains the dependent coordinate `{name}`")
+        inside = [alpha for alpha in dependent if alpha != i and _contains(system, [force], alpha)]
+        broken += _name(system, f"the force on `{system.q_names[i]}` contains", inside)
     return broken
+
+
+def _name(system: System, statement: str, dependent: Sequence[int]) -> list[str]:
+    """The statement about all these coordinates in one sentence; none where there are none."""
+    names = quote([system.q_names[alpha] for alpha in dependent])
+    return [f"{statement} the dependent coordinate{'s' * (len(dependent) > 1)} {names}"] if dependent else []
 
 
 @equation("I.3", "I.3.2", "III.3")

@@ -1,26 +1,20 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:db91390de041e305)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:901b62e574671818)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
- *     coordinate `x1`
- * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `x2` contains the
- *     dependent coordinate `x1`
- * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
- *     coordinate `y1`
- * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `y2` contains the
- *     dependent coordinate `y1`
- * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
- *     coordinate `x2`
+ *     coordinates `x1`, `y1`, `x2`, `y2`
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `x1` contains the
  *     dependent coordinate `x2`
- * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
- *     coordinate `y2`
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `y1` contains the
  *     dependent coordinate `y2`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `x2` contains the
+ *     dependent coordinate `x1`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `y2` contains the
+ *     dependent coordinate `y1`
  * disk_chain2.h says what each function does.
  */
 #include "disk_chain2.h"
