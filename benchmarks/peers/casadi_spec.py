@@ -46,7 +46,7 @@ def casadi_sources(model: Model) -> Sources:
         return ca.vertcat(*evaluate(g, nodes, values, _Symbols))
 
     def rows(forms: Sequence[Form]) -> Any:
-        return translate([form_value(g, form, system.v) for form in forms]) if forms else ca.SX(0, 1)
+        return translate([form_value(system, form) for form in forms]) if forms else ca.SX(0, 1)
 
     w = ca.SX.sym("w", len(kept))
     constrained, chosen = rows(system.constraints), rows(kept)

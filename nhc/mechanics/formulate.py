@@ -277,5 +277,5 @@ def bordered_system(equations: Equations) -> tuple[list[list[Node]], list[Node]]
     still = {v: zero for v in system.v}
     matrix = [[*equations.mass[i], *(g.neg(c.coefficients[i]) for c in system.constraints)] for i in range(n)]
     matrix += [[*(g.neg(a) for a in c.coefficients), *([zero] * system.l)] for c in system.constraints]
-    moved = [total_derivative(system, form_value(g, c, system.v), system.v, still) for c in system.constraints]
+    moved = [total_derivative(system, form_value(system, c), system.v, still) for c in system.constraints]
     return matrix, [*equations.force, *moved]

@@ -157,11 +157,11 @@ class Frame:
 
 
 @equation("I.1.1")
-def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
-    """a_i v_i + a_0, in the spec's own words where there are any (``v`` are then the velocities' symbols)."""
+def form_value(system: System, form: Form) -> Node:
+    """a_i q'_i + a_0 over the system's velocities, in the spec's own words where there are any."""
     if form.value is not None:
         return form.value
-    return graph.add(graph.dot(form.coefficients, v), form.constant)
+    return system.graph.add(system.graph.dot(form.coefficients, system.v), form.constant)
 
 
 @equation("I.2.1", "I.2.2")
@@ -178,7 +178,7 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node], *,
     # a kept velocity may be its own symbol: the unknowns get symbols of their own
     unknowns = [g.symbol(name, "unknown") for name in system.q_names]
     turned = tuple(r for r in system.rotations if not set(r.v) & set(symbols))
-    written = [form_value(g, form, system.v) for form in forms]
+    written = [form_value(system, form) for form in forms]
 
     def rename() -> list[Node]:
         return substitute(g, written, moving(system, from_base(system, unknowns, turned)))
@@ -236,7 +236,7 @@ def describe_added(system: System, frame: Frame | None) -> dict[str, str]:
     """
     known = {*system.q_names, *(form.name for form in system.quasi)}
     return {
-        form.name: to_text(system.graph, form_value(system.graph, form, system.v), _LONGEST_FORM)
+        form.name: to_text(system.graph, form_value(system, form), _LONGEST_FORM)
         for form in kept_forms(system, frame)
         if form.name not in known
     }

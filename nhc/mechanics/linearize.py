@@ -139,7 +139,7 @@ def quantity(flow: Flow, name: str) -> Node | None:
     for i, own in enumerate(system.q_names):
         if name == f"{own}'":
             return flow.velocities[i]
-    named = [*((form.name, form_value(g, form, system.v)) for form in system.quasi), *system.outputs]
+    named = [*((form.name, form_value(system, form)) for form in system.quasi), *system.outputs]
     for own, node in named:
         if own == name:
             return substitute(g, [node], moving(system, flow.velocities))[0]

@@ -136,7 +136,7 @@ class Planner(PlannerBase):
         system = self.system
         forms = self.kept_forms()
         nodes = [system.q[i] for i in self.kept_q]
-        nodes += [form_value(self.graph, forms[k], system.v) for k in self.kept_w]
+        nodes += [form_value(system, forms[k]) for k in self.kept_w]
         targets = tuple(Target(k, node) for k, node in enumerate(nodes))
         return FunctionPlan(
             "state",
@@ -159,7 +159,7 @@ class Planner(PlannerBase):
     def residuals(self) -> FunctionPlan:
         system = self.system
         targets = tuple(
-            Target(k, form_value(self.graph, form, system.v), f"{form.name} = 0", Origin("I.1.1", form.place))
+            Target(k, form_value(system, form), f"{form.name} = 0", Origin("I.1.1", form.place))
             for k, form in enumerate(system.constraints)
         )
         return FunctionPlan(

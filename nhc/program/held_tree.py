@@ -62,7 +62,7 @@ def held_tree(equations: Equations, kept: Sequence[Form]) -> HeldTree | None:
     if not _keeps_digits(system, tree.pivots, held):
         return None
     rates = dict(zip(system.v, accelerations, strict=True))
-    found = [total_derivative(system, form_value(g, form, system.v), system.v, rates) for form in kept]
+    found = [total_derivative(system, form_value(system, form), system.v, rates) for form in kept]
     pivots = [node for pair in (*tree.pivots, *held) for node in pair]
     on_motion = dict(zip(system.v, motion.velocities, strict=True))
     made = substitute(g, [*found, *pivots], on_motion)
@@ -102,7 +102,7 @@ def _held(equations: Equations, tree: Elimination) -> tuple[list[Node], Pivots]:
     matrix = [[g.dot(row, answer) for answer in answers] for row in rows]
     right = []
     for form, row in zip(system.constraints, rows, strict=True):
-        moved = total_derivative(system, form_value(g, form, system.v), system.v, still)
+        moved = total_derivative(system, form_value(system, form), system.v, still)
         right.append(g.neg(g.add(moved, g.dot(row, tree.rates))))
     factors = factor(g, matrix)
     reactions = solve_factored(g, factors, right)

@@ -41,7 +41,7 @@ def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[tuple[
     """The functions, and the calls of a step in their order, each with what is called instead where it is singular; nothing
     where the formulation holds everything.
     """
-    system, g = planner.system, planner.graph
+    system = planner.system
     held = [form for form in system.constraints if form.equation is not None]
     functions: list[Function] = []
     calls: list[tuple[str, ...]] = []
@@ -52,7 +52,7 @@ def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[tuple[
         functions += _positions(planner, held)
         calls += [tuple(function.name for function in functions)] * TURNS
     if planner.equations.multipliers:
-        right = [form_value(g, form, system.v) for form in system.constraints]
+        right = [form_value(system, form) for form in system.constraints]
         about = "velocities on the constraints"
         functions.append(_function(planner, "hold_v", about, system.constraints, right, system.n))
         calls.append(("hold_v",))

@@ -45,7 +45,7 @@ def list_columns(planner: Planner, needs: Sequence[str]) -> list[Column]:
     units = system.units
     named: dict[str, Node] = dict(zip(system.q_names, system.q, strict=True))
     moving: dict[str, Node] = {f"{name}'": v for name, v in zip(system.q_names, system.v, strict=True)}
-    moving.update((form.name, form_value(system.graph, form, system.v)) for form in system.quasi)
+    moving.update((form.name, form_value(system, form)) for form in system.quasi)
     moving.update(system.outputs)
     if "energy" not in named:  # a coordinate may have this name, too
         moving.setdefault("energy", system.energy)
@@ -73,7 +73,7 @@ def reactions_of(planner: Planner) -> list[Node]:
 def list_checks(planner: Planner) -> list[Column]:
     """The energy, the constraints' left sides, and the holonomic ones at position level."""
     system = planner.system
-    forms = [form_value(system.graph, form, system.v) for form in system.constraints]
+    forms = [form_value(system, form) for form in system.constraints]
     energy, kinetic, *residuals = planner.on_motion([system.energy, system.T, *forms])
     found = [Column("energy", "energy", energy), Column("T", "kinetic", kinetic)]
     found += [Column(f.name, "residual", r) for f, r in zip(system.constraints, residuals, strict=True)]

@@ -162,7 +162,7 @@ class SteadyModel:
         flow, system = self.flow, self.flow.system
         nodes = [form.equation for form in system.constraints if form.equation is not None]
         if self.frame is None:
-            nodes += [form_value(flow.graph, form, system.v) for form in system.constraints]
+            nodes += [form_value(system, form) for form in system.constraints]
         return tuple(nodes), tuple(tuple(gradient(flow.graph, node, flow.y)) for node in nodes)
 
     def conditions(self, y: Sequence[float]) -> tuple[Vector, Matrix]:

@@ -66,7 +66,7 @@ def exact_accelerations(text: str, formulation: str, seed: int, velocities: Mapp
     g, equations = system.graph, equations_of(system, made := build(system, formulation))
     forms = made.frame.forms[system.l :] if made.frame else [coordinate_form(system, i) for i in range(system.n)]
     v = {node: velocities[name] for node, name in zip(system.v, system.q_names, strict=True)}
-    kept = FieldPoint(g, seed).evaluate([form_value(g, form, system.v) for form in forms], v)
+    kept = FieldPoint(g, seed).evaluate([form_value(system, form) for form in forms], v)
     point = FieldPoint(g, seed)
     fixed = dict(zip(equations.motion.w, kept, strict=True))
     if point.evaluate(equations.motion.velocities, fixed) != list(v.values()):

@@ -79,7 +79,7 @@ def test_E12() -> None:
     frame = generic_frame(system_of("free_rigid_body"))
     system, g, n = frame.system, frame.graph, frame.system.n
     shift, shift_rate, varied = (rates_of(g, n, name) for name in ("dq", "dq_rate", "dv"))
-    omega = [form_value(g, form, system.v) for form in frame.forms]
+    omega = [form_value(system, form) for form in frame.forms]
     delta_pi = [dot(g, form.coefficients, shift) for form in frame.forms]
     moving = {
         **dict(zip(system.q, system.v, strict=True)),

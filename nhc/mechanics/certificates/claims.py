@@ -210,7 +210,7 @@ def admissible_velocities(system: System, base: Frame | None, formulations: Sequ
             continue
         for symbol, form in zip(frame.free, frame.forms[system.l :], strict=True):
             if symbol not in motion:
-                value = form_value(system.graph, form, system.v)
+                value = form_value(system, form)
                 known = dict(zip(system.v, motion.values(), strict=False))
                 (motion[symbol],) = substitute(system.graph, [value], known)
     return Velocities(tuple(motion), tuple(motion.values()), base.guards if base is not None else ())

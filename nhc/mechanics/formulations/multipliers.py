@@ -46,7 +46,4 @@ def printed_rows(system: System, rates: tuple[Node, ...]) -> list[Node]:
 def constraint_rates(system: System, rates: tuple[Node, ...]) -> list[Node]:
     """d/dt (a_alphai q'_i + a_alpha) with q'' = ``rates``: what completes the rows to an index-1 system."""
     acceleration = dict(zip(system.v, rates, strict=True))
-    return [
-        total_derivative(system, form_value(system.graph, form, system.v), system.v, acceleration)
-        for form in system.constraints
-    ]
+    return [total_derivative(system, form_value(system, form), system.v, acceleration) for form in system.constraints]

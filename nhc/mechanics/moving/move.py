@@ -48,7 +48,7 @@ def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...]
     if not groups:
         return None
     held = tuple(g.symbol(f"held_{j}", "quasi") for j in range(system.n))
-    written = [form_value(g, form, system.v) for form in frame.forms]
+    written = [form_value(system, form) for form in frame.forms]
     bare = [strip_factor(g, row, g.mask(system.p), system.v) for row in written[: system.l]]
     values = [*(own.row for own in bare), *written[system.l :]]
     try:

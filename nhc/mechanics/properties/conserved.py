@@ -239,7 +239,7 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
 def _quasi(system: System, p: Sequence[Node], frame: Frame | None) -> list[Candidate]:
     """The spec's quasi-velocities, and the momenta p*_mu = p_i b_i,mu of the frame's: constant in Cetaev's cyclic case (I.2.14)."""
     g = system.graph
-    found = [Candidate(form.name, form_value(g, form, system.v)) for form in system.quasi]
+    found = [Candidate(form.name, form_value(system, form)) for form in system.quasi]
     if frame is None:
         return found
     for symbol, e in zip(frame.free, frame.free_vectors, strict=True):

@@ -45,7 +45,7 @@ def _columns(equations: Equations, need: Need) -> list[Wanted]:
     if need.kind == "energy":
         node, about = system.energy, "T + V"
     elif need.kind == "quasi":
-        node, about = form_value(g, next(f for f in system.quasi if f.name == need.name), system.v), ""
+        node, about = form_value(system, next(f for f in system.quasi if f.name == need.name)), ""
     else:
         node, about = dict(system.outputs)[need.name], ""
     return [Wanted(need.name, substitute(g, [node], on)[0], about=about)]

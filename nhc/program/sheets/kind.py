@@ -36,6 +36,4 @@ def kind_sheet(desk: Desk) -> DraftSheet | None:
 
 def _operations(system: System) -> int:
     """Of the energies and the constraints as the spec has them."""
-    return count(
-        system.graph, [system.T, system.U, *(form_value(system.graph, form, system.v) for form in system.constraints)]
-    )
+    return count(system.graph, [system.T, system.U, *(form_value(system, form) for form in system.constraints)])

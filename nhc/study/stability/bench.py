@@ -240,8 +240,8 @@ def _list_columns(
     planner: Planner, kept: Conserved, hidden: Sequence[tuple[str, Node]], nonzero: set[str]
 ) -> list[Column]:
     """Energy and its balance, constraints, integrals, determinants of frames, coefficients of the constraints, the mass matrix."""
-    system, g = planner.system, planner.graph
-    forms = [form_value(g, form, system.v) for form in system.constraints]
+    system = planner.system
+    forms = [form_value(system, form) for form in system.constraints]
     integrals = [i for i in kept.integrals if not set(i.where) & nonzero]
     energy, general, *rest = planner.on_motion(
         [system.energy, generalized_energy(system), *forms, *(i.node for i in integrals)]
