@@ -289,9 +289,11 @@ def stability(source: Source, question: Question, options: Options = DEFAULT) ->
         SpecError: the spec or the question has errors.
         nhc.simulate.opening.RunError: no such scene.
     """
+    from nhc.mechanics.about import scene_about
     from nhc.study.stability.laboratory import examine, examine_whole
 
     made = model(source, options)
+    scene_about(made.system.spec, question.about, question.settings)  # before anything is compiled
     asked = options.formulation or made.system.spec.formulation
     study = examine if asked not in ("", "auto") else examine_whole
     return study(made.equations, made.formulation, question)
