@@ -7,6 +7,14 @@ from nhc.records import record
 
 VERSION = 1
 SYSTEM_PATTERN = "[a-z][a-z0-9_]*"
+START_FORMS = (("axis", "angle"), ("order", "angles"), ("yaw", "pitch", "roll"))
+"""The keys of each form that the start of a rotation may have."""
+Forms = tuple[tuple[str, ...], ...]
+_FORMS: tuple[tuple[tuple[str, ...], Forms], ...] = (
+    ((), (("U",), ("V",))),
+    (("bodies", "*"), (("turns",), ("rotation",))),
+    (("scenes", "*", "initial", "*"), START_FORMS),
+)
 
 
 @record
@@ -187,3 +195,11 @@ DRAWN_BODY_KEYS = (
     ),
     Key("shape", "polygon", True, "three corners or more on the body's axes"),
 )
+
+
+def forms_at(path: tuple[str, ...]) -> Forms:
+    """The forms of which a mapping has one, as the keys of each; ``path`` are the keys that lead to it."""
+    for pattern, forms in _FORMS:
+        if len(pattern) == len(path) and all(p in ("*", key) for p, key in zip(pattern, path, strict=True)):
+            return forms
+    return ()

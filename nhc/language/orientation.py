@@ -13,14 +13,13 @@ from nhc.diagnostics import Span
 from nhc.language.expressions.constant import ConstantError, evaluate
 from nhc.language.expressions.names import PI
 from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Syntax, walk
-from nhc.language.keys import START_KEYS
+from nhc.language.keys import START_FORMS, START_KEYS
 from nhc.language.shape import Shapes
 from nhc.language.yaml_tree.nodes import Items, Node, Table
 
 Quaternion = tuple[Syntax, ...]
 Read = Callable[[Node], Syntax | None]
 _WAYS = "write `[1, 0, 0, 0]`, `{axis: [0, 0, 1], angle: pi/2}` or `{order: zxz, angles: [0, pi/2, 0]}`"
-_GROUPS = (("axis", "angle"), ("order", "angles"), ("yaw", "pitch", "roll"))
 
 
 def read_orientation(what: str, node: Node, shapes: Shapes, read: Read) -> Quaternion | None:
@@ -35,7 +34,7 @@ def read_orientation(what: str, node: Node, shapes: Shapes, read: Read) -> Quate
     if meant:
         return None
     given = {text.value for text, _ in node.entries}
-    group = next((group for group in _GROUPS if given & set(group)), None)
+    group = next((group for group in START_FORMS if given & set(group)), None)
     if group is None:
         if not node.entries:
             shapes.bag.error("E0317", f"the start of {what} is empty", node.span, help=(_WAYS,))
@@ -56,7 +55,7 @@ def read_orientation(what: str, node: Node, shapes: Shapes, read: Read) -> Quate
 
 
 def _known() -> set[str]:
-    return {key for group in _GROUPS for key in group}
+    return {key for group in START_FORMS for key in group}
 
 
 def _lacking(what: str, missing: Sequence[str]) -> str:

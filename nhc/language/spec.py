@@ -177,7 +177,10 @@ class Need:
 
 @record
 class Scene:
-    """A concrete situation; what ``initial`` leaves out is 0; ``need`` is never empty."""
+    """A concrete situation; what ``initial`` leaves out is 0; ``need`` is never empty.
+
+    ``name`` is empty for a motion that the command line describes.
+    """
 
     name: str
     span: Span
@@ -187,6 +190,11 @@ class Scene:
     time: tuple[Fraction, Fraction]
     need: tuple[Need, ...]
     tolerance: Fraction
+
+    @property
+    def called(self) -> str:
+        """What messages call it."""
+        return f"the scene `{self.name}`" if self.name else "the motion of `--about`"
 
 
 @record

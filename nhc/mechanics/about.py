@@ -78,7 +78,8 @@ def scene_about(spec: Spec, about: str, settings: Sequence[str] = ()) -> Scene:
         nhc.diagnostics.SpecError: an unknown scene or name, or a value that is not constant.
     """
     chosen = next((scene for scene in spec.scenes if scene.name == about.strip()), None)
-    base = chosen or Scene("about", Span(0, 0), "", (), (), (Fraction(0), Fraction(1)), (), Fraction(1, 10**8))
+    place = spec.key_span("coordinates")  # what is wrong with the start is reported in the spec's text
+    base = chosen or Scene("", place, "", (), (), (Fraction(0), Fraction(1)), (), Fraction(1, 10**8))
     if chosen is None and about.strip() and "=" not in about:
         bag, help = Bag(Source("--about", about)), "name one of them, or write `name=value` pairs"
         report_scene(bag, Span(0, len(about)), about.strip(), spec, help)

@@ -123,7 +123,7 @@ def _initial_values(scene: Scene, names: dict[str, float], bag: Bag) -> dict[tup
     for entry in scene.initial:
         value = _constant(entry.value, names)
         if not math.isfinite(value) and not any(d.labels[0].span == entry.span for d in bag.diagnostics):
-            what = f"the start of `{entry.name}` in the scene `{scene.name}` has no real, finite value"
+            what = f"the start of `{entry.name}` in {scene.called} has no real, finite value"
             advice = (
                 "correct the expression, or the values of the parameters in the scene; a quaternion must not be zero"
             )
@@ -148,14 +148,18 @@ def _parameters(system: System, scene: Scene, bag: Bag) -> tuple[float, ...]:
         if value is None:
             bag.error(
                 "E0418",
-                f"the scene `{scene.name}` gives no value to the parameter `{parameter.name}`",
+                f"{scene.called} gives no value to the parameter `{parameter.name}`",
                 scene.span,
-                help=(f"add `parameters: {{{parameter.name}: ...}}` to the scene, or a value under `parameters:`",),
+                help=(
+                    f"add `parameters: {{{parameter.name}: ...}}` to the scene, or a value under `parameters:`"
+                    if scene.name
+                    else f"write `{parameter.name}=...` beside it, or a value under `parameters:`",
+                ),
             )
             value = Fraction(1)
         number = float(value) if isinstance(value, Fraction) else _constant(value, names)
         if not math.isfinite(number):
-            what = f"`{parameter.name}` has no real, finite value in the scene `{scene.name}`"
+            what = f"`{parameter.name}` has no real, finite value in {scene.called}"
             place = next((entry.span for entry in scene.parameters if entry.name == parameter.name), scene.span)
             bag.error("E0313", what, place, help=("correct the expression: it may divide by zero",))
         names[parameter.name] = number
@@ -176,16 +180,17 @@ def _check_positions(system: System, scene: Scene, place: dict[Node, float], bag
     more = ", ..." if len(names) > 6 else ""
     near = _near(system, scene)
     left = left_at_zero(system, scene, place, [node for _, _, node in off])
-    notes = [f"{left} at 0, since `initial` does not give a value"] if left else []
+    source = "`initial` does not give a value" if scene.name else "`--about` gives no value"
+    notes = [f"{left} at 0, since {source}"] if left else []
     if near:
         names = [f"`{system.q_names[i]}`" for i in near]
         notes.append(f"this is left at the best place for {', '.join(names)} near what `initial` says")
     bag.error(
         "E0409",
-        f"the scene `{scene.name}` starts off {what}{more}",
+        f"{scene.called} starts off {what}{more}",
         scene.span,
         notes=tuple(notes),
-        help=_advise(system, place),
+        help=_advise(system, scene, place),
     )
 
 
@@ -204,7 +209,7 @@ def _distances(system: System, place: dict[Node, float]) -> list[tuple[str, floa
     return found
 
 
-def _advise(system: System, place: dict[Node, float]) -> tuple[str, ...]:
+def _advise(system: System, scene: Scene, place: dict[Node, float]) -> tuple[str, ...]:
     """Coordinates at which the constraints hold, if there are any near the start."""
     turned = {name for rotation in system.spec.rotations for name in rotation.coordinates}
     free = [i for i, name in enumerate(system.q_names) if name not in turned]
@@ -212,6 +217,9 @@ def _advise(system: System, place: dict[Node, float]) -> tuple[str, ...]:
     moved = [(system.q_names[i], there[system.q[i]]) for i in free if there[system.q[i]] != place[system.q[i]]]
     if not moved or _distances(system, there):
         return ("give initial coordinates that satisfy the constraints",)
+    if not scene.name:
+        pairs = ", ".join(f"{name}={value:.10g}" for name, value in moved)
+        return (f"the nearest place where the constraints hold: `{pairs}`",)
     some = ", ".join(f"{name}: {value:.10g}" for name, value in moved[:8])
     near = ", ".join(
         f"{name}: {{near: {value:.2g}}}" for name, value in moved[: max(1, min(len(system.constraints), 4))]
@@ -242,7 +250,7 @@ def _velocities(
         held = [(form, 0.0, f"the constraint `{form.name}`") for form in system.constraints]
         equations = _equations_at(system, place, [*held, *_given_velocities(system, given)])
     except (ArithmeticError, ValueError):
-        what = f"the scene `{scene.name}` starts at a singular point of the constraints"
+        what = f"{scene.called} starts at a singular point of the constraints"
         bag.error("E0409", what, scene.span, help=("start a little away from it",))
         return (0.0,) * system.n
     solver, units = RowSpace(system.n), velocity_units(system)
@@ -255,7 +263,7 @@ def _velocities(
             continue
         bag.error(
             "E0409",
-            f"the initial velocities of the scene `{scene.name}` violate the constraints by {abs(off):.3g}",
+            f"the initial velocities of {scene.called} violate the constraints by {abs(off):.3g}",
             next((e.span for e in scene.initial if name == _FOUND_AS.get(e.kind, "").format(e.name)), scene.span),
             notes=(f"{name} does not fit {together} and the values before it",),
             help=("leave the dependent velocities out: they follow from the constraints",),

@@ -612,3 +612,40 @@ scenes: {{straight: {{time: [0, 1], initial: {{phi': 40}}}}}}
     pair = 40 * 0.45 * cmath.sqrt(-cone / (0.75 * 0.45))
     assert matches(eigenvalues(found.linearisation), [pair, -pair], 1e-9)
     assert verdict(found.linearisation) == ("marginal" if cone > 0 else "unstable")
+
+
+CRANK = """nhc: 1
+system: crank
+coordinates: [a, b, x]
+parameters: [l]
+T: l*(a'^2 + b'^2 + x'^2)/2
+holonomic: ["cos(a) + 3*cos(b) = x", "sin(a) - 3*sin(b) = 0"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("about", "said"),
+    [
+        (
+            "a=0.3, l=1",
+            ("the motion of `--about` starts off 2 constraints", "--> s.yaml:3:1", "`--about` gives no", "`a="),
+        ),
+        ("x=4, a'=1, b'=1, l=1", ("the initial velocities of the motion of `--about` violate", "--> s.yaml:3:1")),
+        ("x=4", ("the motion of `--about` gives no value to the parameter `l`", "write `l=...` beside it")),
+    ],
+)
+def test_what_is_wrong_with_a_motion_is_said_of_it(
+    about: str,
+    said: tuple[str, ...],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Values on the command line are no scene of the spec, and are mended there."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "s.yaml").write_text(CRANK)
+    assert main(["linearize", "s.yaml", "--about", about]) == 1
+    told = capsys.readouterr().err
+    assert not [text for text in said if text not in told], told
+    assert "the scene" not in told
+    assert "near:" not in told

@@ -9,6 +9,7 @@ import pytest
 
 from nhc.diagnostics import Source, SpecError, render_concise, render_text, to_json
 from nhc.language import decode, read
+from nhc.language.expressions.unparse import unparse
 from nhc.pipeline import check, emit
 from tests.support import python_model
 
@@ -74,6 +75,60 @@ def test_one_potential_replaces_the_other(tmp_path: Path) -> None:
     own = "nhc: 1\nextends: base.yaml\nU: -k*x^2\n"
     spec = decode(read(put(tmp_path, base=BASE, own=own) / "own.yaml"))
     assert spec.potential_kind == "U"
+
+
+BODIES = """nhc: 1
+system: wheel
+rotation: {R: {frame: body}, S: {frame: body}}
+coordinates: [turns]
+parameters: {axis: 1, angle: 2}
+bodies:
+  disc: {rotation: R, mass: axis, inertia: angle}
+  rod: {turns: [z: turns], inertia: 1}
+T: S_w1^2 + S_w2^2 + S_w3^2
+define: {rotation: turns^2}
+scenes:
+  go: {initial: {R: {yaw: 0.1, roll: 0.2}, S: {order: zxz, angles: [1, 2, 3]}}, time: [0, 1]}
+"""
+
+
+def test_one_way_to_say_a_thing_replaces_another(tmp_path: Path) -> None:
+    """A joint and a start of a rotation have one form each; names that are spelled like their keys are no such forms."""
+    own = "nhc: 1\nextends: base.yaml\nparameters: {yaw: 3}\ndefine: {turns2: 2*turns}\n"
+    own += "bodies: {disc: {turns: [x: turns, z: 0.3]}, rod: {rotation: R}}\n"
+    own += "scenes: {go: {initial: {R: {axis: [0, 0, 1], angle: 0.4}, S: {yaw: 0.5}}}}\n"
+    merged = BODIES.replace("axis: 1, angle: 2", "axis: 1, angle: 2, yaw: 3")
+    merged = merged.replace("rotation: R, mass", "turns: [x: turns, z: 0.3], mass").replace(
+        "turns: [z: turns]", "rotation: R"
+    )
+    merged = merged.replace("{yaw: 0.1, roll: 0.2}", "{axis: [0, 0, 1], angle: 0.4}")
+    merged = merged.replace("{order: zxz, angles: [1, 2, 3]}", "{yaw: 0.5}").replace(
+        "turns^2", "turns^2, turns2: 2*turns"
+    )
+    put(tmp_path, base=BODIES, own=own, merged=merged)
+    ours, theirs = (decode(read(tmp_path / name)) for name in ("own.yaml", "merged.yaml"))
+    assert [(d.name, unparse(d.value)) for d in ours.definitions] == [
+        (d.name, unparse(d.value)) for d in theirs.definitions
+    ]
+    starts = [[(i.name, unparse(i.value)) for i in spec.scenes[0].initial] for spec in (ours, theirs)]
+    assert starts[0] == starts[1]
+    assert [p.name for p in ours.parameters] == ["axis", "angle", "yaw"]
+
+
+def test_what_a_form_lacks_is_the_base_s(tmp_path: Path) -> None:
+    own = "nhc: 1\nextends: base.yaml\nscenes: {go: {initial: {R: {roll: 0.7}}}}\n"
+    merged = BODIES.replace("roll: 0.2", "roll: 0.7")
+    put(tmp_path, base=BODIES, own=own, merged=merged)
+    ours, theirs = (decode(read(tmp_path / name)) for name in ("own.yaml", "merged.yaml"))
+    starts = [[(i.name, unparse(i.value)) for i in spec.scenes[0].initial] for spec in (ours, theirs)]
+    assert starts[0] == starts[1]
+
+
+def test_two_forms_in_one_file_are_refused_there(tmp_path: Path) -> None:
+    own = "nhc: 1\nextends: base.yaml\nbodies: {disc: {turns: [x: turns], rotation: S}}\n"
+    ((place, message),) = messages(put(tmp_path, base=BODIES, own=own) / "own.yaml")
+    assert place.startswith("own.yaml:3:")
+    assert "both `rotation` and `turns`" in message
 
 
 def test_a_chain_through_a_folder(tmp_path: Path) -> None:

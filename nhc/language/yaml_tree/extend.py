@@ -1,7 +1,8 @@
 """``extends``: a spec takes over another and changes some of it.
 
 The base is read relative to the spec's folder.  Mappings merge by name at every depth, an entry of the spec in the place of
-the base's; lists and texts replace.  ``U`` or ``V`` in the spec replaces either of them in the base.
+the base's; lists and texts replace.  Where a mapping has one of several forms (``U`` or ``V``, a body's ``turns`` or ``rotation``),
+the spec's form takes the place of the base's.
 """
 
 from __future__ import annotations
@@ -11,12 +12,12 @@ from pathlib import Path, PurePosixPath
 
 from nhc.diagnostics import Bag, Source, Span, SpecError
 from nhc.language.expressions.names import fold
+from nhc.language.keys import forms_at
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import read_nodes
 
 KEY = "extends"
 DEEPEST = 8
-_POTENTIALS = ("U", "V")
 
 
 def base_name(source: Source) -> Text | None:
@@ -80,17 +81,16 @@ def merge_bases(source: Source, root: Table) -> Table:
 
 
 def _merge_roots(base: Table, own: Table) -> Table:
-    if any(own.get(key) is not None for key in _POTENTIALS):
-        base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value not in _POTENTIALS))
     base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value != KEY))
-    return _merge(base, own, coordinate_names(base, own))
+    return _merge(base, own, coordinate_names(base, own), ())
 
 
-def _merge(base: Table, own: Table, rates: frozenset[str] = frozenset()) -> Table:
+def _merge(base: Table, own: Table, rates: frozenset[str], path: tuple[str, ...]) -> Table:
     """Merge by name, however it is spelled; the base's order first, then what is new.
 
-    ``rates`` are the coordinates whose velocities may be written ``xdot`` and ``x'`` here.
+    ``rates`` are the coordinates whose velocities may be written ``xdot`` and ``x'`` here, ``path`` the keys that lead here.
     """
+    replaced = _replaced(own, path)
     new: dict[str, tuple[Text, Node]] = {}
     twice = []  # in one mapping: the decoder says so
     for text, node in own.entries:
@@ -103,15 +103,23 @@ def _merge(base: Table, own: Table, rates: frozenset[str] = frozenset()) -> Tabl
     for text, node in base.entries:
         name = _spell(text.value, rates)
         if name not in new:
-            entries.append((text, node))
+            if text.value not in replaced:
+                entries.append((text, node))
             continue
         key, value = new.pop(name)
         if isinstance(node, Table) and isinstance(value, Table):
-            merged: Node = _merge(node, value, rates)
+            merged: Node = _merge(node, value, rates, (*path, name))
         else:
             merged = value
         entries.append((key, merged))
     return Table((*entries, *new.values(), *twice), own.span)
+
+
+def _replaced(own: Table, path: tuple[str, ...]) -> set[str]:
+    """Keys of the base for which the spec has another form."""
+    forms = forms_at(path)
+    meant = [form for form in forms if any(own.get(key) is not None for key in form)]
+    return {key for form in forms if meant and form not in meant for key in form}
 
 
 def _spell(name: str, rates: frozenset[str]) -> str:

@@ -110,7 +110,8 @@ def find_start(system: System, now: Formulation, start: Start) -> Formulation | 
     """
     place = start.values(system)
     found = find_better(system, now, place, ())
-    why = f"chosen for the start of the scene {start.scene.name}, where {name_of(system, now)} is singular or nearly so"
+    where = f"the start of the scene {start.scene.name}" if start.scene.name else "the motion of --about"
+    why = f"chosen for {where}, where {name_of(system, now)} is singular or nearly so"
     if found is not None and not _is_lost(system, found.value):
         return replace(found.formulation, reason=why)
     if not system.l or not _is_lost(system, conditioning(system, now, place)) or not _has_rank(system, place):
