@@ -103,28 +103,28 @@ def _foretell(tries: Sequence[_Try]) -> tuple[int, str]:
         return last.halvings - 1, ""  # what was foretold fails
     if known.get(last.halvings + 1) == inf:
         return 0, "shorter ones fail"
-    factor = _find_factor(tries, sure=last.halvings < MANY)
+    factor, sure = _find_factor(tries)
     needed = last.halvings + (max(1, ceil(log(last.error) / log(factor) - 0.1)) if factor > 1.0 else 1)
-    if needed > MOST_FOUND:
+    if needed > MOST_FOUND and (sure or last.halvings >= MANY):
         if last.halvings < MANY:
             return MANY, ""
-        return 0, f"that would take {'about' if factor > 1.0 else 'more than'} {FIRST * 2**needed} steps"
+        return 0, f"that would take {'about' if sure else 'more than'} {FIRST * 2**needed} steps"
     best = min((one.error for one in tries[:-BARREN]), default=inf)
     if last.halvings >= MANY and len(tries) > BARREN and all(not one.error < 0.5 * best for one in tries[-BARREN:]):
         return 0, "shorter ones are no better"
-    return needed, ""
+    return needed if sure else last.halvings + 1, ""
 
 
-def _find_factor(tries: Sequence[_Try], sure: bool) -> float:
-    """By which each halving makes the error less; where that is to be sure, 0 unless the last two times agree on it."""
+def _find_factor(tries: Sequence[_Try]) -> tuple[float, bool]:
+    """(by which each halving divides the error, whether the last two times agree on it); 0 where nothing is known."""
     if len(tries) < 3 or max(one.error for one in tries[-3:]) == inf:
-        return 0.0
+        return 0.0, False
     one, other = (
         (before.error / after.error) ** (1.0 / (after.halvings - before.halvings))
         for before, after in pairwise(tries[-3:])
     )
-    agree = abs(one - other) < 0.1 * other and other > 1.5
-    return other if agree else 0.0 if sure else max(other, LIKELY)
+    sure = abs(one - other) < 0.1 * other and other > 1.5
+    return (other if sure else max(other, LIKELY)), sure
 
 
 def _find_digits(coarse: Found, known: Found) -> list[float]:
