@@ -247,7 +247,7 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
         return ["there the constraints lose rank, and no formulation has a motion beyond: end the scene before"]
     if outcome.kind != CROSSED:
         return []
-    if job.watch.kinds[find_lost(job, outcome)] == "mass":
+    if job.watch.kinds[find_lost(job, outcome)] in ("mass", "whole"):
         return ["look at T there, or take coordinates that are regular, such as a `rotation:` for angles in space"]
     if job.recipe is None or not job.recipe.weak:
         return ["leave `--stay` out: the run then goes on with another choice of velocities"]

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from itertools import pairwise
-from math import inf, isfinite, nan, sin, ulp
+from math import exp, inf, isfinite, nan, sin, ulp
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate_into
@@ -33,6 +33,7 @@ _CHANGES = 4  # of a sign between two places of the grid: by way of zero there a
 _AROUND = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)  # widths from a pulse's middle at which a step ends
 _POLE = 1e6  # of an argument's size on the grid: no function turns there
 _FAR = 3.0  # what exp's argument changes by where exp has a pulse
+HIGH = 8  # a power of something that turns: from there on it has peaks
 _FIRST, _LISTED = 0.125, 256  # of the scene, and stops there, where there are too many
 _ULPS = 3  # at both sides of a corner, which the C may have elsewhere
 _ISOLATED = 8.0  # widths to the next pulse beyond which the time between them is quiet
@@ -55,7 +56,8 @@ def find_stops(system: System, p: Sequence[float], time: tuple[float, float]) ->
 def list_special(system: System, symbols: Sequence[Node]) -> list[Node]:
     """The functions in the spec's energies, forces and constraints that have special places and depend on one of the symbols."""
     op, exponent = system.graph.op, system.graph.b
-    return [n for n in list_reached(system, symbols) if op[n] in _SPECIAL and (op[n] != POW or exponent[n] < 0)]
+    reached = list_reached(system, symbols)
+    return [n for n in reached if op[n] in _SPECIAL and (op[n] != POW or not 0 < exponent[n] < HIGH)]
 
 
 def list_reached(system: System, symbols: Sequence[Node]) -> list[Node]:
@@ -110,7 +112,7 @@ class Search:
         """Where a step has to end for the sake of one special node, not of its operands."""
         kind, argument = self.graph.op[node], self._argument(node)
         values = [argument(t) for t in self._times]
-        if not _may_be_short(kind, values):
+        if not _may_be_short(kind, values, self.graph.b[node] if kind == POW else 0):
             return []
         if _count_turns(values) > self._grid // 4:
             return self._list_first(node)
@@ -252,14 +254,15 @@ class Search:
         return inf
 
 
-def _may_be_short(kind: str, values: Sequence[float]) -> bool:
+def _may_be_short(kind: str, values: Sequence[float], power: int) -> bool:
     """Whether a function of an argument with these values may have pulses that are short beside the time between them."""
     finite = [v for v in values if isfinite(v)]
     if kind in CORNERS or not finite:
         return bool(finite)
     if kind == "exp" or kind in STEPS:
         return max(finite) - min(finite) > _FAR
-    return min(map(abs, finite)) < 0.1 * max(map(abs, finite))
+    low, high = min(map(abs, finite)), max(map(abs, finite))
+    return low < (0.1 if power <= 0 else exp(-_FAR / power)) * high
 
 
 def _count_turns(values: Sequence[float]) -> int:

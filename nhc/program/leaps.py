@@ -11,13 +11,14 @@ of its length.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 
 from nhc.algebra.bounds.interval import Interval, bounds, cannot_vanish
 from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import POW, Graph, Node
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.turning import moving
-from nhc.program.clock import CORNERS, STEPS, list_reached
+from nhc.program.clock import CORNERS, HIGH, STEPS, list_reached
 from nhc.program.ir import Leaps
 from nhc.program.planner import PlannerBase
 
@@ -27,6 +28,7 @@ _RELATIVE = frozenset({"sqrt", "powf", "log", POW})
 _LARGE = 1000  # operations beyond which an argument is not followed
 _MILD = 100.0  # how many times its least value an argument may be that has no narrow place
 _BEND = (0.0, 0.0)  # of a corner
+_BOUNDED, _NOUGHT = 1e100, Fraction(1, 10**30)
 _FAR = 10**100  # from its special value: nothing comes of an argument beyond
 _PARTS = {
     **dict.fromkeys(_RELATIVE, (1.5, 0.0)),
@@ -48,12 +50,15 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
     system, g = planner.system, planner.graph
     moved = (system.t, *system.q, *system.v)
     held = {g.sum([g.power(e, 2) for e in rotation.e]) for rotation in system.rotations}  # to 1, after each step
-    wanted = dict[tuple[Node, tuple[float, float]], None]()
+    wanted, ranges = dict[tuple[Node, tuple[float, float]], None](), {**intervals(system), **(known or {})}
+    values = {symbol: ranges[symbol] for symbol in system.p if symbol in ranges}
     for node in list_reached(system, moved):
         op = g.op[node]
         if g.a[node] in held:
             continue
-        part = _PARTS.get(op)
+        part, high = _PARTS.get(op), _as_exponential(g, node, values)
+        if high is not None:
+            wanted[high, _PARTS["exp"]] = None
         if part is None or (op == POW and g.b[node] > 0) or (op in _RELATIVE and not _is_plain(g, g.a[node], moved)):
             continue
         argument = g.sub(g.a[node], g.b[node]) if op in ("min", "max") else g.a[node]
@@ -63,7 +68,7 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
         return None
     on = moving(system, planner.full_equations.motion.velocities)
     nodes = substitute(g, substitute(g, [argument for argument, _ in wanted], on), planner.put_in)
-    ranges, kept = {**intervals(system), **(known or {})}, ~g.mask((*planner.state_loads,))
+    kept = ~g.mask((*planner.state_loads,))
     found = dict[tuple[Node, tuple[float, float]], None]()
     for node, (_, part) in zip(nodes, wanted, strict=True):
         told = not g.deps[node] & kept and not planner._is_constant(node) and count(g, [node]) <= _LARGE
@@ -73,6 +78,21 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
         return None
     function = planner.lower_out("places", "arguments that a step must not leap over", [node for node, _ in found])
     return Leaps(function, tuple(part for _, part in found))
+
+
+def _as_exponential(graph: Graph, node: Node, values: Mapping[Node, Interval]) -> Node | None:
+    """The exponent of a high power of what has bounds wherever it is, such as sin(x)^1000, written as an exponential: zero at its
+    peaks.  ``values``: of the parameters.
+    """
+    g = graph
+    power = g.b[node] if g.op[node] == POW else g.value(g.b[node]) if g.op[node] == "powf" else None
+    if power is None or power < HIGH:
+        return None
+    most = max(map(abs, bounds(g, g.a[node], values)))
+    if not 0.0 < most < _BOUNDED:
+        return None
+    part = g.power(g.div(g.a[node], g.number(Fraction(most))), 2)
+    return g.mul(g.number(Fraction(power) / 2), g.function("log", g.add(part, g.number(_NOUGHT))))
 
 
 def _bounded(graph: Graph, node: Node) -> Node:

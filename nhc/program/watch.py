@@ -21,7 +21,8 @@ from nhc.mechanics.regular.trials import usual_digits
 from nhc.mechanics.system import System
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
-from nhc.program.plan import GuardPlan
+from nhc.program.nearness import are_masses_regular, find_nearness
+from nhc.program.plan import GuardPlan, SolvePlan
 from nhc.program.planner import MASS_LOST
 from nhc.records import record
 
@@ -39,7 +40,7 @@ _MOST_ROWS = 4  # of a matrix whose determinant is written out
 
 @record
 class Watch:
-    """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass or rank, and deep for a frame's lower levels.
+    """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass, rank or whole, and deep for a frame's lower levels.
 
     ``events``, ``signs``, ``close`` count the user's events, the determinants, and the values that tell a singularity by
     closeness; those after them tell weakness.
@@ -72,6 +73,8 @@ class Watch:
             return f"{what}: a pivot of it vanishes here, where {who} do not tell the motion, and {beyond}"
         if kind == "rank":
             return f"{what} here: their minors vanish together, and {beyond}"
+        if kind == "whole":
+            return f"{what} here, and {beyond}"
         return f"{what}: the determinant vanishes here, and {beyond}"
 
 
@@ -100,7 +103,8 @@ def watch_function(
     events = [] if event is None else planner.on_motion([event])
     frames = _frames(planner)
     determinants = [*_turned(planner), *_determinant(planner, known or {})]
-    measures = [*frames, *determinants, *_pivots(planner, known or {}), *_rank(planner)]
+    whole, solves = _whole(planner, known or {})
+    measures = [*frames, *determinants, *_pivots(planner, known or {}), *_rank(planner), *whole]
     signs = [m for m in (*frames, *determinants) if m.value not in events]
     nodes, about, kinds = [*events, *(m.value for m in signs)], [""] * len(events), ["event"] * len(events)
     about += [m.what for m in signs]
@@ -116,7 +120,7 @@ def watch_function(
     if not nodes:
         return None, Watch()
     watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close)
-    return planner.lower_out("watch", "values whose change of sign ends a run", nodes, about), watch
+    return planner.lower_out("watch", "values whose change of sign ends a run", nodes, about, solves=solves), watch
 
 
 def look_out(planner: Planner, parameters: Sequence[Sequence[float]]) -> Lookout | None:
@@ -184,6 +188,20 @@ def _determinant(planner: Planner, known: dict[Node, tuple[float, float]]) -> li
     if cannot_vanish(g, normalise(g, value, _TERMS), {**intervals(planner.system), **known}):
         return []
     return [_Measure(value, row_scale(g, rows), False, "mass", MASS_LOST, (DEEP,))]
+
+
+def _whole(planner: Planner, known: dict[Node, tuple[float, float]]) -> tuple[list[_Measure], tuple[SolvePlan, ...]]:
+    """How near the multiplier form is to singular, with the solve that tells it, where its parts do not tell by themselves."""
+    if not planner.equations.multipliers or not planner.solves:
+        return [], ()
+    judged = find_rank_loss(planner.system).regular is not None
+    if judged and are_masses_regular(planner, {**intervals(planner.system), **known}):
+        return [], ()
+    near = find_nearness(planner)
+    if near is None:
+        return [], ()
+    scale = planner.graph.number(near.usual)
+    return [_Measure(near.value, scale, True, "whole", near.solve.what, (THIN,))], (near.solve,)
 
 
 def _rank(planner: Planner) -> list[_Measure]:

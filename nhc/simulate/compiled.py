@@ -174,15 +174,27 @@ class CompiledModel:
         Raises:
             ModelError: they have no value there.
         """
-        width, failed = self.needed, ctypes.c_long(0)
-        out = (ctypes.c_double * max(len(times) * width, 1))()
-        flat = _doubles([x for state in states for x in state])
+        width = self.needed
+        out = self._needed_rows(times, _doubles([x for state in states for x in state]), p)
+        values = list(out[: len(times) * width])
+        return [values[k : k + width] for k in range(0, len(values), width)]
+
+    def quantities_array(self, times: Sequence[float], states: Any, p: Sequence[float]) -> Any:
+        """The same as a NumPy array of shape (rows, columns), of states in one of shape (rows, NY)."""
+        import numpy as np
+
+        flat = np.array(states, dtype=float).reshape(-1)
+        out = self._needed_rows(np.array(times, dtype=float), _doubles(flat), p)
+        return np.array(out)[: len(times) * self.needed].reshape(len(times), -1)
+
+    def _needed_rows(self, times: Numbers, flat: Any, p: Sequence[float]) -> Any:
+        """C's array of all rows' columns."""
+        failed, out = ctypes.c_long(0), (ctypes.c_double * max(len(times) * self.needed, 1))()
         function = getattr(self.library, f"{self.system}_needed_rows")
         status = function(ctypes.c_long(len(times)), _doubles(times), flat, _doubles(p), out, ctypes.byref(failed))
         if status:
             raise ModelError(failed.value, status)
-        values = list(out[: len(times) * width])
-        return [values[k : k + width] for k in range(0, len(values), width)]
+        return out
 
 
 class Many:

@@ -25,6 +25,7 @@ from tests.support import ROOT, compile_c
 
 END = 100.0
 PAIR = "5*(sign(t - at) - sign(t - at - 0.1))/2"
+HIGH = math.sqrt(math.pi) * math.exp(math.lgamma(50000.5) - math.lgamma(50001.0))  # of cos^100000, over a half turn
 PULSES = {
     PAIR: (0.5, 40.05),
     "5*max(0, 0.1 - abs(t - at))": (0.05, 40.0),
@@ -35,6 +36,7 @@ PULSES = {
     "5*(1 - tanh(100*(t - at))^2)": (0.1, 40.0),
     "5/cosh(100*(t - at))^2": (0.1, 40.0),
     "5/(1 + (10000*(t - at))^2)^2": (0.0005 * math.pi / 2, 40.0),
+    "5*cos((t - at)/40)^100000": (200 * HIGH, 40.0),
 }
 
 

@@ -70,10 +70,11 @@ def test_every_parabola_that_touches_zero_is_looked_at() -> None:
             slope = -2.0 * (b + math.sqrt(a * b))
             for share in (0.2, 1.0, 5.0):  # how the value went in the step before is not how it goes in this one
                 trend = share * slope * unit
-                assert may_dip([b * unit], [trend], [a * unit], 1.0, 0)
-                assert may_dip([-b * unit], [trend], [-a * unit], -1.0, 0)
-    assert not may_dip([1.0], [-0.6], [1.1], 1.0, 0)
-    assert not may_dip([1.0], [0.6], [0.1], 1.0, 0)
+                assert may_dip([b * unit], [trend], [a * unit], 1.0, 1.0, 0)
+                assert may_dip([-b * unit], [trend], [-a * unit], -1.0, -1.0, 0)
+    assert not may_dip([1.0], [-0.6], [1.1], 1.0, 1.0, 0)
+    assert not may_dip([1.0], [0.6], [0.1], 1.0, 1.0, 0)
+    assert may_dip([1.0], [0.0], [1.1], 1.0, 0.2, 0)  # a fifth of the step does not tell how the rest goes
 
 
 ROD = """nhc: 1

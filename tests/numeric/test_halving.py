@@ -8,8 +8,10 @@ from collections.abc import Callable
 import pytest
 
 from nhc.diagnostics import Source
+from nhc.simulate.halving import find_step
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
+from nhc.simulate.task import DONE, Outcome, Task
 
 METHODS = ("rk4", "gauss4", "gauss6", "midpoint")
 
@@ -94,3 +96,60 @@ def test_what_is_zero_but_for_rounding_keeps_no_step_short() -> None:
     found = run(open_scene(Source("halved.yaml", text), method="gauss6"), Settings("gauss6", 1e-8, points=41))
     assert any("reach the tolerance (found by halving)" in note for note in found.notes)
     assert found.step >= 1e-3
+
+
+# --- giving up ----------------------------------------------------------------------------------------------
+
+
+class _Found:
+    """What a run that ends with an error of so many tolerances looks like; infinite: it fails on the way."""
+
+    def __init__(self, task: Task, error: float) -> None:
+        self.times, self.rows = task.times, ((1.0,), (1.0 + 1e-6 * error,))
+        self.outcome, self.reason = Outcome(DONE, 0, task.times[-1], [1.0], task.step), "lost"
+        self.ended = "done" if error < math.inf else "failed"
+
+
+def search(errors: Callable[[int], float], sure: bool = True) -> tuple[float, str, int]:
+    """(steps found, the note, all steps taken on the way) of a method with these errors, by its number of steps."""
+    task, taken = Task((), [1.0], (0.0, 1.0), 1e-8, 0.0), list[int]()
+
+    def go(one: Task) -> _Found:
+        taken.append(round(1.0 / one.step))
+        return _Found(one, errors(taken[-1]))
+
+    found, note = find_step(go, lambda one: _Found(one, 0.0 if sure else math.inf), task, 1e-6)
+    return 1.0 / found.step, note, sum(taken)
+
+
+def test_a_length_that_is_foretold_is_taken_at_once() -> None:
+    steps, note, taken = search(lambda n: (n / 5e5) ** -2)
+    assert steps == 2**19 and "reach the tolerance" in note and taken < 1.01 * steps
+
+
+def test_what_would_take_too_many_steps_is_not_begun() -> None:
+    steps, note, taken = search(lambda n: (n / 3e7) ** -2)
+    assert steps == 2**16 and "that would take about 33554432 steps" in note and taken < 2**17
+
+
+def test_errors_that_fall_no_more_end_the_search() -> None:
+    """Rounding, that grows with the number of steps; the best length is kept."""
+    steps, note, taken = search(lambda n: max((n / 5e5) ** -2, 50.0 + n / 1e6))
+    assert "do not reach the tolerance, but come to 51 times it" in note and steps == 2**19 and taken < 2**22
+
+
+def test_where_what_is_foretold_fails_the_longest_that_does_not_is_taken() -> None:
+    steps, note, taken = search(lambda n: (n / 5e5) ** -2 if n < 2**18 else math.inf)
+    assert steps == 2**17 and "shorter ones fail" in note and taken < 2**20
+
+
+def test_what_always_fails_ends_soon() -> None:
+    for sure in (True, False):
+        _, note, taken = search(lambda n: math.inf, sure)
+        assert "do not reach the tolerance" in note and taken <= 2**20
+
+
+def test_a_pulse_between_the_first_steps_does_not_end_the_search() -> None:
+    """The same error for every length that leaps over it, and none beyond."""
+    steps, note, _ = search(lambda n: 1e5 if n < 40_000 else 0.0)
+    assert steps == 2**16 and "reach the tolerance" in note

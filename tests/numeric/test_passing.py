@@ -63,6 +63,7 @@ PASSED = {
     "0.3*exp(-((x - 50)/w)^2)": bump(0.3, 50.0),
     "0.3*exp(-((x - 30)/w)^2) + h*exp(-((x - 60)/w)^2)": lambda x: bump(0.3, 30.0)(x) + bump(10.0, 60.0)(x),
     "2000*max(0, w - abs(x - 50))^2/2": lambda x: 2000.0 * max(0.0, 0.1 - abs(x - 50.0)) * math.copysign(1.0, x - 50.0),
+    "h*cos((x - 50)/40)^200000": lambda x: 5e4 * math.cos((x - 50.0) / 40.0) ** 199999 * math.sin((x - 50.0) / 40.0),
 }
 
 

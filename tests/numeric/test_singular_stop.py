@@ -141,6 +141,61 @@ def test_a_mass_matrix_that_changes_its_sign(method: str, step: float) -> None:
     assert "the mass matrix is singular" in found.reason
 
 
+def cranks(unit: float = 1.0, factor: float = 1.0) -> Source:
+    """Three cranks in a row on two couplers, in four rows; at a = 0 all bars lie on one line and may go on in several ways.
+
+    ``unit``: of the angle a; ``factor``: what a row is multiplied by.
+    """
+    a = "(a/u)"
+    return Source(
+        "cranks.yaml",
+        "nhc: 1\nsystem: cranks\ncoordinates: [a, b, c, e, f]\n"
+        f"parameters: {{u: {unit}, s: {factor}, k: 3}}\n"
+        f"T: ((a'/u)^2 + 2*b'^2 + c'^2 + e'^2 + 3*f'^2)/2 + 0.3*a'/u*b'*cos({a} - b) + 0.2*c'*f'*cos(c - f)\n"
+        f"V: k*sin({a})\nconstraints:\n"
+        f"  - s*(-sin({a})*a'/u - 2*sin(b)*b' + sin(c)*c') = 0\n"
+        f"  - cos({a})*a'/u + 2*cos(b)*b' - cos(c)*c' = 0\n"
+        "  - -sin(c)*c' - 2*sin(f)*f' + sin(e)*e' = 0\n"
+        "  - cos(c)*c' + 2*cos(f)*f' - cos(e)*e' = 0\n"
+        f"scenes: {{go: {{initial: {{a: {unit}, c: 1, e: 1, a': {-2 * unit}, c': -2, e': -2}}, time: [0, 3]}}}}\n",
+    )
+
+
+@pytest.mark.parametrize(("unit", "factor"), [(1.0, 1.0), (1e6, 1.0), (1.0, 1e-5)])
+@pytest.mark.parametrize(("method", "step"), [("dop853", 0.0), ("dopri5", 0.0), ("radau5", 0.0), ("rk4", 0.1)])
+def test_no_run_through_a_loss_of_rank_of_many_rows(method: str, step: float, unit: float, factor: float) -> None:
+    """Their minors are too many to be written down: the multiplier form tells it itself, whatever the units."""
+    found = follow(cranks(unit, factor), "go", "multipliers", method, step=step)
+    assert found.ended == "failed" and abs(found.outcome.y[0]) < 1e-5 * unit
+    assert "do not determine the accelerations here" in found.reason
+    assert any("hardly determine the accelerations" in note for note in found.notes)
+
+
+def test_python_stops_at_many_rows_where_c_does() -> None:
+    c, python = (follow(cranks(), "go", "multipliers", "rk4", step=0.1, compiled=how) for how in (True, False))
+    assert python.ended == "failed" and python.outcome.t == pytest.approx(c.outcome.t, abs=1e-9)
+    assert [note.partition(" t = ")[0] for note in c.notes] == [note.partition(" t = ")[0] for note in python.notes]
+
+
+@pytest.mark.parametrize("method", ["dop853", "radau5"])
+def test_gimbal_lock_of_the_multiplier_form_is_a_stop(method: str) -> None:
+    """A disk whose axis goes through the vertical turns a wheel: the rows stay independent, the masses do not stay regular."""
+    source = Source(
+        "gimbal.yaml",
+        "nhc: 1\nsystem: gimbal\ncoordinates: [phi, theta, psi, x]\ndefine: {w: psi' + cos(theta)*phi'}\n"
+        "T: theta'^2/2 + sin(theta)^2*phi'^2/2 + w^2 + x'^2/2\nconstraints: [x' - w = 0]\n"
+        "scenes: {lock: {initial: {theta: 1.01, theta': -1}, time: [0, 3]}}\n",
+    )
+    found = follow(source, "lock", "multipliers", method)
+    assert found.ended == "failed" and found.outcome.t == pytest.approx(1.01, abs=1e-5)
+    assert "do not determine the accelerations here" in found.reason
+
+
+def test_what_the_multiplier_form_loses_near_a_lock_is_said() -> None:
+    found = follow(Source("disk.yaml", spec_path("rolling_disk").read_text()), "bounce", "multipliers")
+    assert found.ended == "done" and any("digits are lost" in note for note in found.notes)
+
+
 SCENES = [(path.stem, scene.name) for path in sorted(SPECS.glob("*.yaml")) for scene in decode(read(str(path))).scenes]
 NEAR = {("rolling_disk", "bounce")}
 """A disk that falls almost flat; a top a hundredth of a radian from upright loses two digits of its Euler's angles, no more."""

@@ -47,6 +47,11 @@ def test_only_what_can_be_short_is_watched(
     assert parts_of(force, *far) == ()
 
 
-@pytest.mark.parametrize("force", ["-x", "-x^3", "-sin(x)", "-x*y", "-1/(2 + sin(x))"])
+@pytest.mark.parametrize("force", ["-x", "-x^3", "-sin(x)", "-x*y", "-1/(2 + sin(x))", "-sin(x)^6", "-x^60"])
 def test_what_is_slow_everywhere_is_not_watched(force: str) -> None:
     assert parts_of(force, -100, 100) == ()
+
+
+@pytest.mark.parametrize("power", ["1000", "1000.5"])
+def test_a_high_power_is_watched_as_an_exponential(power: str) -> None:
+    assert (1.5, 2.0) in parts_of(f"-sin(x)^{power}", 0, 3)

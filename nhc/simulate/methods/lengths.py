@@ -28,6 +28,14 @@ def limit_growth(method: Tableau) -> float:
     return 10.0 if isinstance(method, Explicit) else 6.0
 
 
+def find_growth(method: Tableau, error: float, former: float, refused: bool) -> float:
+    """The next step's length by this one's: proportional and integral for explicit methods (Hairer and Wanner 1996, sec. IV.2)."""
+    q = max(method.exponent, 1)
+    if not isinstance(method, Explicit):
+        return float(0.9 * error ** (-1.0 / q))
+    return 0.9 * (find_pace(error, 0.5 / q, 1.0, 0.0) if refused else find_pace(error, 0.4 / q, former, 0.15 / q))
+
+
 def find_pace(error: float, a: float, former: float, b: float) -> float:
     """error^-a former^b to 6 percent: logarithm and power are straight lines between the powers of two."""
     (x, i), (z, j) = math.frexp(error), math.frexp(former)

@@ -14,7 +14,7 @@ from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.holding import Held, hold_end
 from nhc.simulate.methods.hoping import count_on_hopes, find_hollow, go_back, look_on
 from nhc.simulate.methods.leaping import Placed, find_most
-from nhc.simulate.methods.lengths import find_pace, guess_length, limit_growth
+from nhc.simulate.methods.lengths import find_growth, guess_length, limit_growth
 from nhc.simulate.methods.rounding import is_faint, reconsider
 from nhc.simulate.methods.step import NoSolution, Step
 from nhc.simulate.methods.stops import cross, foresee, next_bound
@@ -79,6 +79,7 @@ class _Run:
     back: _Run | None = None
     before: list[float] = field(default_factory=list)
     trend: list[float] = field(default_factory=list)
+    span: float = 0.0
 
     def leave(self, kind: int, status: int = 0) -> Outcome:
         s = self.step
@@ -148,15 +149,8 @@ def _find_trend(run: _Run) -> list[float]:
         at = run.model.watch(s.t + h, [y + h * f for y, f in zip(s.y, s.slope, strict=True)], task.p)
     except ArithmeticError:
         at = [0.0] * len(run.before)
+    run.span = 1e3 * h
     return [(b - a) / h for a, b in zip(run.before, at, strict=True)]
-
-
-def _pace(run: _Run, error: float, refused: bool) -> float:
-    """The next step's length by this one's: proportional and integral for explicit methods (Hairer and Wanner 1996, sec. IV.2)."""
-    q = max(run.method.exponent, 1)
-    if not isinstance(run.method, Explicit):
-        return float(0.9 * error ** (-1.0 / q))
-    return 0.9 * (find_pace(error, 0.5 / q, 1.0, 0.0) if refused else find_pace(error, 0.4 / q, run.former, 0.15 / q))
 
 
 def _plan(run: _Run) -> tuple[float, float] | None:
@@ -239,7 +233,7 @@ def _advance(run: _Run) -> Outcome | None:
     if not 0.0 <= error <= 1.0:
         run.rejected += 1
         run.growth, s.first = 1.0, True
-        run.next = h * (max(_pace(run, error, True), 0.333) if error > 1.0 else 0.25)
+        run.next = h * (max(find_growth(run.method, error, run.former, True), 0.333) if error > 1.0 else 0.25)
         if task.step <= 0:
             square = error if isinstance(run.method, Explicit) else error * error
             s.learn_sizes(square if error > 1.0 else sys.float_info.max, run.method.trust)
@@ -248,7 +242,7 @@ def _advance(run: _Run) -> Outcome | None:
         return None
     _remember(run)
     if task.step <= 0:
-        growth = _pace(run, error, False) if error > 0 else run.growth
+        growth = find_growth(run.method, error, run.former, False) if error > 0 else run.growth
         run.next = min(h * min(run.growth, max(growth, 0.333)), run.most)
         run.growth, run.former = limit_growth(run.method), max(error, _LEAST_ERROR)
     return _accept(run, reach)
@@ -261,9 +255,10 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     cut, which = 2.0, -1
     if model.watched:
         after = model.watch(reach, s.reached, task.p)
-        near = bool(run.trend) and may_dip(run.before, run.trend, after, s.h, model.dips) and _may_touch(run, after)
+        near = bool(run.trend) and may_dip(run.before, run.trend, after, s.h, run.span, model.dips)
+        near = near and _may_touch(run, after)
         if run.trend:
-            run.trend = [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
+            run.span, run.trend = s.h, [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
         if model.events or near or find_change(run.before, after) >= 0:
             cut, which = _find_event(run)
         run.before = keep_signs(run.before, after)

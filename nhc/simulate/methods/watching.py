@@ -28,10 +28,15 @@ def keep_signs(before: Sequence[float], after: Sequence[float]) -> list[float]:
     return [b if b != 0.0 else a for a, b in zip(before, after, strict=True)]
 
 
-def may_dip(before: Sequence[float], trend: Sequence[float], after: Sequence[float], h: float, first: int) -> bool:
+def may_dip(
+    before: Sequence[float], trend: Sequence[float], after: Sequence[float], h: float, span: float, first: int
+) -> bool:
     """Whether a value from ``first`` on may touch zero within a step: three such steps would bring it there as it went so far, and
-    up again to what it is after, or as high as it was before.
+    up again to what it is after, or as high as it was before.  How it went in a step ``span`` of a quarter of the length tells
+    nothing.
     """
+    if abs(h) > 4.0 * abs(span):
+        return True
     rows = list(zip(before, trend, after, strict=True))[first:]
     return any(b * f * h < 0.0 and abs(b) + min(abs(b), abs(a)) < 3.0 * abs(f * h) for b, f, a in rows)
 

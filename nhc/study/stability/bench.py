@@ -89,13 +89,16 @@ class Bench:
         model = self.schemes.get(method, self.model)
         return model.integrate(task, method, model.news())
 
-    def quantities(self, times: Sequence[float], states: Sequence[Sequence[float]]) -> Matrix:
+    def quantities(self, times: Sequence[float], states: Sequence[Sequence[float]] | Matrix) -> Matrix:
         """All columns, shape (rows, columns).
 
         Raises:
             nhc.simulate.task.ModelError: they have no value at a row.
         """
-        return np.array(self.model.quantities(times, states, self.job.p), dtype=float).reshape(len(times), -1)
+        if isinstance(self.model, CompiledModel):
+            return np.asarray(self.model.quantities_array(times, states, self.job.p))
+        found = self.model.quantities(times, np.asarray(states).tolist(), self.job.p)
+        return np.array(found, dtype=float).reshape(len(times), -1)
 
     def group(self, name: str) -> list[int]:
         """The places of a group's columns."""

@@ -91,7 +91,8 @@ def _thinned(series: Sequence[float], every: int) -> tuple[float, ...]:
 
 def _rows(bench: Bench, times: Sequence[float], outcome: Outcome) -> tuple[int, Matrix]:
     """The columns at the rows that have values."""
-    states = [s for s in outcome.states if np.all(np.isfinite(s))]
+    states = np.array(outcome.states, dtype=float).reshape(len(outcome.states), -1)
+    states = states[np.isfinite(states).all(axis=1)]
     count = len(states)
     while count:
         try:
@@ -161,4 +162,4 @@ def _relative(bench: Bench, place: int, what: str, kind: str, values: Series) ->
 def _drift(what: str, kind: str, relative: bool, deviations: Series, floor: float) -> Drift:
     size, tenth = np.abs(deviations), max(1, len(deviations) // 10)
     first, last = float(size[:tenth].max()), float(size[-tenth:].max())
-    return Drift(what, kind, relative, first, last, floor, tuple(float(x) for x in size))
+    return Drift(what, kind, relative, first, last, floor, tuple(size.tolist()))
