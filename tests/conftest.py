@@ -17,9 +17,9 @@ import pytest
 
 from nhc.cli.entry import RARE_COLLECTION
 from nhc.simulate import compile as compiling
+from tests.support import QUICK, UNOPTIMISED
 
 ROOT = Path(__file__).resolve().parent.parent
-QUICK = shutil.which("clang")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -57,9 +57,8 @@ def quick_models(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Compile]:
     careful = compiling._compile
 
     def quick(sources: Mapping[str, str], unit: str, command: Sequence[str], library: Path) -> None:
-        if QUICK:
-            command = (QUICK, *(flag for flag in command[1:] if not flag.startswith(("-fpeel", "-frename"))))
-        careful(sources, unit, (*command, "-O0", "-ffp-contract=off"), library)
+        kept = (flag for flag in command[1:] if not flag.startswith(("-fpeel", "-frename")))  # gcc's alone
+        careful(sources, unit, (QUICK, *kept, *UNOPTIMISED), library)
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("NHC_CACHE", str(_shared(tmp_path_factory) / "cache"))

@@ -6,16 +6,14 @@ import ctypes
 import random
 import re
 from collections.abc import Callable
-from functools import cache
 from pathlib import Path
 
 import pytest
 
-from nhc import pipeline
 from nhc.dump import DUMPS
 from nhc.language import read
 from nhc.pipeline import Options, emit
-from tests.support import GALLERY, CModel, compile_c, error, python_model, spec_path
+from tests.support import GALLERY, CModel, compile_c, error, made_once, python_model, spec_path
 
 HERE = Path(__file__).resolve().parent
 STAGES = {"form.txt": "form", "equations.txt": "associate"}
@@ -41,10 +39,9 @@ def test_golden_program(name: str, golden: Callable[[Path, str], None]) -> None:
 
 
 @pytest.mark.parametrize("name", GALLERY)
-def test_golden(name: str, golden: Callable[[Path, str], None], monkeypatch: pytest.MonkeyPatch) -> None:
-    for stage in ("derivation", "program"):  # made once for all that is printed of it
-        monkeypatch.setattr(pipeline, stage, cache(getattr(pipeline, stage)))
-    found = artefacts(name)
+def test_golden(name: str, golden: Callable[[Path, str], None]) -> None:
+    with made_once():
+        found = artefacts(name)
     assert tuple(sorted(found)) == tuple(sorted(FILES))
     for file in FILES:
         golden(HERE / name / file, found[file])

@@ -102,7 +102,7 @@ def test_starts_with_parameters_of_their_own() -> None:
 
 @pytest.mark.parametrize("force", [PAIR, "5*exp(-((t - at)/0.05)^2)", "5*(1 - tanh(100*(t - at))^2)"])
 def test_the_emitted_driver(force: str, tmp_path: Path) -> None:
-    program = compile_c(emit(write(force), "c", Options(driver=True)), tmp_path, "struck", ("-O1",), library=False)
+    program = compile_c(emit(write(force), "c", Options(driver=True)), tmp_path, "struck", library=False)
     for scene, middle in (("go", PULSES[force][1]), ("late", PULSES[force][1] + 30.3)):
         done = subprocess.run([program, scene, "11", "1e-9"], capture_output=True, text=True, timeout=60)
         rows = [tuple(map(float, line.split(","))) for line in done.stdout.splitlines()[1:]]

@@ -49,7 +49,7 @@ def drive(source: Source, folder: Path, *arguments: str, **options: object) -> s
     """Emit with the driver, compile strictly, run."""
     files = emit(source, "c", Options(driver=True, **options))  # type: ignore[arg-type]
     name = next(iter(files)).removesuffix(".h")
-    program = compile_c(files, folder, name, ("-O1", "-Wshadow"), library=False)
+    program = compile_c(files, folder, name, ("-Wshadow",), library=False)
     return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=60)
 
 

@@ -30,7 +30,7 @@ def test_python_with_scipy(name: str) -> None:
 @pytest.mark.parametrize("name", sorted(FINAL))
 def test_the_c_driver(name: str, tmp_path: Path) -> None:
     files = emitted(name, "c", Options(driver=True))
-    program = compile_c(files, tmp_path, name, ("-O2",), library=False)
+    program = compile_c(files, tmp_path, name, library=False)
     done = subprocess.run([program, "reference", "11", "1e-13"], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     header, *rows = done.stdout.splitlines()

@@ -17,7 +17,7 @@ from nhc.diagnostics import Source, SpecError, render_text
 from nhc.emit import EmitError
 from nhc.language.expressions.names import RESERVED
 from nhc.pipeline import Options, check, derive, emit
-from tests.support import STRICT, python_model
+from tests.support import STRICT, made_once, python_model
 
 COMPILERS = [c for c in ("gcc", "clang", "clang-14") if shutil.which(c)][:2]
 HANG = 60.0  # seconds of the processor, so that a busy machine is no hang; what takes longer hangs
@@ -298,12 +298,13 @@ def carry_through(source: Source, folder: Path, *, paper: bool = True, driver: b
     """The spec is valid, its C compiles strictly everywhere, its Python runs, and its derivations are written."""
     try:
         check(source)
-        compile_all(emit(source, "c", Options(driver=driver)), folder)
-        for array in ("", "numpy"):
-            (text,) = emit(source, "python", Options(array=array)).values()
-            run_python(python_model(text, "hostile_" + array))
-        for to in ("text", "latex") if paper else ():
-            assert derive(source, Options(to=to))
+        with made_once():
+            compile_all(emit(source, "c", Options(driver=driver)), folder)
+            for array in ("", "numpy"):
+                (text,) = emit(source, "python", Options(array=array)).values()
+                run_python(python_model(text, "hostile_" + array))
+            for to in ("text", "latex") if paper else ():
+                assert derive(source, Options(to=to))
     except SpecError as error:
         raise AssertionError(render_text(error.source, error.diagnostics)) from error
 

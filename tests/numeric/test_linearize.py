@@ -357,22 +357,24 @@ def test_a_force_that_is_switched_on_makes_nothing_steady() -> None:
 
 
 @pytest.mark.parametrize(
-    ("request_", "code"),
+    ("request_", "codes"),
     [
         (Request("nothing"), "E0503"),
         (Request("thete=1"), "E0419"),
         (Request("theta=oops"), "E0314"),
         (Request("theta"), "E0503"),
         (Request("theta=1, 2"), "E0208"),
+        (Request("1, theta=1=2, 2"), "E0208 E0208 E0208"),
         (Request("theta=1", settings=("m=l",)), "E0314"),
         (Request("theta=1", holds=("nothing",)), "E0419"),
         (Request("theta=1", sweep=("nothing", 0.0, 1.0, 3)), "E0419"),
     ],
 )
-def test_requests_are_checked(request_: Request, code: str) -> None:
+def test_requests_are_checked(request_: Request, codes: str) -> None:
+    """Everything that is wrong is said at once."""
     with pytest.raises(SpecError) as caught:
         linearize(read(str(spec_path("pendulum"))), request_)
-    assert [d.code for d in caught.value.diagnostics] == [code]
+    assert [d.code for d in caught.value.diagnostics] == codes.split()
 
 
 @pytest.mark.parametrize("start", ["theta=0.5, psi'=6, phi'=2", "theta=1, psi'=6, phi'=2"])

@@ -280,7 +280,7 @@ def test_starts_that_meet_the_bump_at_times_of_their_own() -> None:
 
 
 def test_the_emitted_driver_meets_it(tmp_path: Path) -> None:
-    program = compile_c(emit(bumpy(), "c", Options(driver=True)), tmp_path, "bumpy", ("-O1",), library=False)
+    program = compile_c(emit(bumpy(), "c", Options(driver=True)), tmp_path, "bumpy", library=False)
     for scene, width in (("go", 0.1), ("thin", 1e-4)):
         for rows in ("2", "30"):
             done = subprocess.run([program, scene, rows, "1e-9"], capture_output=True, text=True, timeout=60)

@@ -133,11 +133,14 @@ def test_a_driver_starts_from_rest(tmp_path: Path, swum: list[float]) -> None:
     ],
 )
 def test_forces_of_a_high_power_of_the_time_from_rest(method: str, torque: str, compiled: bool) -> None:
-    """B (theta + delta)'' = M by quadrature.  Even what grows first has one relative error in all steps from zero."""
+    """B (theta + delta)'' = M by quadrature.  Even what grows first has one relative error in all steps from zero.
+
+    They are tens of thousands at 1e-9; radau5 in Python goes in fewer, from the same start to the same end.
+    """
     text = SWIMMER.replace("A*sin(Omega*t)", f'"{torque}"').replace("[0, 20]", "[0, 2]")
     text = text.replace("scenes:", "outputs: {wheel: theta + delta}\nscenes:")
     job = open_scene(Source("swimmer.yaml", text), method=method, formulation="multipliers", needs=("wheel",))
-    found = run(job, Settings(method, 1e-9, 0.0, 2, compiled))
+    found = run(job, Settings(method, 1e-9 if compiled or method != "radau5" else 1e-4, 0.0, 2, compiled))
     assert found.ended == "done", found.reason
     scale = 0.5 / 0.03
     exact = {

@@ -6,7 +6,9 @@ import csv
 import io
 import json
 import math
+import os
 import re
+import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -18,7 +20,7 @@ import pytest
 from nhc.cli.entry import main
 from nhc.language import Source, read
 from nhc.report.trajectory import npz_bytes
-from nhc.simulate.compile import CompileError, build, cache_folder
+from nhc.simulate.compile import CacheError, CompileError, build, cache_folder
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.opening import RunError, open_scene
 from nhc.simulate.peers import SCIPY
@@ -398,6 +400,26 @@ def test_the_cache_is_addressed_by_content(tmp_path: Path, monkeypatch: pytest.M
     with pytest.raises(CompileError, match="does not compile"):
         build({**UNIT, "two.h": ""}, "one.c")
     assert len(list((tmp_path / "models").iterdir())) == 3
+
+
+@pytest.mark.parametrize("wins", [True, False])
+def test_who_comes_second_keeps_the_first_one_s(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, wins: bool) -> None:
+    """Two runs compile the same model at once; where nobody has made the entry, that it cannot be is said."""
+    rename = os.rename
+
+    def come_second(work: Path, entry: Path) -> None:
+        shutil.copytree(work, entry) if wins else entry.mkdir()
+        (entry / "first").write_text("")
+        rename(work, entry)
+
+    monkeypatch.setenv("NHC_CACHE", str(tmp_path / "models"))
+    monkeypatch.setattr(os, "rename", come_second)
+    if wins:
+        assert (build(UNIT, "one.c").parent / "first").exists()
+    else:
+        with pytest.raises(CacheError, match="cannot write into the cache"):
+            build(UNIT, "one.c")
+    assert len(list((tmp_path / "models").iterdir())) == 1  # nothing is left lying about
 
 
 def test_without_a_compiler_it_runs_python_and_says_so(

@@ -139,6 +139,16 @@ def test_every_pass_of_a_sweep_is_counted() -> None:
     assert whole == tuple(3 * n for n in once) and once[0] > LINKS
 
 
+def test_a_dense_solve_multiplies_and_adds_in_pairs_with_the_cube_of_its_size() -> None:
+    pairs = []
+    for size in (20, 40):
+        (solve,) = (s for s in make_solver(size).functions[0].body if isinstance(s, Solve))
+        adds, multiplications, _, calls = count_operations((solve,))
+        assert adds == multiplications and calls == size  # the sines of a column
+        pairs.append(adds)
+    assert 7 * pairs[0] < pairs[1] < 8 * pairs[0]
+
+
 def test_crossing_names_are_those_that_another_part_uses() -> None:
     body = [
         let("a", ref("x") * 2),
