@@ -88,10 +88,15 @@ def evaluate_into(known: dict[Node, Any], graph: Graph, order: Sequence[Node], a
         elif op == SYM:
             raise KeyError(graph.symbols[a].name)
         else:
-            known[node] = _apply(arithmetic, op, *(known[c] for c in graph.children(node)))
+            known[node] = apply_function(arithmetic, op, *(known[c] for c in graph.children(node)))
 
 
-def _apply(arithmetic: Any, op: str, x: Any, y: Any = None) -> Any:
+def apply_function(arithmetic: Any, op: str, x: Any, y: Any = None) -> Any:
+    """The value of a function of the graph.
+
+    Raises:
+        ArithmeticError, ValueError: as in :func:`evaluate`.
+    """
     if op == "abs":
         return abs(x)
     if op == "sign":

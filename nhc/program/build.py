@@ -9,8 +9,8 @@ from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.factors import find_factors
 from nhc.algebra.rewriting.pieces import shorten_pieces
-from nhc.algebra.rewriting.products import share_products
 from nhc.algebra.rewriting.related import relate_angles
+from nhc.algebra.rewriting.sharing import share_parts
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.rewriting.values import share_values
 from nhc.mechanics.formulate import accelerations, reaction_values
@@ -225,6 +225,6 @@ def rewrite(planner: PlannerBase, plan: FunctionPlan) -> FunctionPlan:
         made = share_values(g, made)
         if plan.name == "rhs" and planner.equations.tree is None:  # a recursion along a tree has none
             made = find_factors(g, made)
-        return share_products(g, made, constants)
+        return share_parts(g, made, constants)
 
     return map_nodes(plan, change)

@@ -11,9 +11,10 @@ from nhc.algebra.graph import Node
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import build
-from nhc.mechanics.choosing.conditioning import conditioning, is_mass_sound
+from nhc.mechanics.choosing.conditioning import conditioning, find_start, is_mass_sound
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.resolve import resolve
+from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
 
 HEAD = "nhc: 1\nsystem: s\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\n"
@@ -66,3 +67,37 @@ def test_the_mass_near_the_centre_of_polar_coordinates() -> None:
     formulation = build(coupled, "lagrange")  # the eigenvalues 1 -+ sin(x)
     assert is_mass_sound(coupled, formulation, at(coupled, x=1.4))
     assert not is_mass_sound(coupled, formulation, at(coupled, x=1.5))
+
+
+CONE = """
+nhc: 1
+system: ball_in_a_cone
+coordinates: {r: {range: [0.1, 3]}, phi: {}}
+rotation: {R: {velocities: [wx, wy, wz], frame: space}}
+parameters: {a: 1, g: 9.81}
+define:
+  wn: -(wx*cos(phi) + wy*sin(phi))*cos(0.7) + wz*sin(0.7)
+  we: (wx*cos(phi) + wy*sin(phi))*sin(0.7) + wz*cos(0.7)
+  wt: -wx*sin(phi) + wy*cos(phi)
+T: (r'^2/sin(0.7)^2 + r^2*phi'^2)/2 + a^2/5*(wx^2 + wy^2 + wz^2)
+V: g*r/tan(0.7)
+constraints: [up: r'/sin(0.7) - a*wt = 0, round: r*phi' + a*we = 0]
+quasi_velocities: {u: r', w: phi', s: wn}
+scenes: {circle: {parameters: {a: 1}, initial: {r: 1, w: 3, s: 0}, time: [0, 10]}}
+"""
+
+
+@pytest.mark.parametrize("size", ("1", "0.3", "0.1", "0.03", "1e-3"))
+def test_a_small_ball_on_a_large_cone_is_no_singular_choice(size: str) -> None:
+    system = resolve(decode(Source("cone.yaml", CONE.replace("a: 1", f"a: {size}"))))
+    start = start_of(system, system.spec.scenes[0])
+    assert find_start(system, build(system, "euler-lagrange"), start) is None
+
+
+def test_where_the_way_around_has_no_length_another_choice_is_found() -> None:
+    """With the turn about the wall as a free velocity, phi' is that times a/r: near the axis it is another one."""
+    text = CONE.replace("a: 1", "a: 0.1").replace("w: phi'", "w: we").replace("{r: 1, w: 3", "{r: 1e-6, w: 0")
+    system = resolve(decode(Source("cone.yaml", text)))
+    start = start_of(system, system.spec.scenes[0])
+    found = find_start(system, build(system, "euler-lagrange"), start)
+    assert found is not None and "singular or nearly so" in found.reason

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from nhc.algebra.bounds.jumps import jumps
+from nhc.algebra.bounds.jumps import _Lines, jumps
 from nhc.diagnostics import Bag, Diagnostic
 from nhc.language import Source, decode
 from nhc.mechanics.choosing.choose import formulate
@@ -32,6 +32,7 @@ JUMPING = (
     "max(x, 0)/x",
     "sign(x^2 + y^2 - 0.3)",
     "sqrt(x^2*(1 + y^2))/x",
+    "k*(sign(x)/2 + y*(1/(x - 3) + sign(x)))",
 )
 CONTINUOUS = (
     "k/sqrt(x^2 + y^2)",
@@ -45,6 +46,8 @@ CONTINUOUS = (
     "1/x^2 + k*abs(x)",
     "acos(cos(x))",
     "sqrt(2 - 2*cos(x - y))",
+    "sign(x) - sign(x^3) + 1/(x - 2)",
+    "y*(sign(x) - sign(x^3)) + x^2",
 )
 
 
@@ -72,6 +75,31 @@ def test_a_run_ends_where_an_energy_jumps_out_of_sight() -> None:
     found = motion(f"{HEAD}T: (x'^2 + y'^2)/2\nV: {V}\n{ENDS}")
     assert found.ended == "failed" and "not finite" in found.reason
     assert found.outcome.t == pytest.approx(0.33908228, abs=1e-6)
+
+
+def test_a_jump_behind_poles_that_cancel_is_found() -> None:
+    """1/x and 1/sin(x) have a pole each, and only together a jump."""
+    assert not is_conserved("(1 - abs(x))/sin(x) - 1/x")
+    assert is_conserved("(1 - x)/sin(x) - 1/x")
+
+
+@pytest.mark.parametrize("term", ["1/(x - {})", "1/sqrt((x - {})^2 + y^2)", "k*abs(x - {})^3/(x - {}/2)"])
+def test_a_sum_of_fractions_takes_time_in_proportion_to_their_number(
+    term: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    work: list[int] = []
+    spend = _Lines._spend
+    monkeypatch.setattr(_Lines, "_spend", lambda lines, more: (work.append(more), spend(lines, more))[1])
+
+    def evaluated(count: int) -> int:
+        work.clear()
+        total = " + ".join(term.replace("{}", str(k)) for k in range(1, count + 1))
+        system = system_of(f"{HEAD}T: (x'^2 + y'^2)/2\nV: {total}\n")
+        moving = (*system.q, *system.v, system.t)
+        assert not jumps(system.graph, system.energy, moving, {p: 0.5 for p in system.p}, lambda inner: False)
+        return sum(work)
+
+    assert evaluated(40) < 2.5 * evaluated(20)
 
 
 @pytest.mark.parametrize("V", CONTINUOUS)

@@ -35,6 +35,7 @@ LOCAL: dict[str, Tree] = {
 }
 WHOLE = {
     "shared products": "trailers3",  # a system on which the rule changes the right-hand side
+    "shared sums": "bicycle",
     "canonical forms": "disk",
     "gathered sums": "trailers3",
     "Cramer's rule": "bicycle",

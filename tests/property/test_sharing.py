@@ -1,4 +1,4 @@
-"""Products in common, and sines of sums of angles: the values stay, and the cost does not grow."""
+"""Products and sums in common, and sines of sums of angles: the values stay, and the cost does not grow."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from nhc.algebra.calculus import count, reachable
 from nhc.algebra.exact.modular import are_equal, is_zero
 from nhc.algebra.graph import Graph
 from nhc.algebra.rewriting.angles import normalise_angles, split_angles
-from nhc.algebra.rewriting.products import share_products
+from nhc.algebra.rewriting.sharing import share_parts
+from nhc.algebra.rewriting.sums import pair_terms
 from tests.property.expressions import QUIET, Tree, build, smooth_trees
 
 
@@ -21,7 +22,7 @@ from tests.property.expressions import QUIET, Tree, build, smooth_trees
 def test_shared_products_are_equal(trees: list[Tree]) -> None:
     g = Graph()
     roots = [build(g, tree) for tree in trees]
-    assert are_equal(g, share_products(g, roots, 0), roots)
+    assert are_equal(g, share_parts(g, roots, 0), roots)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -30,7 +31,7 @@ def test_products_of_few_factors_share_them(seed: int) -> None:
     factors = [g.function(draw.choice(("sin", "exp")), g.symbol(f"x{k}", "coordinate")) for k in range(5)]
     masses = [g.symbol(f"m{k}", "parameter") for k in range(2)]
     roots = [g.product(draw.sample([*factors, *masses], draw.randrange(2, 6))) for _ in range(8)]
-    shared = share_products(g, roots, g.mask(masses))
+    shared = share_parts(g, roots, g.mask(masses))
     assert are_equal(g, shared, roots)
     assert count(g, shared) <= count(g, roots)
 
@@ -39,17 +40,66 @@ def test_the_pair_that_is_hidden_in_the_order_is_found() -> None:
     g = Graph()
     k, v, a, b, c = (g.symbol(name, "other") for name in "kvabc")
     roots = [g.mul(v, g.mul(k, x)) for x in (a, b, c)]
-    assert count(g, share_products(g, roots, 0)) == 4 < count(g, roots)
+    assert count(g, share_parts(g, roots, 0)) == 4 < count(g, roots)
 
 
 def test_what_is_constant_stays_in_front() -> None:
     g = Graph()
     m, r = (g.symbol(name, "parameter") for name in "mr")
     v, w = (g.symbol(name, "quasi") for name in "vw")
-    (root,) = share_products(g, [g.mul(v, g.mul(m, g.mul(w, r)))], g.mask((m, r)))
-    roots = share_products(g, [g.mul(v, g.mul(m, g.mul(w, r))), g.mul(r, g.mul(w, m))], g.mask((m, r)))
+    (root,) = share_parts(g, [g.mul(v, g.mul(m, g.mul(w, r)))], g.mask((m, r)))
+    roots = share_parts(g, [g.mul(v, g.mul(m, g.mul(w, r))), g.mul(r, g.mul(w, m))], g.mask((m, r)))
     assert is_zero(g, g.sub(root, g.product((m, r, v, w))))
     assert g.mul(m, r) in reachable(g, roots)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_sums_of_few_terms_share_them(seed: int) -> None:
+    g, draw = Graph(), random.Random(seed)
+    terms = [g.symbol(f"x{k}", "coordinate") for k in range(6)]
+    signed = [[draw.choice((g.neg(x), x)) for x in draw.sample(terms, draw.randrange(2, 7))] for _ in range(12)]
+    roots = [g.sum(own) for own in signed]
+    shared = share_parts(g, roots, 0)
+    assert are_equal(g, shared, roots)
+    assert count(g, shared) < count(g, roots)
+
+
+def test_a_difference_is_found_with_either_sign() -> None:
+    g = Graph()
+    a, b, c, d, e = (g.symbol(name, "other") for name in "abcde")
+    roots = [g.add(a, g.sub(c, b)), g.sub(g.sub(b, d), a), g.mul(e, g.sub(a, b))]
+    shared = share_parts(g, roots, 0)
+    assert are_equal(g, shared, roots)
+    assert count(g, shared) == 4 < count(g, roots) == 6
+    assert g.sub(a, b) in reachable(g, shared)
+
+
+def test_a_sum_used_twice_stays_whole() -> None:
+    g = Graph()
+    a, b, c, d = (g.symbol(name, "other") for name in "abcd")
+    inner = g.add(a, g.add(b, c))
+    roots = [g.mul(inner, d), g.add(inner, d), g.sub(g.add(a, c), d)]
+    shared = share_parts(g, roots, 0)
+    assert are_equal(g, shared, roots)
+    assert count(g, shared) == 5 < count(g, roots)
+
+
+def test_many_sums_of_many_terms_take_no_longer_than_there_are_terms() -> None:
+    def steps(size: int) -> int:
+        g = Graph()
+        x = [g.symbol(f"x{k}", "coordinate") for k in range(size)]
+        made = [0]
+
+        class Counted(dict[int, int]):
+            def __getitem__(self, key: int) -> int:
+                made[0] += 1
+                return super().__getitem__(key)
+
+        chains = {1000 + k: Counted({x[(k + j) % size]: 1 for j in range(6)}) for k in range(size)}
+        pair_terms(chains)
+        return made[0]
+
+    assert steps(400) < 2.2 * steps(200)
 
 
 def test_sines_of_sums_split_and_join() -> None:

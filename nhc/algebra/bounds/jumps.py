@@ -4,20 +4,25 @@ Elementary functions can do so only where a sign changes, on the branch cut of a
 zero: ``x/abs(x)``, ``atan(1/x)``.  These places are looked for in doubles along random lines through the state space, which any
 surface of one dimension less is met by; what has less dimensions (the centre that a body is drawn to) is met by none of them, and
 by no ordinary motion.
+
+At such a place only those terms of a sum can jump that break there, alone or together, and the others need no look: a sum of n
+fractions with a place each takes time proportional to n.
 """
 
 from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from operator import add, mul
 from types import MappingProxyType
 from typing import Any
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.calculus import reachable
-from nhc.algebra.evaluate import Floats, evaluate
-from nhc.algebra.graph import POW, Graph, Node
+from nhc.algebra.evaluate import Floats, apply_function, evaluate, evaluate_into
+from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.records import record
 
 _LINES = 6
 _CENTRAL = (4, 5)  # those through the origin, where small closed surfaces lie
@@ -27,13 +32,26 @@ _FAR = tuple(sorted(sign * 10.0 ** (k / 4) for sign in (-1, 1) for k in range(4,
 """Places from 10 to 10^12 at both sides, on two lines more, where no zero was met on the others."""
 _MOST = 12  # zeros that are looked at on a line
 _HALVINGS = 80
+_SECANTS = 20
+_EARLY, _EARLY_SIZE = 25, 0.1  # the width is 4e-6 of the first one then, and its root 2e-3
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _ASIDE = (1e-7, 3e-8, 1e-8)  # how far from the surface both sides are compared
 _FLAT = 0.1  # what the distance of both sides may change by between these, relative
 _SMALL = 1e-9
 _MOST_WORK = 5_000_000  # nodes that are evaluated
 
+_TOGETHER = 1e-6  # how far apart breaks are that are looked at together, in the same measure
+
 Value = Callable[[float], float]
+
+
+@record
+class Term:
+    """A sign and factors of which the first ones break nowhere; the last one breaks where one of ``breaks`` vanishes."""
+
+    sign: int
+    factors: tuple[Node, ...]
+    breaks: frozenset[Node]
 
 
 def _exp(x: float) -> float:
@@ -52,14 +70,47 @@ def find_breaks(graph: Graph, roots: Sequence[Node], moving: int) -> list[tuple[
     """At the zeros of what the roots may jump; and whether something surely does there (a sign, a branch)."""
     found: dict[Node, bool] = {}
     for node in reachable(graph, roots, moving):
-        op, a = graph.op[node], graph.a[node]
-        if op in ("sign", "atan2"):
-            found[a] = True
-        elif op in ("log", "powf") or (op == POW and graph.b[node] < 0):
-            found.setdefault(a, False)
-        if op == "atan2":
-            found.setdefault(graph.b[node], False)
+        for k, inner in enumerate(_broken_at(graph, node)):
+            found[inner] = found.get(inner, False) or (graph.op[node] in ("sign", "atan2") and k == 0)
     return [(node, hard) for node, hard in found.items() if graph.depends(node, moving)]
+
+
+def _broken_at(graph: Graph, node: Node) -> tuple[Node, ...]:
+    """At the zeros of which the operation itself may jump."""
+    op = graph.op[node]
+    if op == "atan2":
+        return graph.kids[node]
+    return (graph.a[node],) if op in ("sign", "log", "powf") or (op == POW and graph.b[node] < 0) else ()
+
+
+def _list_terms(graph: Graph, root: Node, breaks: Collection[Node]) -> list[Term]:
+    """The root without the terms that break nowhere: sums behind factors that do not break are taken apart.
+
+    It stays one term where that would take more of them than it has parts: sums that stand in many places.
+    """
+    order, kids, op = reachable(graph, [root]), graph.kids, graph.op
+    rough = set[Node]()
+    for node in order:
+        if any(kid in rough for kid in kids[node]) or any(a in breaks for a in _broken_at(graph, node)):
+            rough.add(node)
+    found, stack, work = list[Term](), [(root, 1, tuple[Node, ...]())], 0
+    while stack:
+        node, sign, factors = stack.pop()
+        work += 1
+        if work > len(order):
+            return [Term(1, (root,), frozenset(breaks))]
+        hot = [kid for kid in kids[node] if kid in rough]
+        if op[node] == ADD:
+            stack += [(kid, sign, factors) for kid in hot]
+        elif op[node] == NEG:
+            stack += [(kid, -sign, factors) for kid in hot]
+        elif op[node] == MUL and len(hot) == 1:
+            stack.append((hot[0], sign, (*factors, *(kid for kid in kids[node] if kid not in rough))))
+        elif node in rough:
+            inner = reachable(graph, [node])
+            own = frozenset(a for part in inner for a in _broken_at(graph, part) if a in breaks)
+            found.append(Term(sign, (*factors, node), own))
+    return found
 
 
 class TooLong(Exception):
@@ -82,64 +133,134 @@ def jumps(
     Raises:
         TooLong: it was not decided.
     """
-    breaks = [
-        (node, hard)
+    breaks = {
+        node: hard
         for node, hard in find_breaks(graph, [root], graph.mask(moving))
         if not cannot_vanish(graph, node, {symbol: (value, value) for symbol, value in known.items()} | dict(ranges))
-    ]
-    lines = _Lines(graph, moving, known, ranges)
-    return any(_jumps_at(lines, root, node, hard) and not keeps(node) for node, hard in breaks)
-
-
-def _jumps_at(lines: _Lines, root: Node, node: Node, hard: bool) -> bool:
-    rng, met, moving = random.Random(17), False, lines.moving
+    }
+    lines, terms = _Lines(graph, moving, known, ranges), _list_terms(graph, root, breaks)
+    rng, unmet = random.Random(17), dict(breaks)
     for line in range(_LINES + 2):
-        if line >= _LINES and met:
+        looked = list(breaks if line < _LINES else unmet)
+        if not looked:
             break
-        base = [rng.gauss(0.0, 1.0) * (1e-9 if line in _CENTRAL else 1.0) for _ in moving]
-        way = [rng.gauss(0.0, 1.0) for _ in moving]
-        inner, outer = (lines.along(each, base, way) for each in (node, root))
-        for place in _zeros(inner, _NEAR if line < _LINES else _FAR):
-            met = True
-            if _differs(outer, place):
+        lines.turn(rng, 1e-9 if line in _CENTRAL else 1.0)
+        for place, near in _meet(lines, looked, _NEAR if line < _LINES else _FAR):
+            unmet = {node: hard for node, hard in unmet.items() if node not in near}
+            own = [term for term in terms if not near.isdisjoint(term.breaks)]
+            if _differs(lines.along(own), place) and not all(map(keeps, near)):
                 return True
-    return hard and not met  # nowhere near: nothing is known of its sign
+    return any(hard and not keeps(node) for node, hard in unmet.items())  # nowhere near: nothing is known of its sign
 
 
 class _Lines:
-    """Values of nodes along lines through the state space, as many as there is time for; folded into the ranges."""
+    """Values along a line through the state space, as many as there is time for; folded into the ranges."""
 
     def __init__(
         self, graph: Graph, moving: Sequence[Node], known: Mapping[Node, float], ranges: Mapping[Node, Interval]
     ) -> None:
-        self.graph, self.moving, self._known, self._ranges = graph, moving, known, ranges
-        self._orders: dict[Node, list[Node]] = {}
+        self.graph, self._moving, self._known, self._ranges = graph, moving, known, ranges
+        self._orders: dict[tuple[Node, ...], list[Node]] = {}
         self._left = _MOST_WORK
+        self._way: dict[Node, tuple[float, float]] = {}
 
-    def along(self, root: Node, base: Sequence[float], way: Sequence[float]) -> Value:
-        """The root on a line, NaN where it has no value."""
-        order = self._orders.get(root)
+    def turn(self, rng: random.Random, size: float) -> None:
+        """Another line, which starts at about this distance from the origin."""
+        base = [rng.gauss(0.0, 1.0) * size for _ in self._moving]
+        self._way = {symbol: (b, rng.gauss(0.0, 1.0)) for symbol, b in zip(self._moving, base, strict=True)}
+
+    def many(self, node: Node, places: Sequence[float]) -> list[float]:
+        """The node at many places on this line: operation by operation, or place by place where it has no value at some."""
+        order, graph = self._order((node,)), self.graph
+        rows: dict[Node, list[float]] = {}
+        self._spend(len(order) * len(places))
+        try:
+            for n in order:
+                op, kids = graph.op[n], graph.kids[n]
+                if n in self._way:
+                    base, slope = self._way[n]
+                    row = [base + s * slope for s in places]
+                    if n in self._ranges:
+                        row = [self._fold(n, x) for x in row]
+                elif op == ADD:
+                    row = list(map(add, rows[kids[0]], rows[kids[1]]))
+                elif op == MUL:
+                    row = list(map(mul, rows[kids[0]], rows[kids[1]]))
+                elif op == POW:
+                    exponent = graph.b[n]
+                    row = [x**exponent for x in rows[kids[0]]]
+                elif op == NEG:
+                    row = [-x for x in rows[kids[0]]]
+                elif not kids:
+                    row = evaluate(graph, [n], self._known, _Saturated, [n]) * len(places)
+                else:
+                    row = [
+                        apply_function(_Saturated, op, *values)
+                        for values in zip(*(rows[kid] for kid in kids), strict=True)
+                    ]
+                rows[n] = row
+        except (ArithmeticError, ValueError):
+            return list(map(self.along([Term(1, (node,), frozenset())]), places))
+        return [float(x) for x in rows[node]]
+
+    def _fold(self, symbol: Node, x: float) -> float:
+        low, high = self._ranges[symbol]
+        return low + (high - low) * 0.5 * (1.0 + math.sin(x))
+
+    def _spend(self, work: int) -> None:
+        self._left -= work
+        if self._left < 0:
+            raise TooLong
+
+    def _order(self, nodes: tuple[Node, ...]) -> list[Node]:
+        order = self._orders.get(nodes)
         if order is None:
-            order = self._orders[root] = reachable(self.graph, [root])
+            order = self._orders[nodes] = reachable(self.graph, nodes)
+        return order
+
+    def along(self, terms: Sequence[Term]) -> Value:
+        """The sum of the terms on this line, NaN where it has no value."""
+        order = self._order(tuple(node for term in terms for node in term.factors))
+        way = {node: self._way[node] for node in order if node in self._way}
+        fixed = {node: self._known[node] for node in order if node in self._known}
 
         def value(s: float) -> float:
-            self._left -= len(order)
-            if self._left < 0:
-                raise TooLong
-            place = {symbol: b + s * w for symbol, b, w in zip(self.moving, base, way, strict=True)}
-            for symbol, (low, high) in self._ranges.items():
-                place[symbol] = low + (high - low) * 0.5 * (1.0 + math.sin(place[symbol]))
+            self._spend(len(order))
+            found = dict(fixed)
+            for symbol, (base, slope) in way.items():
+                x = base + s * slope
+                found[symbol] = self._fold(symbol, x) if symbol in self._ranges else x
             try:
-                return float(evaluate(self.graph, [root], {**self._known, **place}, _Saturated, order)[0])
+                evaluate_into(found, self.graph, order, _Saturated)
+                return float(sum(t.sign * math.prod([found[f] for f in t.factors]) for t in terms))
             except (ArithmeticError, ValueError):
                 return math.nan
 
         return value
 
 
-def _zeros(value: Value, places: Sequence[float]) -> Iterator[float]:
+def _meet(lines: _Lines, breaks: Iterable[Node], places: Sequence[float]) -> Iterator[tuple[float, set[Node]]]:
+    """Where a line meets zeros of the breaks, and which of them vanish there, or might: those with more than are looked at."""
+    met, often = list[tuple[float, Node]](), set[Node]()
+    for node in breaks:
+        value = lines.along([Term(1, (node,), frozenset())])
+        zeros = list(_zeros(value, places, lines.many(node, places)))
+        met += [(place, node) for place in zeros]
+        if len(zeros) == _MOST:
+            often.add(node)
+    met.sort()
+    first = last = 0
+    for place, _ in met:
+        reach = _TOGETHER * (1.0 + abs(place))
+        while met[first][0] < place - reach:
+            first += 1
+        while last < len(met) and met[last][0] <= place + reach:
+            last += 1
+        yield place, {node for _, node in met[first:last]} | often
+
+
+def _zeros(value: Value, places: Sequence[float], heights: Sequence[float]) -> Iterator[float]:
     """Where the value changes its sign, or touches zero, between neighbouring places; the first ones from one end of the line."""
-    heights = [value(s) for s in places]
     count = 0
     for k, height in enumerate(heights):
         found = None
@@ -157,27 +278,43 @@ def _zeros(value: Value, places: Sequence[float]) -> Iterator[float]:
 
 
 def _halve(value: Value, left: float, right: float) -> float:
-    low = value(left)
-    for _ in range(_HALVINGS):
+    """By the Illinois rule, which meets the zero of a smooth function in few steps, and by halves where it takes more."""
+    low, high = value(left), value(right)
+    for step in range(_HALVINGS):
         middle = 0.5 * (left + right)
+        if step < _SECANTS and math.isfinite(low) and math.isfinite(high):
+            chosen = (left * high - right * low) / (high - low)
+            middle = chosen if left < chosen < right else middle
+        if middle in (left, right):
+            break
         height = value(middle)
         if height == 0.0:
             return middle
         if height * low > 0.0:
-            left = middle
+            left, low, high = middle, height, high * 0.5
         else:
-            right = middle
+            right, high, low = middle, height, low * 0.5
     return 0.5 * (left + right)
 
 
 def _touch(value: Value, left: float, right: float, height: float) -> float | None:
-    """Where the size of the value comes down to zero between two places, by golden sections; None where it does not."""
-    for _ in range(_HALVINGS):
-        low, high = right - _GOLDEN * (right - left), left + _GOLDEN * (right - left)
-        if abs(value(low)) < abs(value(high)):
-            right = high
+    """Where the size of the value comes down to zero between two places, by golden sections; None where it does not.
+
+    What is to be as small as that at the end falls with a power of the distance above 1/2: it is small early.
+    """
+    low, high = right - _GOLDEN * (right - left), left + _GOLDEN * (right - left)
+    at_low, at_high = abs(value(low)), abs(value(high))
+    for step in range(_HALVINGS):
+        if at_low < at_high:
+            right, high, at_high = high, low, at_low
+            low = right - _GOLDEN * (right - left)
+            at_low = abs(value(low))
         else:
-            left = low
+            left, low, at_low = low, high, at_high
+            high = left + _GOLDEN * (right - left)
+            at_high = abs(value(high))
+        if step == _EARLY and min(at_low, at_high) > _EARLY_SIZE * height:
+            return None
     middle = 0.5 * (left + right)
     return middle if abs(value(middle)) < _SMALL * height else None
 

@@ -7,78 +7,48 @@ What is used more than once is one factor and stays whole.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from itertools import combinations
 
-from nhc.algebra.calculus import reachable, rebuild_over
 from nhc.algebra.graph import MUL, Graph, Node
 
 _MOST_FACTORS = 10
+Factors = list[int]
+"""In increasing order; -1, -2, ... are the pairs that were taken out."""
 
 
-def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[Node]:
-    """Equal roots in which products share more of their factors; what contains only ``constants`` (a mask) stays whole."""
+def share_factors(
+    graph: Graph, nodes: Sequence[Node], uses: Mapping[Node, int], constants: int
+) -> tuple[dict[Node, Factors], set[Node], list[tuple[int, int]]]:
+    """The factors of the products among the nodes, what is only a part of these, and the pairs that they share; nothing where
+    neither a pair occurs twice nor ``constants`` (a mask) stand apart in one.  What contains constants only stays whole.
+    """
     if "shared products" in graph.off:
-        return list(roots)
-    nodes, deps, moves = reachable(graph, roots), graph.deps, ~constants
-    chains, inner = _chains(graph, nodes, roots, constants)
-    before = {node: list(factors) for node, factors in chains.items()}
-    pairs = _share(chains)
-    if chains == before and not any(len([f for f in own if not deps[f] & moves]) > 1 for own in before.values()):
-        return list(roots)
-    new, labels = dict[Node, Node](), graph.labels
+        return {}, set(), []
+    chains, inner = _chains(graph, nodes, uses, constants)
+    fixed = _constant_factors(graph, chains, constants)
+    pairs, changed = _share(chains)
+    return (chains, inner, pairs) if fixed or changed else ({}, set(), [])
 
-    def made(factor: int) -> Node:
-        if factor in new:
-            return new[factor]
-        if factor < 0:
-            first, second = pairs[-1 - factor]
-            new[factor] = graph.mul(made(first), made(second))
-        elif factor in chains:
-            found = [new[f] if f in new else made(f) for f in chains[factor]]
-            fixed = graph.product([x for x in found if not deps[x] & moves])
-            moving = graph.product([x for x in found if deps[x] & moves])
-            new[factor] = graph.mul(fixed, moving)
-        else:
-            over = rebuild_over(graph, factor, new)
-            new[factor] = factor if over is None else over
-        if factor in labels:
-            graph.pass_label(factor, new[factor])
-        return new[factor]
 
-    kids = graph.kids
-    for node in nodes:
-        if node in inner or node in new:
-            continue
-        if node not in chains:
-            for kid in kids[node]:
-                if new.get(kid) != kid:
-                    break
-            else:
-                new[node] = node
-                continue
-        made(node)
-    return [new[root] for root in roots]
+def _constant_factors(graph: Graph, chains: Mapping[Node, Factors], constants: int) -> bool:
+    """Whether some product has more than one constant factor."""
+    deps, moves = graph.deps, ~constants
+    return any(len([f for f in own if not deps[f] & moves]) > 1 for own in chains.values())
 
 
 def _chains(
-    graph: Graph, nodes: Sequence[Node], roots: Iterable[Node], constants: int
-) -> tuple[dict[Node, list[int]], set[Node]]:
+    graph: Graph, nodes: Sequence[Node], uses: Mapping[Node, int], constants: int
+) -> tuple[dict[Node, Factors], set[Node]]:
     """The factors of every product that is no part of a longer one, and the products that are."""
     op, kids, deps, moves = graph.op, graph.kids, graph.deps, ~constants
-    uses = dict.fromkeys(nodes, 0)
-    for root in roots:
-        uses[root] += 1
-    for node in nodes:
-        for child in kids[node]:
-            uses[child] += 1
-    chains: dict[Node, list[int]] = {}
+    chains: dict[Node, Factors] = {}
     inner: set[Node] = set()
     for node in reversed(nodes):
         if op[node] != MUL or node in inner or not deps[node] & moves:
             continue
-        factors, stack = list[int](), [node]
+        factors, stack = Factors(), [node]
         while stack:
             for child in kids[stack.pop()]:
                 open_product = op[child] == MUL and uses[child] == 1 and deps[child] & moves
@@ -92,10 +62,11 @@ def _chains(
     return chains, inner
 
 
-def _share(chains: dict[Node, list[int]]) -> list[tuple[int, int]]:
+def _share(chains: dict[Node, Factors]) -> tuple[list[tuple[int, int]], bool]:
     """Take the most frequent pairs of factors out of the chains, as long as one occurs twice; the pairs get -1, -2, ...
 
-    A pair that is a whole product of its own is taken out as that product, which may be a factor elsewhere.
+    A pair that is a whole product of its own is taken out as that product, which may be a factor elsewhere.  Also whether any chain
+    has changed.
     """
     users: dict[tuple[int, int], set[Node]] = {}
     for node, factors in chains.items():
@@ -103,7 +74,7 @@ def _share(chains: dict[Node, list[int]]) -> list[tuple[int, int]]:
             users.setdefault(pair, set()).add(node)
     heap = [(-len(own), pair) for pair, own in users.items() if len(own) > 1]
     heapify(heap)
-    made: list[tuple[int, int]] = []
+    made, changed = list[tuple[int, int]](), False
     while heap:
         count, pair = heappop(heap)
         own = users[pair]
@@ -118,7 +89,7 @@ def _share(chains: dict[Node, list[int]]) -> list[tuple[int, int]]:
             own = own - {whole}
         symbol = -len(made) if whole is None else whole
         for node in sorted(own):
-            factors = chains[node]
+            factors, changed = chains[node], True
             for old in combinations(factors, 2):
                 users[old].discard(node)
             factors.remove(pair[0])
@@ -129,4 +100,4 @@ def _share(chains: dict[Node, list[int]]) -> list[tuple[int, int]]:
                 users.setdefault(fresh, set()).add(node)
                 if len(users[fresh]) > 1:
                     heappush(heap, (-len(users[fresh]), fresh))
-    return made
+    return made, changed

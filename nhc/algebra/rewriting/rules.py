@@ -82,6 +82,11 @@ RULES = (
         "algebra/rewriting/products.py",
     ),
     Rule(
+        "shared sums",
+        "pairs of terms that occur in several sums are added or subtracted once",
+        "algebra/rewriting/sums.py",
+    ),
+    Rule(
         "pieces",
         "in a spec that is large or contains numbers, expressions between shared nodes become canonical forms, if shorter",
         "algebra/rewriting/pieces.py",

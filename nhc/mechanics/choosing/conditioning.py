@@ -16,7 +16,7 @@ from nhc.algebra.graph import Node
 from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import relative_determinant
-from nhc.mechanics.regular.trials import sampled_rows, trial_points, velocity_units
+from nhc.mechanics.regular.trials import balanced_units, sampled_rows, trial_points, velocity_units
 from nhc.mechanics.scenes import Start
 from nhc.mechanics.system import Form, System
 from nhc.records import record
@@ -40,23 +40,24 @@ class Choice:
     value: float
 
 
-def conditioning(system: System, formulation: Formulation, place: Place) -> float:
+def conditioning(system: System, formulation: Formulation, place: Place, units: Sequence[float] | None = None) -> float:
     """|det| of the coframe over the lengths of its rows (Hadamard), its l-th root: in [0, 1], 0 where it is singular.
 
     A free form counts with the length that it has elsewhere, so that one that vanishes is not taken for a good one.  Where a
-    form has no value (log(x) x' at x = 0) the coframe is singular, too.
+    form has no value (log(x) x' at x = 0) the coframe is singular, too.  ``units`` of the velocities: by default those in which
+    regularity is judged.
     """
     if formulation.frame is None:
         return 1.0
-    forms = formulation.frame.forms
+    forms, own = formulation.frame.forms, tuple(velocity_units(system) if units is None else units)
     try:
-        rows = balanced_rows(system, forms, place)
+        rows = balanced_rows(system, forms, place, own)
     except (ArithmeticError, ValueError):
         return 0.0
     value = relative_determinant(rows, range(len(rows))) ** len(rows)
     for form, row in zip(forms[system.l :], rows[system.l :], strict=True):
         length = _norm(row)
-        value *= length / max(length, _usual_length(system, form), 1e-300)
+        value *= length / max(length, _usual_length(system, form, own), 1e-300)
     return float(value ** (1.0 / max(system.l, 1)))
 
 
@@ -64,13 +65,14 @@ def _norm(row: Sequence[float]) -> float:
     return sqrt(sum(x * x for x in row))
 
 
-def _usual_length(system: System, form: Form) -> float:
+def _usual_length(system: System, form: Form, units: tuple[float, ...]) -> float:
     """The median of a form's length over the places that regularity is judged by."""
-    known: dict[tuple[Node, ...], float] = system.graph.memory.setdefault("usual lengths", {})
-    if form.coefficients not in known:
-        lengths = sorted(_norm(rows[0]) for rows in sampled_rows(system, [form]))
-        known[form.coefficients] = lengths[len(lengths) // 2] if lengths else 1.0
-    return known[form.coefficients]
+    known: dict[tuple[tuple[Node, ...], tuple[float, ...]], float] = system.graph.memory.setdefault("usual lengths", {})
+    key = form.coefficients, units
+    if key not in known:
+        lengths = sorted(_norm(rows[0]) for rows in sampled_rows(system, [form], units=units))
+        known[key] = lengths[len(lengths) // 2] if lengths else 1.0
+    return known[key]
 
 
 def evaluate_rows(system: System, forms: Sequence[Form], place: Place) -> Rows:
@@ -79,10 +81,10 @@ def evaluate_rows(system: System, forms: Sequence[Form], place: Place) -> Rows:
     return [flat[k * system.n : (k + 1) * system.n] for k in range(len(forms))]
 
 
-def balanced_rows(system: System, forms: Sequence[Form], place: Place) -> Rows:
-    """The same in the units of the velocities in which regularity is judged."""
-    units = velocity_units(system)
-    return [[a * u for a, u in zip(row, units, strict=True)] for row in evaluate_rows(system, forms, place)]
+def balanced_rows(system: System, forms: Sequence[Form], place: Place, units: Sequence[float] | None = None) -> Rows:
+    """The same in these units of the velocities, by default those in which regularity is judged."""
+    own = velocity_units(system) if units is None else units
+    return [[a * u for a, u in zip(row, own, strict=True)] for row in evaluate_rows(system, forms, place)]
 
 
 def find_better(system: System, now: Formulation, place: Place, known: Sequence[Choice]) -> Choice | None:
@@ -107,16 +109,26 @@ def find_better(system: System, now: Formulation, place: Place, known: Sequence[
 def find_start(system: System, now: Formulation, start: Start) -> Formulation | None:
     """A formulation that is better than ``now`` where a scene starts, with the reason, or None: as :func:`find_better`, or all
     velocities where the coframes that are tried are all singular there and the constraints are not.
+
+    The better one must also be so in units in which the constraints' coefficients are near 1: a small ball on a large cone has
+    small determinants for its size alone.
     """
     place = start.values(system)
     found = find_better(system, now, place, ())
     where = f"the start of the scene {start.scene.name}" if start.scene.name else "the motion of --about"
     why = f"chosen for {where}, where {name_of(system, now)} is singular or nearly so"
-    if found is not None and not _is_lost(system, found.value):
+    if found is not None and not _is_lost(system, found.value) and _gains(system, now, found, place):
         return replace(found.formulation, reason=why)
     if not system.l or not _is_lost(system, conditioning(system, now, place)) or not _has_rank(system, place):
         return None
     return replace(build(system, "multipliers"), reason=f"{why}, and so are the other coframes that were tried")
+
+
+def _gains(system: System, now: Formulation, found: Choice, place: Place) -> bool:
+    """Whether a choice is worth a change in balanced units, too."""
+    units = balanced_units(system)
+    needed = GAIN ** (1.0 / max(system.l, 1)) * conditioning(system, now, place, units)
+    return bool(conditioning(found.system, found.formulation, place, units) >= needed)
 
 
 def _has_rank(system: System, place: Place) -> bool:

@@ -87,13 +87,14 @@ def sampled_rows(
     points: Sequence[dict[Node, float]] | None = None,
     *,
     ordinary: bool = False,
+    units: Sequence[float] | None = None,
 ) -> list[list[list[float]]]:
-    """The matrix of the forms' coefficients, in the units of :func:`velocity_units`, at each of the points (trial points, or
-    ordinary ones, by default) where it can be evaluated; the points are told what was evaluated at them.
+    """The matrix of the forms' coefficients, in these units (by default those of :func:`velocity_units`), at each of the points
+    (trial points, or ordinary ones, by default) where it can be evaluated; the points are told what was evaluated at them.
     """
     chosen = _kept_points(system, ordinary=ordinary) if points is None else points
-    units = velocity_units(system)
-    return [[[a * u for a, u in zip(row, units, strict=True)] for row in rows] for rows in _rows(system, forms, chosen)]
+    own = velocity_units(system) if units is None else units
+    return [[[a * u for a, u in zip(row, own, strict=True)] for row in rows] for rows in _rows(system, forms, chosen)]
 
 
 def _rows(system: System, forms: Sequence[Form], points: Sequence[dict[Node, float]]) -> list[list[list[float]]]:

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:6a663ce871848605)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:5f2077093d29bd45)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -353,38 +353,37 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double z22 = 0.3 * z13 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
     const double z23 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z20) + (0.3 * (y_dot * z6) - 0.1 * (t *
         z22));
-    const double z24 = 0.4 * (c_t * c_t - s_t * s_t);
-    const double z25 = z * x_dot + x * z22;
-    const double z26 = 0.3 * z25;
-    const double z27 = s_z * z22;
-    const double z28 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z27));
-    const double z29 = y_dot * z25;
-    const double z30 = z24 + (z26 + (z28 + 0.5 * z29));
-    const double z31 = z2 * z22;
-    const double z32 = c_z * c_t;
-    const double z33 = 0.3 * (z31 * z27 - 0.2 * (z22 * z32)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z31));
-    const double z34 = x_dot * z27;
-    const double z35 = 0.3 * (z2 * z34 - 0.2 * (x_dot * z32)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
+    const double z24 = z2 * z22;
+    const double z25 = s_z * z22;
+    const double z26 = c_z * c_t;
+    const double z27 = 0.3 * (z24 * z25 - 0.2 * (z22 * z26)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z24));
+    const double z28 = z * x_dot + x * z22;
+    const double z29 = y_dot * z28;
+    const double z30 = 0.4 * (c_t * c_t - s_t * s_t) + (x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 *
+        z25)) + 0.3 * z28);
+    const double z31 = 0.5 * z29 + z30;
+    const double z32 = x_dot * z25;
+    const double z33 = 0.3 * (z2 * z32 - 0.2 * (x_dot * z26)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
         z2)));
-    const double z36 = z10 * z30 - z35;
-    const double z37 = z4 - 0.05 * z22;
-    const double z38 = z * z6;
-    const double z39 = x_dot * x_dot;
-    const double z40 = c_z * y_dot * y_dot;
-    const double z41 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z39 * z38) + z6 * z40)) - 0.3 * (z6 * z34);
-    const double z42 = 0.5 * (2.0 * x + 6.0 * z38) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z41);
-    const double z43 = z23 + (0.3 * (z7 * z30) - z33 + z6 * z36) + (0.1 * x_dot - z6 * z37 + z42);
-    const double z44 = 0.3 * z22;
-    const double z45 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z13 * z20) - z44) + 0.5 * (z13 * z36);
-    const double z46 = z * z13;
-    const double z47 = 0.1 * (z8 * z13) + z2 * (0.5 * (z39 * z46 + 0.5 * (z13 * z40)) - 0.15 * (z13 * z34));
-    const double z48 = 0.2 * y_dot - z44 - 0.5 * (z13 * z37) + (0.5 * (4.0 * y_2 + 3.0 * z46) - z47);
-    const double z49 = (y_dot * (0.2 * (z17 * c_t) + c_z * z31) + z45 + z48 - 0.5 * (z16 * z43)) / z19;
-    const double z50 = z15 * z43 + 0.5 * (z16 * z49);
+    const double z34 = z33 - z10 * z31;
+    const double z35 = z4 - 0.05 * z22;
+    const double z36 = z * z6;
+    const double z37 = x_dot * x_dot;
+    const double z38 = c_z * y_dot * y_dot;
+    const double z39 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z37 * z36) + z6 * z38)) - 0.3 * (z6 * z32);
+    const double z40 = 0.5 * (2.0 * x + 6.0 * z36) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z39);
+    const double z41 = z23 - (z27 - 0.3 * (z7 * z31) + z6 * z34) + (0.1 * x_dot - z6 * z35 + z40);
+    const double z42 = 0.3 * z22;
+    const double z43 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z13 * z20) - z42) - 0.5 * (z13 * z34);
+    const double z44 = z * z13;
+    const double z45 = 0.1 * (z8 * z13) + z2 * (0.5 * (z37 * z44 + 0.5 * (z13 * z38)) - 0.15 * (z13 * z32));
+    const double z46 = 0.2 * y_dot - z42 - 0.5 * (z13 * z35) + (0.5 * (4.0 * y_2 + 3.0 * z44) - z45);
+    const double z47 = (y_dot * (0.2 * (z17 * c_t) + c_z * z24) + z43 + z46 - 0.5 * (z16 * z41)) / z19;
+    const double z48 = z15 * z41 + 0.5 * (z16 * z47);
     /* (I.4.9) */
-    qddot[0] = -z50; /* x'' */
-    qddot[1] = z49; /* y'' */
-    qddot[2] = z24 + (z26 + (z28 - z6 * z50 + 0.5 * (z29 + z13 * z49))); /* z'' */
+    qddot[0] = -z48; /* x'' */
+    qddot[1] = z47; /* y'' */
+    qddot[2] = z30 - (z6 * z48 - 0.5 * (z29 + z13 * z47)); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z19) > 1e-13 * z18)) {
         /* the mass matrix is singular */
@@ -488,38 +487,38 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z18 = 1.0 / z12;
     const double z19 = z17 * z18;
     const double z20 = z16 - 0.25 * (z17 * z19);
-    const double z21 = x + t * x_dot;
-    const double z22 = y_dot * z14;
-    const double z23 = 0.3 * z14 + (x_dot * z6 + 0.5 * z22) + 0.4 * (c_t * s_t);
-    const double z24 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z21) + (0.3 * (y_dot * z6) - 0.1 * (t *
-        z23));
-    const double z25 = z * x_dot + x * z23;
-    const double z26 = s_z * z23;
-    const double z27 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z26)) + 0.5 * (y_dot * z25);
-    const double z28 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z25 + z27);
-    const double z29 = z2 * z23;
-    const double z30 = c_z * c_t;
-    const double z31 = 0.3 * (z29 * z26 - 0.2 * (z23 * z30)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z29));
-    const double z32 = x_dot * z26;
-    const double z33 = 0.3 * (z2 * z32 - 0.2 * (x_dot * z30)) - z23 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
+    const double z21 = y_dot * z14;
+    const double z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
+    const double z23 = z4 - 0.05 * z22;
+    const double z24 = z * z6;
+    const double z25 = x_dot * x_dot;
+    const double z26 = c_z * y_dot * y_dot;
+    const double z27 = s_z * z22;
+    const double z28 = x_dot * z27;
+    const double z29 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z25 * z24) + z6 * z26)) - 0.3 * (z6 * z28);
+    const double z30 = 0.5 * (2.0 * x + 6.0 * z24) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z29);
+    const double z31 = x + t * x_dot;
+    const double z32 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z31) + (0.3 * (y_dot * z6) - 0.1 * (t *
+        z22));
+    const double z33 = z * x_dot + x * z22;
+    const double z34 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z27)) + 0.5 * (y_dot * z33);
+    const double z35 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z33 + z34);
+    const double z36 = z2 * z22;
+    const double z37 = c_z * c_t;
+    const double z38 = 0.3 * (z36 * z27 - 0.2 * (z22 * z37)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z36));
+    const double z39 = 0.3 * (z2 * z28 - 0.2 * (x_dot * z37)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
         z2)));
-    const double z34 = z10 * z28 - z33;
-    const double z35 = z4 - 0.05 * z23;
-    const double z36 = z * z6;
-    const double z37 = x_dot * x_dot;
-    const double z38 = c_z * y_dot * y_dot;
-    const double z39 = 0.5 * (2.0 * (x * (z23 * z23)) + (2.0 * (z37 * z36) + z6 * z38)) - 0.3 * (z6 * z32);
-    const double z40 = 0.5 * (2.0 * x + 6.0 * z36) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z39);
-    const double z41 = z24 + (0.3 * (z7 * z28) - z31 + z6 * z34) + (0.1 * x_dot - z6 * z35 + z40);
-    const double z42 = 0.3 * z23;
-    const double z43 = 0.15 * z22 - 0.4 * (x_dot * c_t) + (0.05 * (z14 * z21) - z42) + 0.5 * (z14 * z34);
-    const double z44 = z * z14;
-    const double z45 = 0.1 * (z8 * z14) + z2 * (0.5 * (z37 * z44 + 0.5 * (z14 * z38)) - 0.15 * (z14 * z32));
-    const double z46 = 0.2 * y_dot - z42 - 0.5 * (z14 * z35) + (0.5 * (4.0 * y_2 + 3.0 * z44) - z45);
-    const double z47 = (y_dot * (0.2 * (z13 * c_t) + c_z * z29) + z43 + z46 - 0.5 * (z19 * z41)) / z20;
-    const double z48 = 3.0 * z - (0.2 * z8 + z2 * (0.5 * (2.0 * (z * z37) + z38) - 0.3 * z32));
-    const double z49 = z11 * (z18 * z41 - 0.5 * (z19 * z47)) + 0.5 * (z15 * z47) + (z35 - z48 - (z34 + (0.3 *
-        y_dot + 0.1 * z21)));
+    const double z40 = z10 * z35 - z39;
+    const double z41 = 0.1 * x_dot - z6 * z23 + z30 + (z32 + (0.3 * (z7 * z35) - z38 + z6 * z40));
+    const double z42 = 0.3 * z22;
+    const double z43 = z * z14;
+    const double z44 = 0.1 * (z8 * z14) + z2 * (0.5 * (z25 * z43 + 0.5 * (z14 * z26)) - 0.15 * (z14 * z28));
+    const double z45 = 0.2 * y_dot - z42 - 0.5 * (z14 * z23) + (0.5 * (4.0 * y_2 + 3.0 * z43) - z44);
+    const double z46 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z14 * z31) - z42) + 0.5 * (z14 * z40);
+    const double z47 = (z45 + (y_dot * (0.2 * (z13 * c_t) + c_z * z36) + z46) - 0.5 * (z19 * z41)) / z20;
+    const double z48 = 3.0 * z - (0.2 * z8 + z2 * (0.5 * (2.0 * (z * z25) + z26) - 0.3 * z28));
+    const double z49 = z11 * (z18 * z41 - 0.5 * (z19 * z47)) + 0.5 * (z15 * z47) + (z23 - z48 - (0.3 * y_dot
+        + 0.1 * z31 + z40));
     /* (I.4.1) 18:5 */
     lambda[0] = -z49; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -657,71 +656,72 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z65 = z6 * z64;
     const double z66 = z15 * z63;
     const double z67 = z65 + 0.5 * z66;
-    const double z68 = 0.3 * z12 + 0.5 * (y_dot * z12);
-    const double z69 = x_dot * z34;
-    const double z70 = z6 * z69;
-    const double z71 = z6 * z38 - (0.1 * t - (0.05 * z6 + (0.3 * (z2 * z46) - 2.0 * (x * z34))));
-    const double z72 = x_dot * z12;
-    const double z73 = z5 * z72;
-    const double z74 = y_2 * z73 + 0.3 * (z34 + z6 * z37);
-    const double z75 = 0.3 * (z2 * z28) - (2.0 * (z * z37) + (0.06 * (c_z * c_t) + z71) - s_z * z74);
-    const double z76 = x * z68 - z75;
-    const double z77 = 0.5 * (y_dot * z76) + (0.3 * z76 - (0.4 + 0.5 * (z12 * z63)));
-    const double z78 = 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z26) + z2 * z6 * (z30 - z67)))) - (z25 * z68 +
-        (1.0 + (2.0 * z70 + (0.1 * z6 - z2 * z47))) + z * z77);
-    const double z79 = z15 * z25;
-    const double z80 = z15 * z64;
-    const double z81 = 0.1 * (c_t * z79) + z2 * (0.5 * (z15 * z30) - (0.25 * (z15 * z66) + 0.5 * (z6 * z80)));
-    const double z82 = 0.15 * z16 + 0.25 * (y_dot * z16);
-    const double z83 = y_dot * z2;
-    const double z84 = x_dot * z16;
-    const double z85 = z5 * z84;
-    const double z86 = 0.5 * (y_2 * z85) + 0.15 * (z15 * z37);
-    const double z87 = c_z * z83 - (0.6 - (0.025 * z15 + 0.15 * (z2 * z58)) - 0.5 * (z15 * z38)) - s_z * z86;
-    const double z88 = x * z82 + z87;
-    const double z89 = 0.15 + 0.5 * z88;
-    const double z90 = z12 * z64;
-    const double z91 = 0.25 * (z16 * z63);
-    const double z92 = z48 * z2;
-    const double z93 = 1.5 - 0.5 * z92;
-    const double z94 = z49 * z2;
-    const double z95 = c_z * z94;
-    const double z96 = 0.5 * z41 - (0.5 * z43 - (z * z93 - (0.25 * z95 + (0.1 * z9 - 0.15 * z40))));
-    const double z97 = y_dot * z89 + (0.3 * z88 - (0.5 * z90 + (z91 + (z91 - (0.05 * z32 + z96)))));
-    const double z98 = 2.0 * (x * (0.1 * z15 - z81)) - (z25 * z82 + z15 * (0.05 + z69) + z * z97);
-    const double z99 = z53 * (z98 - 0.5 * (z20 * z78));
-    const double z100 = 3.0 - z92;
-    const double z101 = 0.3 * y_dot + (z41 - (z43 - (z * z100 - (0.5 * z95 + (0.2 * z9 - 0.3 * z40)))));
-    const double z102 = z5 * (x_dot * z76 - (0.3 * (z7 * z64) + (z11 * z67 + (z90 - (0.1 * z32 + z101)))));
-    const double z103 = 0.1 * (c_t * z72) + z102;
-    const double z104 = 0.4 * s_t + z28 * z73 - c_z * z103;
-    const double z105 = 0.05 * (c_t * z84) + z5 * (x_dot * z88 - 0.5 * (z11 * z80));
-    const double z106 = z53 * (2.0 - 0.5 * (z28 * z85) + c_z * z105 + 0.5 * (z20 * z104));
-    const double z107 = c_t * z6;
-    const double z108 = y_dot * z73 + (0.06 * z35 - 0.5 * (z6 * z94)) - 0.3 * (z2 * (z67 - (z30 - z65)));
-    const double z109 = x_dot * z68 + (z6 * z100 + 2.0 * z69) + x * z77 - s_z * (0.06 * (x_dot * z107) +
-        (z108 + y_2 * z103));
-    const double z110 = 2.0 * (z * (0.2 * z39 - z2 * z64)) + (c_z * (0.3 * z70 - z25 * z74) + z109);
-    const double z111 = c_t * z15;
-    const double z112 = 0.5 * (y_dot * z85) - (0.25 * (z15 * z94) - z25 * z83) - 0.15 * (z2 * z80) + y_2 *
-        z105;
-    const double z113 = c_z * (0.15 * (z15 * z69) - z25 * z86 + (0.2 * z31 - z2 * z63)) - (s_z * (0.03 *
-        (x_dot * z111) + z112) - (z15 * z93 + x_dot * z82 + x * z97));
-    const double z114 = z53 * (z113 - 0.5 * (z20 * z110));
-    const double z115 = x * z2;
-    const double z116 = 0.3 * (z45 * z34);
-    const double z117 = z12 * z29 + (z * z68 + (2.0 * (z115 * z26) - (z116 - (z36 + (0.1 * (t * z6) +
-        z116)))));
-    const double z118 = 2.0 * (z44 * z37) - (0.06 * (c_z * z107) + (z6 * z76 + (0.1 + z117)));
-    const double z119 = 0.15 * (z57 * z34);
-    const double z120 = 0.4 * c_t;
-    const double z121 = 0.5 * (z16 * z29) + (z * z82 - (z119 - (0.05 * (t * z15) - (z120 - z119)) - z115 *
-        z79));
-    const double z122 = z53 * (z55 * z37 - (0.03 * (c_z * z111) + (z6 * z88 + z121)) - 0.5 * (z20 * z118));
-    const double z123 = y_dot * z8 - (c_z * z73 + (z120 + 0.3 * z6 + 0.5 * (z12 * z27)) + 0.5 * (z15 * z76));
-    const double z124 = 0.5 * (z56 * z83) - (z15 * z89 + (0.2 + (0.5 * (c_z * z85) + (z61 + 0.25 * (z16 *
+    const double z68 = z30 - z67;
+    const double z69 = 0.3 * z12 + 0.5 * (y_dot * z12);
+    const double z70 = x_dot * z34;
+    const double z71 = z6 * z70;
+    const double z72 = z6 * z38 - (0.1 * t - (0.05 * z6 + (0.3 * (z2 * z46) - 2.0 * (x * z34))));
+    const double z73 = x_dot * z12;
+    const double z74 = z5 * z73;
+    const double z75 = y_2 * z74 + 0.3 * (z34 + z6 * z37);
+    const double z76 = 0.3 * (z2 * z28) - (2.0 * (z * z37) + (0.06 * (c_z * c_t) + z72) - s_z * z75);
+    const double z77 = x * z69 - z76;
+    const double z78 = 0.5 * (y_dot * z77) + (0.3 * z77 - (0.4 + 0.5 * (z12 * z63)));
+    const double z79 = 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z26) + z2 * z6 * z68))) - (z25 * z69 + (1.0 +
+        (2.0 * z71 + (0.1 * z6 - z2 * z47))) + z * z78);
+    const double z80 = z15 * z25;
+    const double z81 = z15 * z64;
+    const double z82 = 0.1 * (c_t * z80) + z2 * (0.5 * (z15 * z30) - (0.25 * (z15 * z66) + 0.5 * (z6 * z81)));
+    const double z83 = 0.15 * z16 + 0.25 * (y_dot * z16);
+    const double z84 = y_dot * z2;
+    const double z85 = x_dot * z16;
+    const double z86 = z5 * z85;
+    const double z87 = 0.5 * (y_2 * z86) + 0.15 * (z15 * z37);
+    const double z88 = c_z * z84 - (0.6 - (0.025 * z15 + 0.15 * (z2 * z58)) - 0.5 * (z15 * z38)) - s_z * z87;
+    const double z89 = x * z83 + z88;
+    const double z90 = 0.15 + 0.5 * z89;
+    const double z91 = z12 * z64;
+    const double z92 = 0.25 * (z16 * z63);
+    const double z93 = z48 * z2;
+    const double z94 = 1.5 - 0.5 * z93;
+    const double z95 = z49 * z2;
+    const double z96 = c_z * z95;
+    const double z97 = 0.5 * z41 - (0.5 * z43 - (z * z94 - (0.25 * z96 + (0.1 * z9 - 0.15 * z40))));
+    const double z98 = y_dot * z90 + (0.3 * z89 - (0.5 * z91 + (z92 + (z92 - (0.05 * z32 + z97)))));
+    const double z99 = 2.0 * (x * (0.1 * z15 - z82)) - (z25 * z83 + z15 * (0.05 + z70) + z * z98);
+    const double z100 = z53 * (z99 - 0.5 * (z20 * z79));
+    const double z101 = 3.0 - z93;
+    const double z102 = 0.3 * y_dot + (z41 - (z43 - (z * z101 - (0.5 * z96 + (0.2 * z9 - 0.3 * z40)))));
+    const double z103 = z5 * (x_dot * z77 - (0.3 * (z7 * z64) + (z11 * z67 + (z91 - (0.1 * z32 + z102)))));
+    const double z104 = 0.1 * (c_t * z73) + z103;
+    const double z105 = 0.4 * s_t + z28 * z74 - c_z * z104;
+    const double z106 = 0.05 * (c_t * z85) + z5 * (x_dot * z89 - 0.5 * (z11 * z81));
+    const double z107 = z53 * (2.0 - 0.5 * (z28 * z86) + c_z * z106 + 0.5 * (z20 * z105));
+    const double z108 = c_t * z6;
+    const double z109 = y_dot * z74 + (0.06 * z35 - 0.5 * (z6 * z95)) - 0.3 * (z2 * (z65 - z68)) + y_2 * z104;
+    const double z110 = x_dot * z69 + (z6 * z101 + 2.0 * z70) + x * z78 - s_z * (0.06 * (x_dot * z108) +
+        z109);
+    const double z111 = 2.0 * (z * (0.2 * z39 - z2 * z64)) + (c_z * (0.3 * z71 - z25 * z75) + z110);
+    const double z112 = c_t * z15;
+    const double z113 = 0.5 * (y_dot * z86) - (0.25 * (z15 * z95) - z25 * z84) - 0.15 * (z2 * z81) + y_2 *
+        z106;
+    const double z114 = c_z * (0.15 * (z15 * z70) - z25 * z87 + (0.2 * z31 - z2 * z63)) - (s_z * (0.03 *
+        (x_dot * z112) + z113) - (z15 * z94 + x_dot * z83 + x * z98));
+    const double z115 = z53 * (z114 - 0.5 * (z20 * z111));
+    const double z116 = x * z2;
+    const double z117 = 0.3 * (z45 * z34);
+    const double z118 = z12 * z29 + (z * z69 + (2.0 * (z116 * z26) - (z117 - (z36 + (0.1 * (t * z6) +
+        z117)))));
+    const double z119 = 2.0 * (z44 * z37) - (0.06 * (c_z * z108) + (z6 * z77 + (0.1 + z118)));
+    const double z120 = 0.15 * (z57 * z34);
+    const double z121 = 0.4 * c_t;
+    const double z122 = 0.5 * (z16 * z29) + (z * z83 - (z120 - (0.05 * (t * z15) - (z121 - z120)) - z116 *
+        z80));
+    const double z123 = z53 * (z55 * z37 - (0.03 * (c_z * z112) + (z6 * z89 + z122)) - 0.5 * (z20 * z119));
+    const double z124 = y_dot * z8 - (c_z * z74 + (z121 + 0.3 * z6 + 0.5 * (z12 * z27)) + 0.5 * (z15 * z77));
+    const double z125 = 0.5 * (z56 * z84) - (z15 * z90 + (0.2 + (0.5 * (c_z * z86) + (z61 + 0.25 * (z16 *
         z27)))));
-    const double z125 = z53 * (z124 - 0.5 * (z20 * z123));
+    const double z126 = z53 * (z125 - 0.5 * (z20 * z124));
     /* (I.4.9) */
     J[3] = 1.0;
     J[9] = 1.0;
@@ -730,16 +730,16 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     J[12] = x * z22 - y_2 * s_z * z23;
     J[13] = z6;
     J[14] = 0.5 * z15;
-    J[15] = z19 * z78 - 0.5 * (z20 * z99);
-    J[16] = z19 * z104 + 0.5 * (z20 * z106);
-    J[17] = 0.5 * (z20 * z114) - z19 * z110;
-    J[18] = z19 * z118 - 0.5 * (z20 * z122);
-    J[19] = z19 * z123 - 0.5 * (z20 * z125);
-    J[20] = z99;
-    J[21] = -z106;
-    J[22] = -z114;
-    J[23] = z122;
-    J[24] = z125;
+    J[15] = z19 * z79 - 0.5 * (z20 * z100);
+    J[16] = z19 * z105 + 0.5 * (z20 * z107);
+    J[17] = 0.5 * (z20 * z115) - z19 * z111;
+    J[18] = z19 * z119 - 0.5 * (z20 * z123);
+    J[19] = z19 * z124 - 0.5 * (z20 * z126);
+    J[20] = z100;
+    J[21] = -z107;
+    J[22] = -z115;
+    J[23] = z123;
+    J[24] = z126;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[22]) <= DBL_MAX
         && fabs(z21) > 1e-13 * z17)) {

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:57610dbd52d65cf8)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:f79a9813e6878864)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -21,12 +21,12 @@
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 62 +-, 105 *, 2 /, 4 calls
  * velocities: 4 +-, 10 *, 0 /, 3 calls
- * accelerations: 68 +-, 139 *, 2 /, 4 calls
+ * accelerations: 66 +-, 139 *, 2 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 5 +-, 10 *, 0 /, 3 calls
  * reactions: 73 +-, 148 *, 2 /, 4 calls
  * energy: 18 +-, 37 *, 0 /, 4 calls
- * jacobian: 204 +-, 387 *, 2 /, 4 calls
+ * jacobian: 203 +-, 387 *, 2 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Calls: t is the time; y has AFFINE_VORONEC_NY entries, p has AFFINE_VORONEC_NP;

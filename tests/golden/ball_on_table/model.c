@@ -1,12 +1,14 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:1dc26f8fda2da927)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:14302732e7ed8bf9)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
- *     constraints contains the dependent coordinates `x`, `y`
+ *     constraints contains the dependent coordinate `x`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
+ *     constraints contains the dependent coordinate `y`
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the constraints are not
  *     homogeneous (b_alpha is not zero)
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the time t occurs in T, U or the
@@ -269,13 +271,12 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
     const double z12 = y_2 * c_phi;
     const double z13 = z11 - z12;
     const double z14 = z7 + z9;
-    const double z15 = phi_dot * k3;
-    const double z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k5 - z8 * (z15 +
-        (Omega0 - psi_dot * c_theta * k3)));
+    const double z15 = Omega0 + phi_dot * k3;
+    const double z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k5 - z8 * (z15 -
+        psi_dot * c_theta * k3));
     const double z17 = k1 * z16 / z2;
     const double z18 = a * z5;
-    const double z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k5 * z13 - (Omega0 + z15)
-        * z18);
+    const double z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k5 * z13 - z15 * z18);
     /* (III.3) */
     dydt[0] = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega; /* x' */
     dydt[1] = x * Omega - a * (theta_dot * c_phi + s_phi * z5); /* y' */
@@ -396,16 +397,15 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double z14 = y_2 * c_phi;
     const double z15 = a * (psi_dot * s_theta);
     const double z16 = z12 - z14;
-    const double z17 = phi_dot * k4;
-    const double z18 = Omega1 * (z4 * z11 + s1 * (z12 * z13 - (z13 * z14 + z15))) + (k7 * z16 - (Omega0 +
-        z17) * z15);
+    const double z17 = Omega0 + phi_dot * k4;
+    const double z18 = Omega1 * (z4 * z11 + s1 * (z12 * z13 - (z13 * z14 + z15))) + (k7 * z16 - z17 * z15);
     const double z19 = k8 * z18;
     const double z20 = phi_dot * s_phi;
     const double z21 = theta_dot * c_theta;
     const double z22 = c_phi * s_theta;
     const double z23 = theta_dot * a;
-    const double z24 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16) + (z11 * k7 - z23 * (z17 +
-        (Omega0 - psi_dot * c_theta * k4)));
+    const double z24 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16) + (z11 * k7 - z23 * (z17 -
+        psi_dot * c_theta * k4));
     const double z25 = z24 * (k1 / z2);
     const double z26 = s_theta * z25;
     const double z27 = a * (theta_dot * z8 + s_phi * z19 + (psi_dot * (s_theta * z20 - c_phi * z21) + z22 *
@@ -511,13 +511,13 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* sines and cosines */
-    const double z3 = t * nu;
+    const double z4 = t * nu;
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
-    const double s1 = sin(z3);
-    const double c1 = cos(z3);
+    const double s1 = sin(z4);
+    const double c1 = cos(z4);
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
@@ -543,40 +543,40 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     /* from the state */
     const double z1 = k2 * (k + s_theta * s_theta);
     const double z2 = z1 - c_theta * c_theta * k3;
-    const double z4 = Omega1 * s1;
-    const double z5 = psi_dot * c_theta;
-    const double z6 = theta_dot * (z4 + (Omega0 + (phi_dot - z5)));
-    const double z7 = psi_dot * s_theta;
-    const double z8 = z7 * (z4 + (phi_dot + Omega0));
-    const double z9 = nu * c1;
-    const double z10 = Omega1 * z9;
-    const double z11 = Omega0 * (Omega0 + 2.0 * z4) + k9 * (s1 * s1);
-    const double z12 = x * c_phi;
-    const double z13 = y_2 * s_phi;
-    const double z14 = z12 + z13;
-    const double z15 = x * s_phi;
-    const double z16 = k6 + z4;
-    const double z17 = y_2 * c_phi;
-    const double z18 = a * z7;
-    const double z19 = z15 - z17;
-    const double z20 = phi_dot * k4;
-    const double z21 = Omega1 * (z9 * z14 + s1 * (z15 * z16 - (z16 * z17 + z18))) + (k7 * z19 - (Omega0 +
-        z20) * z18);
-    const double z22 = k8 * z21;
-    const double z23 = c_phi * k1;
-    const double z24 = theta_dot * a;
-    const double z25 = Omega1 * (s1 * (z16 * z12 - (z24 - z16 * z13)) - z9 * z19) + (z14 * k7 - z24 * (z20 +
-        (Omega0 - z5 * k4)));
-    const double z26 = s_theta * k1;
-    const double z27 = z25 * (z26 / z2);
-    const double z28 = m * (a * (c_phi * z6 + s_phi * z8) - (y_2 * z10 + x * z11)) + (k1 * (s_phi * z22) +
-        z23 * (s_theta * z27));
-    const double z29 = m * (a * (s_phi * z6 - c_phi * z8) + (x * z10 - y_2 * z11)) - (z22 * z23 - s_phi * z26
-        * z27);
+    const double z3 = psi_dot * c_theta;
+    const double z5 = Omega1 * s1;
+    const double z6 = z5 + (phi_dot + Omega0);
+    const double z7 = theta_dot * (z3 - z6);
+    const double z8 = psi_dot * s_theta;
+    const double z9 = z8 * z6;
+    const double z10 = nu * c1;
+    const double z11 = Omega1 * z10;
+    const double z12 = Omega0 * (Omega0 + 2.0 * z5) + k9 * (s1 * s1);
+    const double z13 = x * c_phi;
+    const double z14 = y_2 * s_phi;
+    const double z15 = z13 + z14;
+    const double z16 = x * s_phi;
+    const double z17 = k6 + z5;
+    const double z18 = y_2 * c_phi;
+    const double z19 = a * z8;
+    const double z20 = z16 - z18;
+    const double z21 = Omega0 + phi_dot * k4;
+    const double z22 = Omega1 * (z10 * z15 + s1 * (z16 * z17 - (z17 * z18 + z19))) + (k7 * z20 - z21 * z19);
+    const double z23 = k8 * z22;
+    const double z24 = c_phi * k1;
+    const double z25 = theta_dot * a;
+    const double z26 = Omega1 * (s1 * (z17 * z13 - (z25 - z17 * z14)) - z10 * z20) + (z15 * k7 - z25 * (z21 -
+        z3 * k4));
+    const double z27 = s_theta * k1;
+    const double z28 = z26 * (z27 / z2);
+    const double z29 = m * (a * (c_phi * z7 - s_phi * z9) + (y_2 * z11 + x * z12)) - (k1 * (s_phi * z23) +
+        z24 * (s_theta * z28));
+    const double z30 = m * (a * (s_phi * z7 + c_phi * z9) - (x * z11 - y_2 * z12)) + (z23 * z24 - s_phi * z27
+        * z28);
     /* (I.4.1) 27:5 */
-    lambda[0] = z28; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = -z29; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 28:5 */
-    lambda[1] = z29; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = -z30; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(k3) > 0.0 && fabs(z2) > 1e-13 * z1)) {
         /* the mass matrix is singular */
@@ -700,27 +700,28 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double z22 = z20 + z21;
     const double z23 = k7 * z19 + Omega1 * (z16 * z22 + z19 * z15);
     const double z24 = theta_dot * psi_dot;
-    const double z25 = theta_dot * a;
-    const double z26 = z16 * z19;
-    const double z27 = Omega1 * (s1 * (z14 * z20 - (z25 - z14 * z21)) - z26);
-    const double z28 = z22 * k7;
-    const double z29 = phi_dot * k5;
-    const double z30 = z6 * k5;
-    const double z31 = z27 + (z28 - z25 * (z29 + (Omega0 - z30)));
-    const double z32 = z10 * z11;
-    const double z33 = z31 * z32;
-    const double z34 = s_theta * k4;
-    const double z35 = I * (c_theta * z24) - z33 * z34;
-    const double z36 = z25 * z10;
-    const double z37 = s_theta * k3;
-    const double z38 = s_theta * (psi_dot * z36 + (z24 + k2 * (z31 * z12)) * z34) - c_theta * (k2 * (z27 -
-        (z25 * (z29 + (Omega0 - z6)) - z28)) - 2.0 * (z33 * z37));
-    const double z39 = z11 * (z38 - c_theta * z35);
-    const double z40 = k5 * z36;
-    const double z41 = z40 * z12;
-    const double z42 = z29 + (Omega - z30);
-    const double z43 = z11 * z40;
-    const double z44 = phi_dot + Omega * k9;
+    const double z25 = z10 * z11;
+    const double z26 = theta_dot * a;
+    const double z27 = phi_dot * k5;
+    const double z28 = Omega0 + z27;
+    const double z29 = z6 * k5;
+    const double z30 = z16 * z19;
+    const double z31 = z22 * k7;
+    const double z32 = Omega1 * (s1 * (z14 * z20 - (z26 - z14 * z21)) - z30) + z31;
+    const double z33 = z26 * (z28 - z29) - z32;
+    const double z34 = z25 * z33;
+    const double z35 = s_theta * k4;
+    const double z36 = I * (c_theta * z24) + z34 * z35;
+    const double z37 = z26 * z10;
+    const double z38 = s_theta * k3;
+    const double z39 = s_theta * (psi_dot * z37 + (z24 - k2 * (z33 * z12)) * z35) - c_theta * (k2 * (z26 *
+        (z6 - z28) + z32) + 2.0 * (z38 * z34));
+    const double z40 = z11 * (z39 - c_theta * z36);
+    const double z41 = k5 * z37;
+    const double z42 = z41 * z12;
+    const double z43 = z27 + (Omega - z29);
+    const double z44 = z11 * z41;
+    const double z45 = phi_dot + Omega * k9;
     /* (III.3) */
     J[1] = -Omega;
     J[2] = a * (theta_dot * c_phi + psi_dot * z5);
@@ -738,23 +739,23 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     J[40] = z13 * z17;
     J[41] = z13 * z18;
     J[42] = -z23 * z13;
-    J[43] = k8 * z35 - c_theta * z39;
-    J[45] = -z41;
-    J[46] = s_theta * (psi_dot - k3 * (z42 * z12));
-    J[47] = z43;
+    J[43] = k8 * z36 - c_theta * z40;
+    J[45] = -z42;
+    J[46] = s_theta * (psi_dot - k3 * (z43 * z12));
+    J[47] = z44;
     J[48] = k10 * z18;
     J[49] = -k10 * z17;
-    J[50] = k10 * (z28 - Omega1 * (z26 - z22 * z15));
-    J[51] = -z6 * z44;
+    J[50] = k10 * (z31 - Omega1 * (z30 - z22 * z15));
+    J[51] = -z6 * z45;
     J[53] = -psi_dot * s_theta;
-    J[55] = -s_theta * z44;
-    J[56] = -z32 * z17;
-    J[57] = -z32 * z18;
-    J[58] = z32 * z23;
-    J[59] = z39;
-    J[61] = z43;
-    J[62] = z42 * (z11 * z37);
-    J[63] = -z41;
+    J[55] = -s_theta * z45;
+    J[56] = -z25 * z17;
+    J[57] = -z25 * z18;
+    J[58] = z25 * z23;
+    J[59] = z40;
+    J[61] = z44;
+    J[62] = z43 * (z11 * z38);
+    J[63] = -z42;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[3] + J[7] + J[10] + J[11] + J[15] + J[40] + J[41] + J[42] + J[43] + J[46] + J[47] +
         J[48] + J[49] + J[50] + J[51] + J[55] + J[56] + J[57] + J[58] + J[62] + J[63]) <= DBL_MAX
@@ -805,12 +806,13 @@ int ball_on_table_outputs(double t, const double *y, const double *p, double *ou
     /* from the state */
     const double z1 = psi_dot * c_theta;
     const double z2 = Omega1 * s1;
-    const double z3 = theta_dot * theta_dot;
-    const double z4 = phi_dot * (z2 + (Omega0 - (0.5 * phi_dot + z1))) - (psi_dot * (0.5 * psi_dot - (Omega0
-        + z2) * c_theta) + 0.5 * z3);
-    const double z5 = x * x + y_2 * y_2;
-    const double z6 = k1 * (k * z4 - 0.5 * (z3 + s_theta * s_theta * (psi_dot * psi_dot))) + (Omega0 * ((k3 +
-        z2) * z5) + 0.5 * (k2 * (s1 * s1 * z5)));
+    const double z3 = x * x + y_2 * y_2;
+    const double z4 = theta_dot * theta_dot;
+    const double Omega = Omega0 + z2;
+    const double z5 = psi_dot * (0.5 * psi_dot - Omega * c_theta) + 0.5 * z4 - phi_dot * (Omega - (0.5 *
+        phi_dot + z1));
+    const double z6 = Omega0 * ((k3 + z2) * z3) + 0.5 * (k2 * (s1 * s1 * z3)) - k1 * (0.5 * (z4 + s_theta *
+        s_theta * (psi_dot * psi_dot)) + k * z5);
     /* 31:9 */
     out[0] = phi_dot + z1; /* spin */
     /* 32:18 */
@@ -878,13 +880,13 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const ball_on_table_lanes z12 = y_2 * c_phi;
     const ball_on_table_lanes z13 = z11 - z12;
     const ball_on_table_lanes z14 = z7 + z9;
-    const ball_on_table_lanes z15 = phi_dot * k3;
+    const ball_on_table_lanes z15 = Omega0 + phi_dot * k3;
     const ball_on_table_lanes z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k5 - z8 *
-        (z15 + (Omega0 - psi_dot * c_theta * k3)));
+        (z15 - psi_dot * c_theta * k3));
     const ball_on_table_lanes z17 = k1 * z16 / z2;
     const ball_on_table_lanes z18 = a * z5;
     const ball_on_table_lanes z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k5 * z13 -
-        (Omega0 + z15) * z18);
+        z15 * z18);
     /* (III.3) */
     const ball_on_table_lanes slope1 = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega;
     sum += slope1;

@@ -1,12 +1,14 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:afa5ac2de0055614)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:3d4ddc785622579a)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
- *     constraints contains the dependent coordinates `x`, `y`
+ *     constraints contains the dependent coordinate `x`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
+ *     constraints contains the dependent coordinate `y`
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the constraints are not
  *     homogeneous (b_alpha is not zero)
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the time t occurs in T, U or the
@@ -39,15 +41,15 @@
  * out[1] = moving_energy [J]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 24 +-, 50 *, 2 /, 6 calls
+ * rhs: 23 +-, 50 *, 2 /, 6 calls
  * velocities: 5 +-, 11 *, 0 /, 4 calls
- * accelerations: 37 +-, 76 *, 2 /, 6 calls
+ * accelerations: 36 +-, 76 *, 2 /, 6 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 7 +-, 11 *, 0 /, 4 calls
- * reactions: 36 +-, 69 *, 2 /, 6 calls
+ * reactions: 33 +-, 69 *, 2 /, 6 calls
  * energy: 10 +-, 23 *, 0 /, 5 calls
- * jacobian: 39 +-, 108 *, 4 /, 6 calls
- * outputs: 14 +-, 28 *, 0 /, 3 calls
+ * jacobian: 37 +-, 108 *, 4 /, 6 calls
+ * outputs: 13 +-, 28 *, 0 /, 3 calls
  *
  * Calls: t is the time; y has BALL_ON_TABLE_NY entries, p has BALL_ON_TABLE_NP;
  *     ball_on_table_parameter_defaults may be passed as p. ball_on_table_state makes y from coordinates and

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:bc04ae8e90dc5a93).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:4de8255dfb9afc28).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -7,7 +7,9 @@ Source: ball_on_table.yaml
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): the affine
-    part b_alpha of the constraints contains the dependent coordinates `x`, `y`
+    part b_alpha of the constraints contains the dependent coordinate `x`
+Note: hypothesis of I.3 that fails (the generalized equations are used): the affine
+    part b_alpha of the constraints contains the dependent coordinate `y`
 Note: hypothesis of I.3 that fails (the generalized equations are used): the
     constraints are not homogeneous (b_alpha is not zero)
 Note: hypothesis of I.3 that fails (the generalized equations are used): the time t
@@ -40,15 +42,15 @@ out[0] = spin [rad/s]
 out[1] = moving_energy [J]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 24 +-, 50 *, 2 /, 6 calls
+rhs: 23 +-, 50 *, 2 /, 6 calls
 velocities: 5 +-, 11 *, 0 /, 4 calls
-accelerations: 37 +-, 76 *, 2 /, 6 calls
+accelerations: 36 +-, 76 *, 2 /, 6 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 7 +-, 11 *, 0 /, 4 calls
-reactions: 36 +-, 69 *, 2 /, 6 calls
+reactions: 33 +-, 69 *, 2 /, 6 calls
 energy: 10 +-, 23 *, 0 /, 5 calls
-jacobian: 39 +-, 108 *, 4 /, 6 calls
-outputs: 14 +-, 28 *, 0 /, 3 calls
+jacobian: 37 +-, 108 *, 4 /, 6 calls
+outputs: 13 +-, 28 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
 Units are in brackets, and nothing is converted.
@@ -172,13 +174,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z12 = y_2 * c_phi
         z13 = z11 - z12
         z14 = z7 + z9
-        z15 = phi_dot * k3
-        s2 = z14 * k5 - z8 * (z15 + (Omega0 - psi_dot * c_theta * k3))
-        z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + s2
+        z15 = Omega0 + phi_dot * k3
+        s2 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13)
+        z16 = s2 + (z14 * k5 - z8 * (z15 - psi_dot * c_theta * k3))
         z17 = k1 * z16 / z2
         z18 = a * z5
         s3 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18)))
-        z19 = s3 + (k5 * z13 - (Omega0 + z15) * z18)
+        z19 = s3 + (k5 * z13 - z15 * z18)
         dydt: list[float] = [
             # x' (III.3)
             a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega,
@@ -316,30 +318,29 @@ def accelerations(
         z14 = y_2 * c_phi
         z15 = a * (psi_dot * s_theta)
         z16 = z12 - z14
-        z17 = phi_dot * k4
+        z17 = Omega0 + phi_dot * k4
         s2 = Omega1 * (z4 * z11 + s1 * (z12 * z13 - (z13 * z14 + z15)))
-        z18 = s2 + (k7 * z16 - (Omega0 + z17) * z15)
+        z18 = s2 + (k7 * z16 - z17 * z15)
         z19 = k8 * z18
         z20 = phi_dot * s_phi
         z21 = theta_dot * c_theta
         z22 = c_phi * s_theta
         z23 = theta_dot * a
-        s3 = z11 * k7 - z23 * (z17 + (Omega0 - psi_dot * c_theta * k4))
-        s4 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16)
-        z24 = s4 + s3
+        s3 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16)
+        z24 = s3 + (z11 * k7 - z23 * (z17 - psi_dot * c_theta * k4))
         z25 = z24 * (k1 / z2)
         z26 = s_theta * z25
-        s5 = psi_dot * (s_theta * z20 - c_phi * z21) + z22 * z26
-        z27 = a * (theta_dot * z8 + s_phi * z19 + s5)
-        s6 = psi_dot * (s_phi * z21 + s_theta * z8) - z7 * z26
-        z28 = a * (theta_dot * z20 - c_phi * z19 - s6)
-        s7 = Omega * (a * (theta_dot * c_phi + psi_dot * z7) - x * Omega)
-        s8 = a * (theta_dot * s_phi - psi_dot * z22) - y_2 * Omega
+        s4 = psi_dot * (s_theta * z20 - c_phi * z21) + z22 * z26
+        z27 = a * (theta_dot * z8 + s_phi * z19 + s4)
+        s5 = psi_dot * (s_phi * z21 + s_theta * z8) - z7 * z26
+        z28 = a * (theta_dot * z20 - c_phi * z19 - s5)
+        s6 = Omega * (a * (theta_dot * c_phi + psi_dot * z7) - x * Omega)
+        s7 = a * (theta_dot * s_phi - psi_dot * z22) - y_2 * Omega
         qddot: list[float] = [
             # x'' (III.3)
-            z27 - (y_2 * z5 - s7),
+            z27 - (y_2 * z5 - s6),
             # y'' (III.3)
-            x * z5 + Omega * s8 + z28,
+            x * z5 + Omega * s7 + z28,
             # phi'' (III.3)
             s_theta * (theta_dot * psi_dot + c_theta * z25),
             # theta'' (III.3)
@@ -473,45 +474,46 @@ def reactions(
         if not abs(z2) > 1e-13 * z1:
             raise _refuse(abs(z2), 1e-13 * z1, 2, "reactions")
         c_phi = math.cos(phi)
-        z3 = t_ * nu
-        s1 = math.sin(z3)
-        z4 = Omega1 * s1
-        z5 = psi_dot * c_theta
-        z6 = theta_dot * (z4 + (Omega0 + (phi_dot - z5)))
+        z3 = psi_dot * c_theta
+        z4 = t_ * nu
+        s1 = math.sin(z4)
+        z5 = Omega1 * s1
+        z6 = z5 + (phi_dot + Omega0)
+        z7 = theta_dot * (z3 - z6)
         s_phi = math.sin(phi)
-        z7 = psi_dot * s_theta
-        z8 = z7 * (z4 + (phi_dot + Omega0))
-        c1 = math.cos(z3)
-        z9 = nu * c1
-        z10 = Omega1 * z9
-        z11 = Omega0 * (Omega0 + 2.0 * z4) + k9 * (s1 * s1)
-        z12 = x * c_phi
-        z13 = y_2 * s_phi
-        z14 = z12 + z13
-        z15 = x * s_phi
-        z16 = k6 + z4
-        z17 = y_2 * c_phi
-        z18 = a * z7
-        z19 = z15 - z17
-        z20 = phi_dot * k4
-        s2 = Omega1 * (z9 * z14 + s1 * (z15 * z16 - (z16 * z17 + z18)))
-        z21 = s2 + (k7 * z19 - (Omega0 + z20) * z18)
-        z22 = k8 * z21
-        z23 = c_phi * k1
-        z24 = theta_dot * a
-        s3 = Omega1 * (s1 * (z16 * z12 - (z24 - z16 * z13)) - z9 * z19)
-        z25 = s3 + (z14 * k7 - z24 * (z20 + (Omega0 - z5 * k4)))
-        z26 = s_theta * k1
-        z27 = z25 * (z26 / z2)
-        s4 = m * (a * (c_phi * z6 + s_phi * z8) - (y_2 * z10 + x * z11))
-        z28 = s4 + (k1 * (s_phi * z22) + z23 * (s_theta * z27))
-        s5 = m * (a * (s_phi * z6 - c_phi * z8) + (x * z10 - y_2 * z11))
-        z29 = s5 - (z22 * z23 - s_phi * z26 * z27)
+        z8 = psi_dot * s_theta
+        z9 = z8 * z6
+        c1 = math.cos(z4)
+        z10 = nu * c1
+        z11 = Omega1 * z10
+        z12 = Omega0 * (Omega0 + 2.0 * z5) + k9 * (s1 * s1)
+        z13 = x * c_phi
+        z14 = y_2 * s_phi
+        z15 = z13 + z14
+        z16 = x * s_phi
+        z17 = k6 + z5
+        z18 = y_2 * c_phi
+        z19 = a * z8
+        z20 = z16 - z18
+        z21 = Omega0 + phi_dot * k4
+        s2 = Omega1 * (z10 * z15 + s1 * (z16 * z17 - (z17 * z18 + z19)))
+        z22 = s2 + (k7 * z20 - z21 * z19)
+        z23 = k8 * z22
+        z24 = c_phi * k1
+        z25 = theta_dot * a
+        s3 = Omega1 * (s1 * (z17 * z13 - (z25 - z17 * z14)) - z10 * z20)
+        z26 = s3 + (z15 * k7 - z25 * (z21 - z3 * k4))
+        z27 = s_theta * k1
+        z28 = z26 * (z27 / z2)
+        s4 = m * (a * (c_phi * z7 - s_phi * z9) + (y_2 * z11 + x * z12))
+        z29 = s4 - (k1 * (s_phi * z23) + z24 * (s_theta * z28))
+        s5 = m * (a * (s_phi * z7 + c_phi * z9) - (x * z11 - y_2 * z12))
+        z30 = s5 + (z23 * z24 - s_phi * z27 * z28)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 27:5
-            z28,
+            -z29,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 28:5
-            z29,
+            -z30,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -640,28 +642,29 @@ def jacobian(
         z22 = z20 + z21
         z23 = k7 * z19 + Omega1 * (z16 * z22 + z19 * z15)
         z24 = theta_dot * psi_dot
-        z25 = theta_dot * a
-        z26 = z16 * z19
-        z27 = Omega1 * (s1 * (z14 * z20 - (z25 - z14 * z21)) - z26)
-        z28 = z22 * k7
-        z29 = phi_dot * k5
-        z30 = z6 * k5
-        z31 = z27 + (z28 - z25 * (z29 + (Omega0 - z30)))
-        z32 = z10 * z11
-        z33 = z31 * z32
-        z34 = s_theta * k4
-        z35 = I * (c_theta * z24) - z33 * z34
-        z36 = z25 * z10
-        z37 = s_theta * k3
-        s2 = k2 * (z27 - (z25 * (z29 + (Omega0 - z6)) - z28))
-        s3 = s_theta * (psi_dot * z36 + (z24 + k2 * (z31 * z12)) * z34)
-        z38 = s3 - c_theta * (s2 - 2.0 * (z33 * z37))
-        z39 = z11 * (z38 - c_theta * z35)
-        z40 = k5 * z36
-        z41 = z40 * z12
-        z42 = z29 + (Omega - z30)
-        z43 = z11 * z40
-        z44 = phi_dot + Omega * k9
+        z25 = z10 * z11
+        z26 = theta_dot * a
+        z27 = phi_dot * k5
+        z28 = Omega0 + z27
+        z29 = z6 * k5
+        z30 = z16 * z19
+        z31 = z22 * k7
+        z32 = Omega1 * (s1 * (z14 * z20 - (z26 - z14 * z21)) - z30) + z31
+        z33 = z26 * (z28 - z29) - z32
+        z34 = z25 * z33
+        z35 = s_theta * k4
+        z36 = I * (c_theta * z24) + z34 * z35
+        z37 = z26 * z10
+        z38 = s_theta * k3
+        s2 = c_theta * (k2 * (z26 * (z6 - z28) + z32) + 2.0 * (z38 * z34))
+        s3 = s_theta * (psi_dot * z37 + (z24 - k2 * (z33 * z12)) * z35)
+        z39 = s3 - s2
+        z40 = z11 * (z39 - c_theta * z36)
+        z41 = k5 * z37
+        z42 = z41 * z12
+        z43 = z27 + (Omega - z29)
+        z44 = z11 * z41
+        z45 = phi_dot + Omega * k9
         J: list[float] = [
             0.0,
             # (III.3)
@@ -723,43 +726,43 @@ def jacobian(
             # (III.3)
             -z23 * z13,
             # (III.3)
-            k8 * z35 - c_theta * z39,
+            k8 * z36 - c_theta * z40,
             0.0,
             # (III.3)
-            -z41,
+            -z42,
             # (III.3)
-            s_theta * (psi_dot - k3 * (z42 * z12)),
+            s_theta * (psi_dot - k3 * (z43 * z12)),
             # (III.3)
-            z43,
+            z44,
             # (III.3)
             k10 * z18,
             # (III.3)
             -k10 * z17,
             # (III.3)
-            k10 * (z28 - Omega1 * (z26 - z22 * z15)),
+            k10 * (z31 - Omega1 * (z30 - z22 * z15)),
             # (III.3)
-            -z6 * z44,
+            -z6 * z45,
             0.0,
             # (III.3)
             -psi_dot * s_theta,
             0.0,
             # (III.3)
-            -s_theta * z44,
+            -s_theta * z45,
             # (III.3)
-            -z32 * z17,
+            -z25 * z17,
             # (III.3)
-            -z32 * z18,
+            -z25 * z18,
             # (III.3)
-            z32 * z23,
+            z25 * z23,
             # (III.3)
-            z39,
+            z40,
             0.0,
             # (III.3)
-            z43,
+            z44,
             # (III.3)
-            z42 * (z11 * z37),
+            z43 * (z11 * z38),
             # (III.3)
-            -z41,
+            -z42,
         ]
         _finish("jacobian", J)
         return [J[k11 : k11 + 8] for k11 in range(0, 64, 8)]
@@ -796,15 +799,15 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z1 = psi_dot * c_theta
         s1 = math.sin(t_ * nu)
         z2 = Omega1 * s1
-        z3 = theta_dot * theta_dot
-        s2 = psi_dot * (0.5 * psi_dot - (Omega0 + z2) * c_theta)
-        s3 = phi_dot * (z2 + (Omega0 - (0.5 * phi_dot + z1)))
-        z4 = s3 - (s2 + 0.5 * z3)
+        z3 = x * x + y_2 * y_2
+        z4 = theta_dot * theta_dot
         s_theta = math.sin(theta)
-        z5 = x * x + y_2 * y_2
-        s4 = 0.5 * (z3 + s_theta * s_theta * (psi_dot * psi_dot))
-        s5 = Omega0 * ((k3 + z2) * z5) + 0.5 * (k2 * (s1 * s1 * z5))
-        z6 = k1 * (k * z4 - s4) + s5
+        Omega = Omega0 + z2
+        s2 = psi_dot * (0.5 * psi_dot - Omega * c_theta) + 0.5 * z4
+        z5 = s2 - phi_dot * (Omega - (0.5 * phi_dot + z1))
+        s3 = 0.5 * (z4 + s_theta * s_theta * (psi_dot * psi_dot))
+        s4 = Omega0 * ((k3 + z2) * z3) + 0.5 * (k2 * (s1 * s1 * z3))
+        z6 = s4 - k1 * (s3 + k * z5)
         out: list[float] = [
             # spin 31:9
             phi_dot + z1,

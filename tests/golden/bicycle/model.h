@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:f539ce6abe049a15)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:4ba5efbc8e89c502)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -62,15 +62,15 @@
  * out[2] = front_height [m]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 455 +-, 699 *, 6 /, 17 calls
- * velocities: 56 +-, 99 *, 3 /, 17 calls
+ * rhs: 450 +-, 699 *, 6 /, 17 calls
+ * velocities: 55 +-, 99 *, 3 /, 17 calls
  * accelerations: 153 +-, 264 *, 3 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 183 *, 2 /, 12 calls
- * reactions: 402 +-, 616 *, 3 /, 12 calls
- * energy: 118 +-, 186 *, 3 /, 10 calls
+ * reactions: 396 +-, 616 *, 3 /, 12 calls
+ * energy: 116 +-, 186 *, 3 /, 10 calls
  * jacobian: 3683 +-, 5097 *, 7 /, 17 calls
- * outputs: 57 +-, 101 *, 3 /, 15 calls
+ * outputs: 56 +-, 101 *, 3 /, 15 calls
  *
  * Calls: t is the time; y has BICYCLE_NY entries, p has BICYCLE_NP; bicycle_parameter_defaults may be passed
  *     as p. bicycle_state makes y from coordinates and velocities.

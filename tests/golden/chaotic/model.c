@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:5e41ac27073a828a)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:cb6d721e652fc7e9)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -205,15 +205,15 @@ int chaotic_rhs(double t, const double *y, const double *p, double *dydt)
     const double z3_dot = y[12];
 
     /* from the state */
-    const double z4 = y3 * y3;
+    const double z4 = 1.0 + y1_ * y1_;
     const double z5 = y2 * y2;
-    const double z6 = y1_ * y1_;
-    const double z7 = z4 + (z5 + (1.0 + z6));
-    const double z8 = z1 * z1;
+    const double z6 = y3 * y3;
+    const double z7 = z4 + (z5 + z6);
+    const double z8 = 1.0 + z1 * z1;
     const double z9 = z2 * z2;
-    const double z10 = z1 * (1.0 + (z6 + z9));
-    const double z11 = z3 * (1.0 + z4);
-    const double z12 = z2 * (1.0 + (z5 + z8));
+    const double z10 = z1 * (z9 + z4);
+    const double z11 = z3 * (1.0 + z6);
+    const double z12 = z2 * (z5 + z8);
     const double z13 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * z11 + (y2 * z12 + (x +
         y1_ * z10)));
     const double z14 = z13 / z7;
@@ -226,7 +226,7 @@ int chaotic_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[5] = z2_dot; /* z2' */
     dydt[6] = z3_dot; /* z3' */
     /* (III.3) 10:4 */
-    dydt[7] = -y1_ * (1.0 + z8); /* y1'' */
+    dydt[7] = -y1_ * z8; /* y1'' */
     dydt[8] = -y2 * (1.0 + z9); /* y2'' */
     dydt[9] = -y3 * (1.0 + z3 * z3); /* y3'' */
     dydt[10] = -(z10 + y1_ * z14); /* z1'' */
@@ -292,29 +292,27 @@ int chaotic_accelerations(double t, const double *y, const double *p, double *qd
     const double z3_dot = y[12];
 
     /* from the state */
-    const double z4 = y3 * y3;
+    const double z4 = 1.0 + y1_ * y1_;
     const double z5 = y2 * y2;
-    const double z6 = y1_ * y1_;
-    const double z7 = z4 + (z5 + (1.0 + z6));
-    const double z8 = y3_dot * z3_dot;
-    const double z9 = z3 * (1.0 + z4);
-    const double z10 = y1_dot * z1_dot;
-    const double z11 = y2_dot * z2_dot;
-    const double z12 = z1 * z1;
-    const double z13 = z2 * (1.0 + (z5 + z12));
-    const double z14 = z2 * z2;
-    const double z15 = z1 * (1.0 + (z6 + z14));
-    const double z16 = (z8 + (z10 + z11) - (y3 * z9 + (y2 * z13 + (x + y1_ * z15)))) / z7;
-    const double z17 = z9 + y3 * z16;
-    const double z18 = z15 + y1_ * z16;
-    const double z19 = z13 + y2 * z16;
+    const double z6 = y3 * y3;
+    const double z7 = z4 + (z5 + z6);
+    const double z8 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot);
+    const double z9 = 1.0 + z1 * z1;
+    const double z10 = z2 * (z5 + z9);
+    const double z11 = z2 * z2;
+    const double z12 = z1 * (z11 + z4);
+    const double z13 = z3 * (1.0 + z6);
+    const double z14 = (z8 - (y1_ * z12 + (x + (y3 * z13 + y2 * z10)))) / z7;
+    const double z15 = z10 + y2 * z14;
+    const double z16 = z12 + y1_ * z14;
+    const double z17 = z13 + y3 * z14;
     /* (III.3) */
-    qddot[0] = -(z8 - y3 * z17 + (z10 - y1_ * z18 + (z11 - y2 * z19))); /* x'' */
-    qddot[1] = -y1_ * (1.0 + z12); /* y1'' */
-    qddot[2] = -y2 * (1.0 + z14); /* y2'' */
+    qddot[0] = y2 * z15 + (y1_ * z16 + y3 * z17) - z8; /* x'' */
+    qddot[1] = -y1_ * z9; /* y1'' */
+    qddot[2] = -y2 * (1.0 + z11); /* y2'' */
     qddot[3] = -y3 * (1.0 + z3 * z3); /* y3'' */
-    qddot[4] = -z18; /* z1'' */
-    qddot[5] = -z19; /* z2'' */
+    qddot[4] = -z16; /* z1'' */
+    qddot[5] = -z15; /* z2'' */
     qddot[6] = -z17; /* z3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5] + qddot[6]) <= DBL_MAX)) {
@@ -408,12 +406,12 @@ int chaotic_reactions(double t, const double *y, const double *p, double *lambda
     const double z3_dot = y[12];
 
     /* from the state */
-    const double z4 = y3 * y3;
+    const double z4 = 1.0 + y1_ * y1_;
     const double z5 = y2 * y2;
-    const double z6 = y1_ * y1_;
-    const double z7 = z4 + (z5 + (1.0 + z6));
-    const double z8 = y2 * (z2 * (1.0 + (z5 + z1 * z1))) + (x + y1_ * (z1 * (1.0 + (z6 + z2 * z2))));
-    const double z9 = (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * (z3 * (1.0 + z4)) + z8))
+    const double z6 = y3 * y3;
+    const double z7 = z4 + (z5 + z6);
+    const double z8 = y2 * (z2 * (1.0 + (z5 + z1 * z1))) + (x + y1_ * (z1 * (z2 * z2 + z4)));
+    const double z9 = (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * (z3 * (1.0 + z6)) + z8))
         / z7;
     /* (I.4.1) 13:5 */
     lambda[0] = -z9; /* reaction of contact: Q_i gains lambda_1 a_1i */
@@ -483,83 +481,82 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     /* from the state */
     const double z4 = y3 * y3;
     const double z5 = y2 * y2;
-    const double z6 = y1_ * y1_;
-    const double z7 = 1.0 + z6;
-    const double z8 = z4 + (z5 + z7);
-    const double z9 = z1 * z1;
-    const double z10 = z2 * z2;
-    const double z11 = 1.0 / z7;
-    const double z12 = y1_ * y2;
-    const double z13 = z12 * z11;
-    const double z14 = 1.0 / (1.0 + z5 - z12 * z13);
-    const double z15 = y2 - y1_ * z13;
+    const double z6 = 1.0 + y1_ * y1_;
+    const double z7 = z4 + (z5 + z6);
+    const double z8 = z1 * z1;
+    const double z9 = z2 * z2;
+    const double z10 = 1.0 / z6;
+    const double z11 = y1_ * y2;
+    const double z12 = z11 * z10;
+    const double z13 = 1.0 + z5;
+    const double z14 = 1.0 / (z13 - z11 * z12);
+    const double z15 = y2 - y1_ * z12;
     const double z16 = y1_ * y3;
-    const double z17 = z16 * z11;
-    const double z18 = y2 * y3 - z12 * z17;
+    const double z17 = z16 * z10;
+    const double z18 = y2 * y3 - z11 * z17;
     const double z19 = z18 * z14;
     const double z20 = 1.0 + z4;
     const double z21 = 1.0 / (z20 - z16 * z17 - z18 * z19);
     const double z22 = z21 * (y3 - y1_ * z17 - z19 * z15);
     const double z23 = z14 * z15 - z19 * z22;
-    const double z24 = 1.0 + (z5 + z9);
+    const double z24 = z8 + z13;
     const double z25 = z2 * z24;
-    const double z26 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot);
-    const double z27 = z3 * z20;
-    const double z28 = 1.0 + (z6 + z10);
-    const double z29 = z1 * z28;
-    const double z30 = (z26 - (y3 * z27 + (y2 * z25 + (x + y1_ * z29)))) / z8;
-    const double z31 = z25 + y2 * z30;
+    const double z26 = x - (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot));
+    const double z27 = z9 + z6;
+    const double z28 = z1 * z27;
+    const double z29 = z3 * z20;
+    const double z30 = (z26 + (y1_ * z28 + (y3 * z29 + y2 * z25))) / z7;
+    const double z31 = z25 - y2 * z30;
     const double z32 = y2 * z31;
-    const double z33 = z27 + y3 * z30;
-    const double z34 = x - z26;
-    const double z35 = y3 * z33 + z34;
-    const double z36 = z29 + y1_ * z30;
-    const double z37 = z32 + z35 - 2.0 * (y1_ * (z1 - z36));
-    const double z38 = y2 * z36 - z13 * z37;
-    const double z39 = z21 * (y3 * z36 - z17 * z37 - z19 * z38);
-    const double z40 = z14 * z38 - z19 * z39;
-    const double z41 = y1_ * z31;
-    const double z42 = y1_ * z36;
-    const double z43 = z42 + z35 - 2.0 * (y2 * (z2 - z31)) - z13 * z41;
-    const double z44 = z21 * (y3 * z31 - z17 * z41 - z19 * z43);
-    const double z45 = z14 * z43 - z19 * z44;
-    const double z46 = y1_ * z33;
-    const double z47 = y2 * z33 - z13 * z46;
-    const double z48 = z21 * (z42 + (z32 + z34) - 2.0 * (y3 * (z3 - z33)) - z17 * z46 - z19 * z47);
-    const double z49 = z14 * z47 - z19 * z48;
-    const double z50 = z1 * z2;
-    const double z51 = 2.0 * z50 - z13 * z28;
-    const double z52 = z21 * (z17 * z28 + z19 * z51);
-    const double z53 = z14 * z51 + z19 * z52;
-    const double z54 = z24 - 2.0 * (z13 * z50);
-    const double z55 = z21 * (2.0 * (z17 * z50) + z19 * z54);
-    const double z56 = z14 * z54 + z19 * z55;
-    const double z57 = z20 * z21;
-    const double z58 = z19 * z57;
-    const double z59 = y1_ * z1_dot;
-    const double z60 = y2 * z1_dot - z59 * z13;
-    const double z61 = z21 * (y3 * z1_dot - z59 * z17 - z19 * z60);
-    const double z62 = z14 * z60 - z19 * z61;
-    const double z63 = y1_ * z2_dot;
-    const double z64 = y2 * z2_dot - z13 * z63;
-    const double z65 = z21 * (y3 * z2_dot - z17 * z63 - z19 * z64);
-    const double z66 = z14 * z64 - z19 * z65;
-    const double z67 = y1_ * z3_dot;
-    const double z68 = y2 * z3_dot - z13 * z67;
-    const double z69 = z21 * (y3 * z3_dot - z17 * z67 - z19 * z68);
-    const double z70 = z14 * z68 - z19 * z69;
-    const double z71 = y1_ * y1_dot;
-    const double z72 = y2 * y1_dot - z13 * z71;
-    const double z73 = z21 * (y3 * y1_dot - z17 * z71 - z19 * z72);
-    const double z74 = z14 * z72 - z19 * z73;
-    const double z75 = y1_ * y2_dot;
-    const double z76 = y2 * y2_dot - z13 * z75;
-    const double z77 = z21 * (y3 * y2_dot - z17 * z75 - z19 * z76);
-    const double z78 = z14 * z76 - z19 * z77;
-    const double z79 = y1_ * y3_dot;
-    const double z80 = y2 * y3_dot - z13 * z79;
-    const double z81 = z21 * (y3 * y3_dot - z17 * z79 - z19 * z80);
-    const double z82 = z14 * z80 - z19 * z81;
+    const double z33 = z29 - y3 * z30;
+    const double z34 = z26 + y3 * z33;
+    const double z35 = z28 - y1_ * z30;
+    const double z36 = z32 + z34 - 2.0 * (y1_ * (z1 - z35));
+    const double z37 = y2 * z35 - z12 * z36;
+    const double z38 = z21 * (y3 * z35 - z17 * z36 - z19 * z37);
+    const double z39 = z14 * z37 - z19 * z38;
+    const double z40 = y1_ * z31;
+    const double z41 = y1_ * z35;
+    const double z42 = z41 + z34 - 2.0 * (y2 * (z2 - z31)) - z12 * z40;
+    const double z43 = z21 * (y3 * z31 - z17 * z40 - z19 * z42);
+    const double z44 = z14 * z42 - z19 * z43;
+    const double z45 = y1_ * z33;
+    const double z46 = y2 * z33 - z12 * z45;
+    const double z47 = z21 * (z41 + (z26 + z32) - 2.0 * (y3 * (z3 - z33)) - z17 * z45 - z19 * z46);
+    const double z48 = z14 * z46 - z19 * z47;
+    const double z49 = z1 * z2;
+    const double z50 = 2.0 * z49 - z12 * z27;
+    const double z51 = z21 * (z17 * z27 + z19 * z50);
+    const double z52 = z14 * z50 + z19 * z51;
+    const double z53 = 2.0 * (z12 * z49) - z24;
+    const double z54 = z21 * (2.0 * (z17 * z49) - z19 * z53);
+    const double z55 = z14 * z53 - z19 * z54;
+    const double z56 = z20 * z21;
+    const double z57 = z19 * z56;
+    const double z58 = y1_ * z1_dot;
+    const double z59 = y2 * z1_dot - z58 * z12;
+    const double z60 = z21 * (y3 * z1_dot - z58 * z17 - z19 * z59);
+    const double z61 = z14 * z59 - z19 * z60;
+    const double z62 = y1_ * z2_dot;
+    const double z63 = y2 * z2_dot - z12 * z62;
+    const double z64 = z21 * (y3 * z2_dot - z17 * z62 - z19 * z63);
+    const double z65 = z14 * z63 - z19 * z64;
+    const double z66 = y1_ * z3_dot;
+    const double z67 = y2 * z3_dot - z12 * z66;
+    const double z68 = z21 * (y3 * z3_dot - z17 * z66 - z19 * z67);
+    const double z69 = z14 * z67 - z19 * z68;
+    const double z70 = y1_ * y1_dot;
+    const double z71 = y2 * y1_dot - z12 * z70;
+    const double z72 = z21 * (y3 * y1_dot - z17 * z70 - z19 * z71);
+    const double z73 = z14 * z71 - z19 * z72;
+    const double z74 = y1_ * y2_dot;
+    const double z75 = y2 * y2_dot - z12 * z74;
+    const double z76 = z21 * (y3 * y2_dot - z17 * z74 - z19 * z75);
+    const double z77 = z14 * z75 - z19 * z76;
+    const double z78 = y1_ * y3_dot;
+    const double z79 = y2 * y3_dot - z12 * z78;
+    const double z80 = z21 * (y3 * y3_dot - z17 * z78 - z19 * z79);
+    const double z81 = z14 * z79 - z19 * z80;
     /* (III.3) */
     J[1] = -z1_dot;
     J[2] = -z2_dot;
@@ -573,59 +570,59 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     J[62] = 1.0;
     J[76] = 1.0;
     J[90] = 1.0;
-    J[92] = -(1.0 + z9);
+    J[92] = -(1.0 + z8);
     J[95] = -2.0 * (y1_ * z1);
-    J[106] = -(1.0 + z10);
+    J[106] = -(1.0 + z9);
     J[109] = -2.0 * (y2 * z2);
     J[120] = -(1.0 + z3 * z3);
     J[123] = -2.0 * (y3 * z3);
-    J[130] = y1_ * z11 - z13 * z23 - z17 * z22;
-    J[131] = z11 * z37 - z13 * z40 - z17 * z39;
-    J[132] = z11 * z41 - z13 * z45 - z17 * z44;
-    J[133] = z11 * z46 - z13 * z49 - z17 * z48;
-    J[134] = -(z11 * z28 - z13 * z53 + z17 * z52);
-    J[135] = -(2.0 * (z11 * z50) - z13 * z56 + z17 * z55);
-    J[136] = z17 * z57 - z13 * z58;
-    J[137] = z17 * z61 - (z59 * z11 - z13 * z62);
-    J[138] = z17 * z65 - (z11 * z63 - z13 * z66);
-    J[139] = z17 * z69 - (z11 * z67 - z13 * z70);
-    J[140] = z17 * z73 - (z11 * z71 - z13 * z74);
-    J[141] = z17 * z77 - (z11 * z75 - z13 * z78);
-    J[142] = z17 * z81 - (z11 * z79 - z13 * z82);
+    J[130] = y1_ * z10 - z12 * z23 - z17 * z22;
+    J[131] = z10 * z36 - z12 * z39 - z17 * z38;
+    J[132] = z10 * z40 - z12 * z44 - z17 * z43;
+    J[133] = z10 * z45 - z12 * z48 - z17 * z47;
+    J[134] = -(z10 * z27 - z12 * z52 + z17 * z51);
+    J[135] = -(2.0 * (z10 * z49) + z12 * z55 + z17 * z54);
+    J[136] = z17 * z56 - z12 * z57;
+    J[137] = z17 * z60 - (z58 * z10 - z12 * z61);
+    J[138] = z17 * z64 - (z10 * z62 - z12 * z65);
+    J[139] = z17 * z68 - (z10 * z66 - z12 * z69);
+    J[140] = z17 * z72 - (z10 * z70 - z12 * z73);
+    J[141] = z17 * z76 - (z10 * z74 - z12 * z77);
+    J[142] = z17 * z80 - (z10 * z78 - z12 * z81);
     J[143] = z23;
-    J[144] = z40;
-    J[145] = z45;
-    J[146] = z49;
-    J[147] = -z53;
-    J[148] = -z56;
-    J[149] = z58;
-    J[150] = -z62;
-    J[151] = -z66;
-    J[152] = -z70;
-    J[153] = -z74;
-    J[154] = -z78;
-    J[155] = -z82;
+    J[144] = z39;
+    J[145] = z44;
+    J[146] = z48;
+    J[147] = -z52;
+    J[148] = z55;
+    J[149] = z57;
+    J[150] = -z61;
+    J[151] = -z65;
+    J[152] = -z69;
+    J[153] = -z73;
+    J[154] = -z77;
+    J[155] = -z81;
     J[156] = z22;
-    J[157] = z39;
-    J[158] = z44;
-    J[159] = z48;
-    J[160] = z52;
-    J[161] = z55;
-    J[162] = -z57;
-    J[163] = -z61;
-    J[164] = -z65;
-    J[165] = -z69;
-    J[166] = -z73;
-    J[167] = -z77;
-    J[168] = -z81;
+    J[157] = z38;
+    J[158] = z43;
+    J[159] = z47;
+    J[160] = z51;
+    J[161] = z54;
+    J[162] = -z56;
+    J[163] = -z60;
+    J[164] = -z64;
+    J[165] = -z68;
+    J[166] = -z72;
+    J[167] = -z76;
+    J[168] = -z80;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[92] + J[95] + J[106] + J[109] + J[120] + J[123] + J[130] + J[131] + J[132] + J[133] + J[134]
-        + J[135] + J[136] + J[137] + J[138] + J[139] + J[140] + J[141] + J[142] + J[147] + J[148] + J[150] +
-        J[151] + J[152] + J[153] + J[154] + J[155] + J[162] + J[163] + J[164] + J[165] + J[166] + J[167] +
-        J[168]) <= DBL_MAX)) {
+        + J[135] + J[136] + J[137] + J[138] + J[139] + J[140] + J[141] + J[142] + J[147] + J[150] + J[151] +
+        J[152] + J[153] + J[154] + J[155] + J[162] + J[163] + J[164] + J[165] + J[166] + J[167] + J[168]) <=
+        DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z8) > 0.0)) {
-            return chaotic_refuse(fabs(z8), 0.0, CHAOTIC_SINGULAR_2);
+        if (!(fabs(z7) > 0.0)) {
+            return chaotic_refuse(fabs(z7), 0.0, CHAOTIC_SINGULAR_2);
         }
         return chaotic_finish(169, J);
     }
@@ -663,15 +660,15 @@ static __attribute__((noinline)) void chaotic_rhs_lanes(const double *fixed, siz
     const chaotic_lanes z1_dot = chaotic_get(y + 10 * stride);
     const chaotic_lanes z2_dot = chaotic_get(y + 11 * stride);
     const chaotic_lanes z3_dot = chaotic_get(y + 12 * stride);
-    const chaotic_lanes z4 = y3 * y3;
+    const chaotic_lanes z4 = 1.0 + y1_ * y1_;
     const chaotic_lanes z5 = y2 * y2;
-    const chaotic_lanes z6 = y1_ * y1_;
-    const chaotic_lanes z7 = z4 + (z5 + (1.0 + z6));
-    const chaotic_lanes z8 = z1 * z1;
+    const chaotic_lanes z6 = y3 * y3;
+    const chaotic_lanes z7 = z4 + (z5 + z6);
+    const chaotic_lanes z8 = 1.0 + z1 * z1;
     const chaotic_lanes z9 = z2 * z2;
-    const chaotic_lanes z10 = z1 * (1.0 + (z6 + z9));
-    const chaotic_lanes z11 = z3 * (1.0 + z4);
-    const chaotic_lanes z12 = z2 * (1.0 + (z5 + z8));
+    const chaotic_lanes z10 = z1 * (z9 + z4);
+    const chaotic_lanes z11 = z3 * (1.0 + z6);
+    const chaotic_lanes z12 = z2 * (z5 + z8);
     const chaotic_lanes z13 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * z11 + (y2 * z12 +
         (x + y1_ * z10)));
     const chaotic_lanes z14 = z13 / z7;
@@ -692,7 +689,7 @@ static __attribute__((noinline)) void chaotic_rhs_lanes(const double *fixed, siz
     const chaotic_lanes slope7 = z3_dot;
     chaotic_put(dydt + 6 * stride, slope7);
     /* (III.3) 10:4 */
-    const chaotic_lanes slope8 = -y1_ * (1.0 + z8);
+    const chaotic_lanes slope8 = -y1_ * z8;
     sum += slope8;
     chaotic_put(dydt + 7 * stride, slope8);
     const chaotic_lanes slope9 = -y2 * (1.0 + z9);

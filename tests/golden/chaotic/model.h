@@ -1,5 +1,5 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:3efe1e9b4d69b043)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:43aa2cf270939c83)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -28,14 +28,14 @@
  * 0: contact
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 22 +-, 24 *, 1 /, 0 calls
+ * rhs: 20 +-, 24 *, 1 /, 0 calls
  * velocities: 2 +-, 3 *, 0 /, 0 calls
- * accelerations: 25 +-, 24 *, 1 /, 0 calls
+ * accelerations: 21 +-, 24 *, 1 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 3 +-, 3 *, 0 /, 0 calls
- * reactions: 14 +-, 14 *, 1 /, 0 calls
+ * reactions: 13 +-, 14 *, 1 /, 0 calls
  * energy: 19 +-, 22 *, 0 /, 0 calls
- * jacobian: 108 +-, 184 *, 4 /, 0 calls
+ * jacobian: 105 +-, 184 *, 4 /, 0 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Calls: t is the time; y has CHAOTIC_NY entries, p has CHAOTIC_NP; chaotic_parameter_defaults may be passed

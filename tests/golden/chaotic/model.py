@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:491ea91f2368aa9e).
+"""chaotic, emitted by nhc 0.1.0 (nhc:025a8c6ddf5d2d2f).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -28,14 +28,14 @@ Constraints:
 0: contact
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 22 +-, 24 *, 1 /, 0 calls
+rhs: 20 +-, 24 *, 1 /, 0 calls
 velocities: 2 +-, 3 *, 0 /, 0 calls
-accelerations: 25 +-, 24 *, 1 /, 0 calls
+accelerations: 21 +-, 24 *, 1 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 3 +-, 3 *, 0 /, 0 calls
-reactions: 14 +-, 14 *, 1 /, 0 calls
+reactions: 13 +-, 14 *, 1 /, 0 calls
 energy: 19 +-, 22 *, 0 /, 0 calls
-jacobian: 108 +-, 184 *, 4 /, 0 calls
+jacobian: 105 +-, 184 *, 4 /, 0 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -134,18 +134,18 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     z3_dot = float(y[12])
     try:
         # from the state
-        z4 = y3 * y3
+        z4 = 1.0 + y1 * y1
         z5 = y2 * y2
-        z6 = y1 * y1
-        z7 = z4 + (z5 + (1.0 + z6))
+        z6 = y3 * y3
+        z7 = z4 + (z5 + z6)
         # the mass matrix is singular
         if not abs(z7) > 0.0:
             raise _refuse(abs(z7), 0.0, 2, "rhs")
-        z8 = z1 * z1
+        z8 = 1.0 + z1 * z1
         z9 = z2 * z2
-        z10 = z1 * (1.0 + (z6 + z9))
-        z11 = z3 * (1.0 + z4)
-        z12 = z2 * (1.0 + (z5 + z8))
+        z10 = z1 * (z9 + z4)
+        z11 = z3 * (1.0 + z6)
+        z12 = z2 * (z5 + z8)
         s1 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
         z13 = s1 - (y3 * z11 + (y2 * z12 + (x + y1 * z10)))
         z14 = z13 / z7
@@ -165,7 +165,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # z3' (III.3)
             z3_dot,
             # y1'' (III.3) 10:4
-            -y1 * (1.0 + z8),
+            -y1 * z8,
             # y2'' (III.3) 10:4
             -y2 * (1.0 + z9),
             # y3'' (III.3) 10:4
@@ -249,39 +249,36 @@ def accelerations(
     z3_dot = float(y[12])
     try:
         # from the state
-        z4 = y3 * y3
+        z4 = 1.0 + y1 * y1
         z5 = y2 * y2
-        z6 = y1 * y1
-        z7 = z4 + (z5 + (1.0 + z6))
+        z6 = y3 * y3
+        z7 = z4 + (z5 + z6)
         # the mass matrix is singular
         if not abs(z7) > 0.0:
             raise _refuse(abs(z7), 0.0, 2, "accelerations")
-        z8 = y3_dot * z3_dot
-        z9 = z3 * (1.0 + z4)
-        z10 = y1_dot * z1_dot
-        z11 = y2_dot * z2_dot
-        z12 = z1 * z1
-        z13 = z2 * (1.0 + (z5 + z12))
-        z14 = z2 * z2
-        z15 = z1 * (1.0 + (z6 + z14))
-        s1 = z8 + (z10 + z11) - (y3 * z9 + (y2 * z13 + (x + y1 * z15)))
-        z16 = s1 / z7
-        z17 = z9 + y3 * z16
-        z18 = z15 + y1 * z16
-        z19 = z13 + y2 * z16
+        z8 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
+        z9 = 1.0 + z1 * z1
+        z10 = z2 * (z5 + z9)
+        z11 = z2 * z2
+        z12 = z1 * (z11 + z4)
+        z13 = z3 * (1.0 + z6)
+        z14 = (z8 - (y1 * z12 + (x + (y3 * z13 + y2 * z10)))) / z7
+        z15 = z10 + y2 * z14
+        z16 = z12 + y1 * z14
+        z17 = z13 + y3 * z14
         qddot: list[float] = [
             # x'' (III.3)
-            -(z8 - y3 * z17 + (z10 - y1 * z18 + (z11 - y2 * z19))),
+            y2 * z15 + (y1 * z16 + y3 * z17) - z8,
             # y1'' (III.3)
-            -y1 * (1.0 + z12),
+            -y1 * z9,
             # y2'' (III.3)
-            -y2 * (1.0 + z14),
+            -y2 * (1.0 + z11),
             # y3'' (III.3)
             -y3 * (1.0 + z3 * z3),
             # z1'' (III.3)
-            -z18,
+            -z16,
             # z2'' (III.3)
-            -z19,
+            -z15,
             # z3'' (III.3)
             -z17,
         ]
@@ -391,17 +388,17 @@ def reactions(
     z3_dot = float(y[12])
     try:
         # from the state
-        z4 = y3 * y3
+        z4 = 1.0 + y1 * y1
         z5 = y2 * y2
-        z6 = y1 * y1
-        z7 = z4 + (z5 + (1.0 + z6))
+        z6 = y3 * y3
+        z7 = z4 + (z5 + z6)
         # the mass matrix is singular
         if not abs(z7) > 0.0:
             raise _refuse(abs(z7), 0.0, 2, "reactions")
-        s1 = x + y1 * (z1 * (1.0 + (z6 + z2 * z2)))
-        z8 = y2 * (z2 * (1.0 + (z5 + z1 * z1))) + s1
+        s1 = y2 * (z2 * (1.0 + (z5 + z1 * z1)))
+        z8 = s1 + (x + y1 * (z1 * (z2 * z2 + z4)))
         s2 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
-        z9 = (s2 - (y3 * (z3 * (1.0 + z4)) + z8)) / z7
+        z9 = (s2 - (y3 * (z3 * (1.0 + z6)) + z8)) / z7
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 13:5
             -z9,
@@ -476,87 +473,86 @@ def jacobian(
         # from the state
         z4 = y3 * y3
         z5 = y2 * y2
-        z6 = y1 * y1
-        z7 = 1.0 + z6
-        z8 = z4 + (z5 + z7)
+        z6 = 1.0 + y1 * y1
+        z7 = z4 + (z5 + z6)
         # the mass matrix is singular
-        if not abs(z8) > 0.0:
-            raise _refuse(abs(z8), 0.0, 2, "jacobian")
-        z9 = z1 * z1
-        z10 = z2 * z2
-        z11 = 1.0 / z7
-        z12 = y1 * y2
-        z13 = z12 * z11
-        z14 = 1.0 / (1.0 + z5 - z12 * z13)
-        z15 = y2 - y1 * z13
+        if not abs(z7) > 0.0:
+            raise _refuse(abs(z7), 0.0, 2, "jacobian")
+        z8 = z1 * z1
+        z9 = z2 * z2
+        z10 = 1.0 / z6
+        z11 = y1 * y2
+        z12 = z11 * z10
+        z13 = 1.0 + z5
+        z14 = 1.0 / (z13 - z11 * z12)
+        z15 = y2 - y1 * z12
         z16 = y1 * y3
-        z17 = z16 * z11
-        z18 = y2 * y3 - z12 * z17
+        z17 = z16 * z10
+        z18 = y2 * y3 - z11 * z17
         z19 = z18 * z14
         z20 = 1.0 + z4
         z21 = 1.0 / (z20 - z16 * z17 - z18 * z19)
         z22 = z21 * (y3 - y1 * z17 - z19 * z15)
         z23 = z14 * z15 - z19 * z22
-        z24 = 1.0 + (z5 + z9)
+        z24 = z8 + z13
         z25 = z2 * z24
-        z26 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
-        z27 = z3 * z20
-        z28 = 1.0 + (z6 + z10)
-        z29 = z1 * z28
-        z30 = (z26 - (y3 * z27 + (y2 * z25 + (x + y1 * z29)))) / z8
-        z31 = z25 + y2 * z30
+        z26 = x - (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot))
+        z27 = z9 + z6
+        z28 = z1 * z27
+        z29 = z3 * z20
+        z30 = (z26 + (y1 * z28 + (y3 * z29 + y2 * z25))) / z7
+        z31 = z25 - y2 * z30
         z32 = y2 * z31
-        z33 = z27 + y3 * z30
-        z34 = x - z26
-        z35 = y3 * z33 + z34
-        z36 = z29 + y1 * z30
-        z37 = z32 + z35 - 2.0 * (y1 * (z1 - z36))
-        z38 = y2 * z36 - z13 * z37
-        z39 = z21 * (y3 * z36 - z17 * z37 - z19 * z38)
-        z40 = z14 * z38 - z19 * z39
-        z41 = y1 * z31
-        z42 = y1 * z36
-        z43 = z42 + z35 - 2.0 * (y2 * (z2 - z31)) - z13 * z41
-        z44 = z21 * (y3 * z31 - z17 * z41 - z19 * z43)
-        z45 = z14 * z43 - z19 * z44
-        z46 = y1 * z33
-        z47 = y2 * z33 - z13 * z46
-        s1 = z42 + (z32 + z34) - 2.0 * (y3 * (z3 - z33)) - z17 * z46
-        z48 = z21 * (s1 - z19 * z47)
-        z49 = z14 * z47 - z19 * z48
-        z50 = z1 * z2
-        z51 = 2.0 * z50 - z13 * z28
-        z52 = z21 * (z17 * z28 + z19 * z51)
-        z53 = z14 * z51 + z19 * z52
-        z54 = z24 - 2.0 * (z13 * z50)
-        z55 = z21 * (2.0 * (z17 * z50) + z19 * z54)
-        z56 = z14 * z54 + z19 * z55
-        z57 = z20 * z21
-        z58 = z19 * z57
-        z59 = y1 * z1_dot
-        z60 = y2 * z1_dot - z59 * z13
-        z61 = z21 * (y3 * z1_dot - z59 * z17 - z19 * z60)
-        z62 = z14 * z60 - z19 * z61
-        z63 = y1 * z2_dot
-        z64 = y2 * z2_dot - z13 * z63
-        z65 = z21 * (y3 * z2_dot - z17 * z63 - z19 * z64)
-        z66 = z14 * z64 - z19 * z65
-        z67 = y1 * z3_dot
-        z68 = y2 * z3_dot - z13 * z67
-        z69 = z21 * (y3 * z3_dot - z17 * z67 - z19 * z68)
-        z70 = z14 * z68 - z19 * z69
-        z71 = y1 * y1_dot
-        z72 = y2 * y1_dot - z13 * z71
-        z73 = z21 * (y3 * y1_dot - z17 * z71 - z19 * z72)
-        z74 = z14 * z72 - z19 * z73
-        z75 = y1 * y2_dot
-        z76 = y2 * y2_dot - z13 * z75
-        z77 = z21 * (y3 * y2_dot - z17 * z75 - z19 * z76)
-        z78 = z14 * z76 - z19 * z77
-        z79 = y1 * y3_dot
-        z80 = y2 * y3_dot - z13 * z79
-        z81 = z21 * (y3 * y3_dot - z17 * z79 - z19 * z80)
-        z82 = z14 * z80 - z19 * z81
+        z33 = z29 - y3 * z30
+        z34 = z26 + y3 * z33
+        z35 = z28 - y1 * z30
+        z36 = z32 + z34 - 2.0 * (y1 * (z1 - z35))
+        z37 = y2 * z35 - z12 * z36
+        z38 = z21 * (y3 * z35 - z17 * z36 - z19 * z37)
+        z39 = z14 * z37 - z19 * z38
+        z40 = y1 * z31
+        z41 = y1 * z35
+        z42 = z41 + z34 - 2.0 * (y2 * (z2 - z31)) - z12 * z40
+        z43 = z21 * (y3 * z31 - z17 * z40 - z19 * z42)
+        z44 = z14 * z42 - z19 * z43
+        z45 = y1 * z33
+        z46 = y2 * z33 - z12 * z45
+        s1 = z41 + (z26 + z32) - 2.0 * (y3 * (z3 - z33)) - z17 * z45
+        z47 = z21 * (s1 - z19 * z46)
+        z48 = z14 * z46 - z19 * z47
+        z49 = z1 * z2
+        z50 = 2.0 * z49 - z12 * z27
+        z51 = z21 * (z17 * z27 + z19 * z50)
+        z52 = z14 * z50 + z19 * z51
+        z53 = 2.0 * (z12 * z49) - z24
+        z54 = z21 * (2.0 * (z17 * z49) - z19 * z53)
+        z55 = z14 * z53 - z19 * z54
+        z56 = z20 * z21
+        z57 = z19 * z56
+        z58 = y1 * z1_dot
+        z59 = y2 * z1_dot - z58 * z12
+        z60 = z21 * (y3 * z1_dot - z58 * z17 - z19 * z59)
+        z61 = z14 * z59 - z19 * z60
+        z62 = y1 * z2_dot
+        z63 = y2 * z2_dot - z12 * z62
+        z64 = z21 * (y3 * z2_dot - z17 * z62 - z19 * z63)
+        z65 = z14 * z63 - z19 * z64
+        z66 = y1 * z3_dot
+        z67 = y2 * z3_dot - z12 * z66
+        z68 = z21 * (y3 * z3_dot - z17 * z66 - z19 * z67)
+        z69 = z14 * z67 - z19 * z68
+        z70 = y1 * y1_dot
+        z71 = y2 * y1_dot - z12 * z70
+        z72 = z21 * (y3 * y1_dot - z17 * z70 - z19 * z71)
+        z73 = z14 * z71 - z19 * z72
+        z74 = y1 * y2_dot
+        z75 = y2 * y2_dot - z12 * z74
+        z76 = z21 * (y3 * y2_dot - z17 * z74 - z19 * z75)
+        z77 = z14 * z75 - z19 * z76
+        z78 = y1 * y3_dot
+        z79 = y2 * y3_dot - z12 * z78
+        z80 = z21 * (y3 * y3_dot - z17 * z78 - z19 * z79)
+        z81 = z14 * z79 - z19 * z80
         J: list[float] = [
             0.0,
             # (III.3)
@@ -663,7 +659,7 @@ def jacobian(
             1.0,
             0.0,
             # (III.3)
-            -(1.0 + z9),
+            -(1.0 + z8),
             0.0,
             0.0,
             # (III.3)
@@ -679,7 +675,7 @@ def jacobian(
             0.0,
             0.0,
             # (III.3)
-            -(1.0 + z10),
+            -(1.0 + z9),
             0.0,
             0.0,
             # (III.3)
@@ -707,59 +703,33 @@ def jacobian(
             0.0,
             0.0,
             # (III.3)
-            y1 * z11 - z13 * z23 - z17 * z22,
+            y1 * z10 - z12 * z23 - z17 * z22,
             # (III.3)
-            z11 * z37 - z13 * z40 - z17 * z39,
+            z10 * z36 - z12 * z39 - z17 * z38,
             # (III.3)
-            z11 * z41 - z13 * z45 - z17 * z44,
+            z10 * z40 - z12 * z44 - z17 * z43,
             # (III.3)
-            z11 * z46 - z13 * z49 - z17 * z48,
+            z10 * z45 - z12 * z48 - z17 * z47,
             # (III.3)
-            -(z11 * z28 - z13 * z53 + z17 * z52),
+            -(z10 * z27 - z12 * z52 + z17 * z51),
             # (III.3)
-            -(2.0 * (z11 * z50) - z13 * z56 + z17 * z55),
+            -(2.0 * (z10 * z49) + z12 * z55 + z17 * z54),
             # (III.3)
-            z17 * z57 - z13 * z58,
+            z17 * z56 - z12 * z57,
             # (III.3)
-            z17 * z61 - (z59 * z11 - z13 * z62),
+            z17 * z60 - (z58 * z10 - z12 * z61),
             # (III.3)
-            z17 * z65 - (z11 * z63 - z13 * z66),
+            z17 * z64 - (z10 * z62 - z12 * z65),
             # (III.3)
-            z17 * z69 - (z11 * z67 - z13 * z70),
+            z17 * z68 - (z10 * z66 - z12 * z69),
             # (III.3)
-            z17 * z73 - (z11 * z71 - z13 * z74),
+            z17 * z72 - (z10 * z70 - z12 * z73),
             # (III.3)
-            z17 * z77 - (z11 * z75 - z13 * z78),
+            z17 * z76 - (z10 * z74 - z12 * z77),
             # (III.3)
-            z17 * z81 - (z11 * z79 - z13 * z82),
+            z17 * z80 - (z10 * z78 - z12 * z81),
             # (III.3)
             z23,
-            # (III.3)
-            z40,
-            # (III.3)
-            z45,
-            # (III.3)
-            z49,
-            # (III.3)
-            -z53,
-            # (III.3)
-            -z56,
-            # (III.3)
-            z58,
-            # (III.3)
-            -z62,
-            # (III.3)
-            -z66,
-            # (III.3)
-            -z70,
-            # (III.3)
-            -z74,
-            # (III.3)
-            -z78,
-            # (III.3)
-            -z82,
-            # (III.3)
-            z22,
             # (III.3)
             z39,
             # (III.3)
@@ -767,11 +737,11 @@ def jacobian(
             # (III.3)
             z48,
             # (III.3)
-            z52,
+            -z52,
             # (III.3)
             z55,
             # (III.3)
-            -z57,
+            z57,
             # (III.3)
             -z61,
             # (III.3)
@@ -784,6 +754,32 @@ def jacobian(
             -z77,
             # (III.3)
             -z81,
+            # (III.3)
+            z22,
+            # (III.3)
+            z38,
+            # (III.3)
+            z43,
+            # (III.3)
+            z47,
+            # (III.3)
+            z51,
+            # (III.3)
+            z54,
+            # (III.3)
+            -z56,
+            # (III.3)
+            -z60,
+            # (III.3)
+            -z64,
+            # (III.3)
+            -z68,
+            # (III.3)
+            -z72,
+            # (III.3)
+            -z76,
+            # (III.3)
+            -z80,
         ]
         _finish("jacobian", J)
         return [J[k1 : k1 + 13] for k1 in range(0, 169, 13)]

@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:7ffe03d52e4a83a6)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:172af8f0b0378168)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -453,7 +453,7 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double z17 = theta1_dot * l1;
     const double z18 = z5 * (z17 * z12);
     const double z19 = l2 * (z5 * (theta2_dot * z2));
-    const double z20 = z13 * (s1 * z5);
+    const double z20 = z7 - z13 * (s1 * z5);
     /* (II.3) */
     J[2] = 1.0;
     J[7] = 1.0;
@@ -461,8 +461,8 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     J[9] = k1 * z16;
     J[10] = -2.0 * (k1 * z18);
     J[11] = -2.0 * (k1 * z19);
-    J[12] = k2 * (z7 - z11 * s1 - (z20 - c1 * z15));
-    J[13] = (z20 - c1 * z16 - z7) * k2;
+    J[12] = k2 * (z20 - (z11 * s1 - c1 * z15));
+    J[13] = -k2 * (z20 + c1 * z16);
     J[14] = 2.0 * (k2 * (z17 * s1 + c1 * z18));
     J[15] = 2.0 * (k2 * (c1 * z19));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:465f6bfc06e19c54)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:c2a1964e74c1f4fd)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -30,7 +30,7 @@
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 2 +-, 2 *, 0 /, 1 calls
  * energy: 7 +-, 20 *, 0 /, 4 calls
- * jacobian: 16 +-, 49 *, 3 /, 4 calls
+ * jacobian: 15 +-, 49 *, 3 /, 4 calls
  * outputs: 2 +-, 4 *, 0 /, 4 calls
  *
  * Calls: t is the time; y has DOUBLE_PENDULUM_NY entries, p has DOUBLE_PENDULUM_NP;

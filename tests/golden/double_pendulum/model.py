@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:7e657ae314fa5b41).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:081ca4947663db46).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -31,7 +31,7 @@ state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 2 +-, 2 *, 0 /, 1 calls
 energy: 7 +-, 20 *, 0 /, 4 calls
-jacobian: 16 +-, 49 *, 3 /, 4 calls
+jacobian: 15 +-, 49 *, 3 /, 4 calls
 outputs: 2 +-, 4 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -381,7 +381,7 @@ def jacobian(
         z17 = theta1_dot * l1
         z18 = z5 * (z17 * z12)
         z19 = l2 * (z5 * (theta2_dot * z2))
-        z20 = z13 * (s1 * z5)
+        z20 = z7 - z13 * (s1 * z5)
         J: list[float] = [
             0.0,
             0.0,
@@ -402,9 +402,9 @@ def jacobian(
             # (II.3)
             -2.0 * (k1 * z19),
             # (II.3)
-            k2 * (z7 - z11 * s1 - (z20 - c1 * z15)),
+            k2 * (z20 - (z11 * s1 - c1 * z15)),
             # (II.3)
-            (z20 - c1 * z16 - z7) * k2,
+            -k2 * (z20 + c1 * z16),
             # (II.3)
             2.0 * (k2 * (z17 * s1 + c1 * z18)),
             # (II.3)

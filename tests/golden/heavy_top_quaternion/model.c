@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:c76e65dff3314603)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:80fff0666adce014)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -269,19 +269,17 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
 
     /* from the state */
     const double z1 = 0.25 * (w3 * w3 + (w1 * w1 + w2 * w2));
-    const double z2 = R_1 * R_1;
-    const double z3 = R_2 * R_2;
-    const double z4 = R_3 * R_3;
-    const double z5 = R_0 * R_0;
-    const double z6 = k3 / (z4 + (z3 + (z5 + z2)));
-    const double z7 = z1 + (z2 + z3) * z6;
-    const double z8 = w3 * k2;
-    const double z9 = z1 - (z5 + z4) * z6;
+    const double z2 = R_1 * R_1 + R_2 * R_2;
+    const double z3 = R_0 * R_0 + R_3 * R_3;
+    const double z4 = k3 / (z2 + z3);
+    const double z5 = z1 + z2 * z4;
+    const double z6 = w3 * k2;
+    const double z7 = z1 - z3 * z4;
     /* (I.2.15) */
-    qddot[0] = 0.5 * ((R_2 * w1 - R_1 * w2) * z8) - R_0 * z7; /* R_0'' */
-    qddot[1] = 0.5 * ((R_3 * w1 + R_0 * w2) * z8) - R_1 * z9; /* R_1'' */
-    qddot[2] = -(R_2 * z9 + 0.5 * ((R_0 * w1 - R_3 * w2) * z8)); /* R_2'' */
-    qddot[3] = -(R_3 * z7 + 0.5 * ((R_1 * w1 + R_2 * w2) * z8)); /* R_3'' */
+    qddot[0] = 0.5 * ((R_2 * w1 - R_1 * w2) * z6) - R_0 * z5; /* R_0'' */
+    qddot[1] = 0.5 * ((R_3 * w1 + R_0 * w2) * z6) - R_1 * z7; /* R_1'' */
+    qddot[2] = -(R_2 * z7 + 0.5 * ((R_0 * w1 - R_3 * w2) * z6)); /* R_2'' */
+    qddot[3] = -(R_3 * z5 + 0.5 * ((R_1 * w1 + R_2 * w2) * z6)); /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX && fabs(I3) > 0.0)) {
         /* the mass matrix is singular */
@@ -411,10 +409,10 @@ double heavy_top_quaternion_energy(double t, const double *y, const double *p)
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* from the state */
-    const double z1 = R_2 * R_2;
-    const double z2 = R_1 * R_1;
-    const double z3 = mgl * (1.0 - 2.0 * ((z2 + z1) / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2)))));
-    return 0.5 * (I1 * (w1 * w1 + w2 * w2) + I3 * (w3 * w3)) + z3;
+    const double z1 = R_1 * R_1 + R_2 * R_2;
+    const double z2 = 0.5 * (I1 * (w1 * w1 + w2 * w2) + I3 * (w3 * w3)) + mgl * (1.0 - 2.0 * (z1 / (z1 + (R_0
+        * R_0 + R_3 * R_3))));
+    return z2;
 }
 
 HEAVY_TOP_QUATERNION_SLOW
@@ -523,16 +521,14 @@ int heavy_top_quaternion_outputs(double t, const double *y, const double *p, dou
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
     /* from the state */
-    const double z1 = R_2 * R_2;
-    const double z2 = R_1 * R_1;
-    const double z3 = 1.0 / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2)));
-    const double z4 = z2 + z1;
-    const double z5 = I3 * w3;
-    const double z6 = I1 * (R_0 * (R_2 * w1 - R_1 * w2) - R_3 * (R_1 * w1 + R_2 * w2)) + z5 * z4;
+    const double z1 = R_1 * R_1 + R_2 * R_2;
+    const double z2 = 1.0 / (z1 + (R_0 * R_0 + R_3 * R_3));
+    const double z3 = I3 * w3;
+    const double z4 = I1 * (R_0 * (R_2 * w1 - R_1 * w2) - R_3 * (R_1 * w1 + R_2 * w2)) + z3 * z1;
     /* 15:11 */
-    out[0] = 1.0 - 2.0 * (z3 * z4); /* height */
+    out[0] = 1.0 - 2.0 * (z1 * z2); /* height */
     /* 16:8 */
-    out[1] = z5 - 2.0 * (z3 * z6); /* L_z */
+    out[1] = z3 - 2.0 * (z2 * z4); /* L_z */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
         return heavy_top_quaternion_finish(2, out);

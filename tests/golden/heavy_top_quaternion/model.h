@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:7594ce473892a1cf)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:6fedcc8b3285cdb8)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -30,14 +30,14 @@
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 16 +-, 33 *, 2 /, 0 calls
  * velocities: 8 +-, 16 *, 0 /, 0 calls
- * accelerations: 18 +-, 33 *, 2 /, 0 calls
+ * accelerations: 16 +-, 33 *, 2 /, 0 calls
  * state: 12 +-, 23 *, 1 /, 0 calls
  * residuals: 3 +-, 5 *, 0 /, 0 calls
  * positions: 4 +-, 4 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 0 calls
- * energy: 8 +-, 12 *, 1 /, 0 calls
+ * energy: 7 +-, 12 *, 1 /, 0 calls
  * jacobian: 14 +-, 56 *, 2 /, 0 calls
- * outputs: 10 +-, 17 *, 1 /, 0 calls
+ * outputs: 9 +-, 17 *, 1 /, 0 calls
  *
  * Calls: t is the time; y has HEAVY_TOP_QUATERNION_NY entries, p has HEAVY_TOP_QUATERNION_NP;
  *     heavy_top_quaternion_parameter_defaults may be passed as p. heavy_top_quaternion_state makes y from

@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:e48b0cec36e27cd3).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:9d350ece04395345).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -30,14 +30,14 @@ out[1] = L_z [kg*m^2/s]
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 16 +-, 33 *, 2 /, 0 calls
 velocities: 8 +-, 16 *, 0 /, 0 calls
-accelerations: 18 +-, 33 *, 2 /, 0 calls
+accelerations: 16 +-, 33 *, 2 /, 0 calls
 state: 12 +-, 23 *, 1 /, 0 calls
 residuals: 3 +-, 5 *, 0 /, 0 calls
 positions: 4 +-, 4 *, 0 /, 0 calls
 reactions: 0 +-, 0 *, 0 /, 0 calls
-energy: 8 +-, 12 *, 1 /, 0 calls
+energy: 7 +-, 12 *, 1 /, 0 calls
 jacobian: 14 +-, 56 *, 2 /, 0 calls
-outputs: 10 +-, 17 *, 1 /, 0 calls
+outputs: 9 +-, 17 *, 1 /, 0 calls
 
 A singular point raises SingularModelError.
 Units are in brackets, and nothing is converted.
@@ -218,23 +218,21 @@ def accelerations(
         k3 = mgl * k1
         # from the state
         z1 = 0.25 * (w3 * w3 + (w1 * w1 + w2 * w2))
-        z2 = R_1 * R_1
-        z3 = R_2 * R_2
-        z4 = R_3 * R_3
-        z5 = R_0 * R_0
-        z6 = k3 / (z4 + (z3 + (z5 + z2)))
-        z7 = z1 + (z2 + z3) * z6
-        z8 = w3 * k2
-        z9 = z1 - (z5 + z4) * z6
+        z2 = R_1 * R_1 + R_2 * R_2
+        z3 = R_0 * R_0 + R_3 * R_3
+        z4 = k3 / (z2 + z3)
+        z5 = z1 + z2 * z4
+        z6 = w3 * k2
+        z7 = z1 - z3 * z4
         qddot: list[float] = [
             # R_0'' (I.2.15)
-            0.5 * ((R_2 * w1 - R_1 * w2) * z8) - R_0 * z7,
+            0.5 * ((R_2 * w1 - R_1 * w2) * z6) - R_0 * z5,
             # R_1'' (I.2.15)
-            0.5 * ((R_3 * w1 + R_0 * w2) * z8) - R_1 * z9,
+            0.5 * ((R_3 * w1 + R_0 * w2) * z6) - R_1 * z7,
             # R_2'' (I.2.15)
-            -(R_2 * z9 + 0.5 * ((R_0 * w1 - R_3 * w2) * z8)),
+            -(R_2 * z7 + 0.5 * ((R_0 * w1 - R_3 * w2) * z6)),
             # R_3'' (I.2.15)
-            -(R_3 * z7 + 0.5 * ((R_1 * w1 + R_2 * w2) * z8)),
+            -(R_3 * z5 + 0.5 * ((R_1 * w1 + R_2 * w2) * z6)),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -380,11 +378,10 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
         # from the state
-        z1 = R_2 * R_2
-        z2 = R_1 * R_1
-        s1 = 2.0 * ((z2 + z1) / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2))))
-        z3 = mgl * (1.0 - s1)
-        value1 = 0.5 * (I1 * (w1 * w1 + w2 * w2) + I3 * (w3 * w3)) + z3
+        z1 = R_1 * R_1 + R_2 * R_2
+        s1 = mgl * (1.0 - 2.0 * (z1 / (z1 + (R_0 * R_0 + R_3 * R_3))))
+        z2 = 0.5 * (I1 * (w1 * w1 + w2 * w2) + I3 * (w3 * w3)) + s1
+        value1 = z2
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -548,18 +545,16 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I3 = float(p[1])  # about the axis [kg*m^2]
     try:
         # from the state
-        z1 = R_2 * R_2
-        z2 = R_1 * R_1
-        z3 = 1.0 / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2)))
-        z4 = z2 + z1
-        z5 = I3 * w3
+        z1 = R_1 * R_1 + R_2 * R_2
+        z2 = 1.0 / (z1 + (R_0 * R_0 + R_3 * R_3))
+        z3 = I3 * w3
         s1 = R_0 * (R_2 * w1 - R_1 * w2) - R_3 * (R_1 * w1 + R_2 * w2)
-        z6 = I1 * s1 + z5 * z4
+        z4 = I1 * s1 + z3 * z1
         out: list[float] = [
             # height 15:11
-            1.0 - 2.0 * (z3 * z4),
+            1.0 - 2.0 * (z1 * z2),
             # L_z 16:8
-            z5 - 2.0 * (z3 * z6),
+            z3 - 2.0 * (z2 * z4),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

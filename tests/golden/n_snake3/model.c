@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:c27f621294a6e2d8)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:e7c689d39724ddeb)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -395,36 +395,30 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double z20 = a * w;
     const double z21 = v * s1 - c1 * z20;
     const double z22 = w - k1 * z21;
-    const double z23 = c1 * z22;
-    const double z24 = v * z23;
-    const double z25 = s1 * z22;
-    const double z26 = z20 * z25;
-    const double z27 = z24 + z26;
+    const double z23 = s1 * z22;
+    const double z24 = c1 * z22;
+    const double z25 = v * z23 - z20 * z24;
     const double v1_x2 = v * c1 + s1 * z20;
-    const double z28 = k1 * (z21 - (s2 * v1_x2 - c2 * z21));
-    const double z29 = c2 * z28;
-    const double z30 = v1_x2 * z29;
-    const double z31 = v * z25;
-    const double z32 = z20 * z23;
-    const double z33 = z31 - z32;
-    const double z34 = s2 * z28;
-    const double z35 = z21 * z34;
-    const double z36 = z30 - s2 * z33 + (z35 - c2 * z27);
-    const double z37 = v1_x2 * z34 + c2 * z33 - (z21 * z29 + s2 * z27);
-    const double z38 = k3 * (s1 * z27 + z6 * z36) - m * (c1 * z33 + z3 * z37) - k * (k1 * (z1 * s1 - z2 * (s1
-        - z6)));
-    const double z39 = k2 * (c1 * z27) - k3 * (z10 * z36) + k4 * (s1 * z33) + m * (z11 * z37);
-    const double z40 = (z39 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z38) / z18;
-    const double z41 = z16 * z38 - z17 * z40;
-    const double z42 = a * z40;
-    const double z43 = z24 - s1 * z41 + (z26 - c1 * z42);
-    const double z44 = k1 * (z30 - s2 * (z31 + c1 * z41 - (z32 + s1 * z42)) + (z35 - c2 * z43));
+    const double z26 = k1 * (z21 - (s2 * v1_x2 - c2 * z21));
+    const double z27 = s2 * z26;
+    const double z28 = c2 * z26;
+    const double z29 = v * z24 + z20 * z23;
+    const double z30 = v1_x2 * z27 + c2 * z25 - (z21 * z28 + s2 * z29);
+    const double z31 = v1_x2 * z28 + z21 * z27;
+    const double z32 = z31 - (s2 * z25 + c2 * z29);
+    const double z33 = k * (k1 * (z1 * s1 - z2 * (s1 - z6))) + (m * (c1 * z25 + z3 * z30) - k3 * (s1 * z29 +
+        z6 * z32));
+    const double z34 = m * (z11 * z30) + (k4 * (s1 * z25) + (k2 * (c1 * z29) - k3 * (z10 * z32)));
+    const double z35 = (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z34 - z17 * z33) / z18;
+    const double z36 = z16 * z33 - z17 * z35;
+    const double z37 = a * z35;
+    const double z38 = z29 + (s1 * z36 + c1 * z37);
     /* (I.2.15) */
-    qddot[0] = -(s_theta1 * z19 + c_theta1 * z41); /* x'' */
-    qddot[1] = c_theta1 * z19 - s_theta1 * z41; /* y'' */
-    qddot[2] = z40; /* theta1'' */
-    qddot[3] = k1 * z43; /* theta2'' */
-    qddot[4] = z44; /* theta3'' */
+    qddot[0] = c_theta1 * z36 - s_theta1 * z19; /* x'' */
+    qddot[1] = c_theta1 * z19 + s_theta1 * z36; /* y'' */
+    qddot[2] = -z35; /* theta1'' */
+    qddot[3] = k1 * z38; /* theta2'' */
+    qddot[4] = k1 * (z31 - (s2 * (z25 - (c1 * z36 - s1 * z37)) + c2 * z38)); /* theta3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z18) > 1e-13 * z12)) {
         /* the coframe is singular */
@@ -757,10 +751,10 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z69 = z3 * z68;
     const double z70 = z66 + z67 + 2.0 * z69;
     const double z71 = z1 * k7 - (v * z37 - z61 - a * (c2 * z63 + s2 * z65)) + s2 * z70;
-    const double z72 = z46 * k3;
+    const double z72 = z46 * k3 - z43;
     const double z73 = z10 * z64;
     const double z74 = z6 * z60;
-    const double z75 = z72 - z43 - z73 - 2.0 * z74;
+    const double z75 = z72 - (z73 + 2.0 * z74);
     const double z76 = v * z38 + (z19 * z37 - (z39 * z34 - (m * z45 - s1 * z58 + 2.0 * (c1 * z68))));
     const double z77 = k * z21 + c1 * (z71 + c2 * z75) - s1 * (z76 - a * (s2 * z63 - c2 * z65) + c2 * z70 -
         s2 * z75);
@@ -777,20 +771,20 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z88 = k6 * z59;
     const double z89 = z19 * z87 + (z39 * z84 + (z45 * k4 - c1 * z88 + 2.0 * (k5 * (s1 * z57))));
     const double z90 = z69 + (z66 + 2.0 * z67);
-    const double z91 = z43 + (z74 - (z72 - 2.0 * z73));
+    const double z91 = z72 - (2.0 * z73 + z74);
     const double z92 = z11 * z68;
     const double z93 = z10 * z60;
-    const double z94 = v * z86 - z89 - a * (c2 * z90 + s2 * z91) - s2 * z92 + c2 * z93;
+    const double z94 = v * z86 - z89 - a * (c2 * z90 - s2 * z91) - s2 * z92 + c2 * z93;
     const double z95 = z39 * z83 + (k * (z1 - z2) - z42 * k2 + s1 * z88 - 2.0 * (J_2 * (c1 * z57)));
-    const double z96 = v * z87 + (z19 * z86 - z95) - a * (s2 * z90 - c2 * z91) + c2 * z92;
+    const double z96 = v * z87 + (z19 * z86 - z95) - a * (s2 * z90 + c2 * z91) + c2 * z92;
     const double z97 = k * z50 + c1 * z94 + s1 * (z96 + s2 * z93);
     const double z98 = z44 * (z97 - z17 * z77);
     const double z99 = v1_x2 * z31 - (z42 * z26 - z45 * z28 - z24 * z30 + z9 * z63) + z8 * z65;
     const double z100 = z22 * z31 - (z45 * z26 + z42 * z28 - z24 * z29 + z8 * z63) - z9 * z65;
     const double z101 = k * z48 - c2 * (z99 + s1 * z70 - c1 * z75) - s2 * (z100 - c1 * z70 - s1 * z75);
     const double z102 = z77 + z101;
-    const double z103 = v1_x2 * z80 - (z42 * z55 - z45 * z53 - z24 * z79 + z9 * z90) + z8 * z91;
-    const double z104 = z22 * z80 - (z45 * z55 + z42 * z53 - z24 * z78 + z8 * z90) - z9 * z91;
+    const double z103 = v1_x2 * z80 - (z42 * z55 - z45 * z53 - z24 * z79 + z9 * z90) - z8 * z91;
+    const double z104 = z22 * z80 - (z45 * z55 + z42 * z53 - z24 * z78 + z8 * z90) + z9 * z91;
     const double z105 = k * z51 + c2 * (z103 + s1 * z92 + c1 * z93) + s2 * (z104 - c1 * z92 + s1 * z93);
     const double z106 = z44 * (z97 + z105 - z17 * z102);
     const double z107 = z44 * (z105 - z17 * z101);

@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:51e0846a947c32df)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:9838c837958486dd)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -28,12 +28,12 @@
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 42 +-, 79 *, 3 /, 6 calls
  * velocities: 5 +-, 11 *, 1 /, 6 calls
- * accelerations: 56 +-, 97 *, 3 /, 6 calls
+ * accelerations: 53 +-, 97 *, 3 /, 6 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 11 +-, 15 *, 0 /, 6 calls
  * reactions: 66 +-, 118 *, 3 /, 4 calls
  * energy: 13 +-, 23 *, 1 /, 4 calls
- * jacobian: 191 +-, 301 *, 3 /, 6 calls
+ * jacobian: 190 +-, 301 *, 3 /, 6 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Calls: t is the time; y has N_SNAKE3_NY entries, p has N_SNAKE3_NP; n_snake3_parameter_defaults may be

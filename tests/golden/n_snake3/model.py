@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:528c42e12c6bf23c).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:ce1faddf01216163).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -29,12 +29,12 @@ Constraints:
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 42 +-, 79 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 1 /, 6 calls
-accelerations: 56 +-, 97 *, 3 /, 6 calls
+accelerations: 53 +-, 97 *, 3 /, 6 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 11 +-, 15 *, 0 /, 6 calls
 reactions: 66 +-, 118 *, 3 /, 4 calls
 energy: 13 +-, 23 *, 1 /, 4 calls
-jacobian: 191 +-, 301 *, 3 /, 6 calls
+jacobian: 190 +-, 301 *, 3 /, 6 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -309,44 +309,37 @@ def accelerations(
         z20 = a * w
         z21 = v * s1 - c1 * z20
         z22 = w - k1 * z21
-        z23 = c1 * z22
-        z24 = v * z23
-        z25 = s1 * z22
-        z26 = z20 * z25
-        z27 = z24 + z26
+        z23 = s1 * z22
+        z24 = c1 * z22
+        z25 = v * z23 - z20 * z24
         v1_x2 = v * c1 + s1 * z20
-        z28 = k1 * (z21 - (s2 * v1_x2 - c2 * z21))
-        z29 = c2 * z28
-        z30 = v1_x2 * z29
-        z31 = v * z25
-        z32 = z20 * z23
-        z33 = z31 - z32
-        z34 = s2 * z28
-        z35 = z21 * z34
-        z36 = z30 - s2 * z33 + (z35 - c2 * z27)
-        z37 = v1_x2 * z34 + c2 * z33 - (z21 * z29 + s2 * z27)
-        s3 = k3 * (s1 * z27 + z6 * z36) - m * (c1 * z33 + z3 * z37)
-        z38 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
-        s4 = k2 * (c1 * z27) - k3 * (z10 * z36) + k4 * (s1 * z33)
-        z39 = s4 + m * (z11 * z37)
-        s5 = z39 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z38
-        z40 = s5 / z18
-        z41 = z16 * z38 - z17 * z40
-        z42 = a * z40
-        z43 = z24 - s1 * z41 + (z26 - c1 * z42)
-        s6 = z30 - s2 * (z31 + c1 * z41 - (z32 + s1 * z42))
-        z44 = k1 * (s6 + (z35 - c2 * z43))
+        z26 = k1 * (z21 - (s2 * v1_x2 - c2 * z21))
+        z27 = s2 * z26
+        z28 = c2 * z26
+        z29 = v * z24 + z20 * z23
+        z30 = v1_x2 * z27 + c2 * z25 - (z21 * z28 + s2 * z29)
+        z31 = v1_x2 * z28 + z21 * z27
+        z32 = z31 - (s2 * z25 + c2 * z29)
+        s3 = m * (c1 * z25 + z3 * z30) - k3 * (s1 * z29 + z6 * z32)
+        z33 = k * (k1 * (z1 * s1 - z2 * (s1 - z6))) + s3
+        s4 = k4 * (s1 * z25) + (k2 * (c1 * z29) - k3 * (z10 * z32))
+        z34 = m * (z11 * z30) + s4
+        s5 = k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z34 - z17 * z33
+        z35 = s5 / z18
+        z36 = z16 * z33 - z17 * z35
+        z37 = a * z35
+        z38 = z29 + (s1 * z36 + c1 * z37)
         qddot: list[float] = [
             # x'' (I.2.15)
-            -(s_theta1 * z19 + c_theta1 * z41),
+            c_theta1 * z36 - s_theta1 * z19,
             # y'' (I.2.15)
-            c_theta1 * z19 - s_theta1 * z41,
+            c_theta1 * z19 + s_theta1 * z36,
             # theta1'' (I.2.15)
-            z40,
+            -z35,
             # theta2'' (I.2.15)
-            k1 * z43,
+            k1 * z38,
             # theta3'' (I.2.15)
-            z44,
+            k1 * (z31 - (s2 * (z25 - (c1 * z36 - s1 * z37)) + c2 * z38)),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -701,10 +694,10 @@ def jacobian(
         z70 = z66 + z67 + 2.0 * z69
         s6 = z1 * k7 - (v * z37 - z61 - a * (c2 * z63 + s2 * z65))
         z71 = s6 + s2 * z70
-        z72 = z46 * k3
+        z72 = z46 * k3 - z43
         z73 = z10 * z64
         z74 = z6 * z60
-        z75 = z72 - z43 - z73 - 2.0 * z74
+        z75 = z72 - (z73 + 2.0 * z74)
         s7 = z39 * z34 - (m * z45 - s1 * z58 + 2.0 * (c1 * z68))
         z76 = v * z38 + (z19 * z37 - s7)
         s8 = s1 * (z76 - a * (s2 * z63 - c2 * z65) + c2 * z70 - s2 * z75)
@@ -723,14 +716,14 @@ def jacobian(
         s9 = z39 * z84 + (z45 * k4 - c1 * z88 + 2.0 * (k5 * (s1 * z57)))
         z89 = z19 * z87 + s9
         z90 = z69 + (z66 + 2.0 * z67)
-        z91 = z43 + (z74 - (z72 - 2.0 * z73))
+        z91 = z72 - (2.0 * z73 + z74)
         z92 = z11 * z68
         z93 = z10 * z60
-        s10 = v * z86 - z89 - a * (c2 * z90 + s2 * z91) - s2 * z92
+        s10 = v * z86 - z89 - a * (c2 * z90 - s2 * z91) - s2 * z92
         z94 = s10 + c2 * z93
         s11 = k * (z1 - z2) - z42 * k2 + s1 * z88
         z95 = z39 * z83 + (s11 - 2.0 * (J_2 * (c1 * z57)))
-        s12 = v * z87 + (z19 * z86 - z95) - a * (s2 * z90 - c2 * z91)
+        s12 = v * z87 + (z19 * z86 - z95) - a * (s2 * z90 + c2 * z91)
         z96 = s12 + c2 * z92
         z97 = k * z50 + c1 * z94 + s1 * (z96 + s2 * z93)
         z98 = z44 * (z97 - z17 * z77)
@@ -742,9 +735,9 @@ def jacobian(
         z101 = s15 - s2 * (z100 - c1 * z70 - s1 * z75)
         z102 = z77 + z101
         s16 = v1_x2 * z80 - (z42 * z55 - z45 * z53 - z24 * z79 + z9 * z90)
-        z103 = s16 + z8 * z91
+        z103 = s16 - z8 * z91
         s17 = z22 * z80 - (z45 * z55 + z42 * z53 - z24 * z78 + z8 * z90)
-        z104 = s17 - z9 * z91
+        z104 = s17 + z9 * z91
         s18 = k * z51 + c2 * (z103 + s1 * z92 + c1 * z93)
         z105 = s18 + s2 * (z104 - c1 * z92 + s1 * z93)
         z106 = z44 * (z97 + z105 - z17 * z102)

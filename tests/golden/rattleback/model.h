@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:a6f81da59121f669)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:5396497ff34af368)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -38,12 +38,12 @@
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 64 +-, 118 *, 5 /, 7 calls
  * velocities: 15 +-, 40 *, 2 /, 7 calls
- * accelerations: 97 +-, 161 *, 5 /, 7 calls
+ * accelerations: 94 +-, 161 *, 5 /, 7 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 18 +-, 40 *, 1 /, 7 calls
  * reactions: 86 +-, 154 *, 5 /, 7 calls
  * energy: 13 +-, 36 *, 1 /, 5 calls
- * jacobian: 442 +-, 662 *, 5 /, 7 calls
+ * jacobian: 439 +-, 662 *, 5 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *
  * Calls: t is the time; y has RATTLEBACK_NY entries, p has RATTLEBACK_NP; rattleback_parameter_defaults may

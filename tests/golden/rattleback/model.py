@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:d9deb92942b38bcf).
+"""rattleback, emitted by nhc 0.1.0 (nhc:b800aa2b3e804df2).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -39,12 +39,12 @@ out[0] = spin [rad/s]
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 64 +-, 118 *, 5 /, 7 calls
 velocities: 15 +-, 40 *, 2 /, 7 calls
-accelerations: 97 +-, 161 *, 5 /, 7 calls
+accelerations: 94 +-, 161 *, 5 /, 7 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 18 +-, 40 *, 1 /, 7 calls
 reactions: 86 +-, 154 *, 5 /, 7 calls
 energy: 13 +-, 36 *, 1 /, 5 calls
-jacobian: 442 +-, 662 *, 5 /, 7 calls
+jacobian: 439 +-, 662 *, 5 /, 7 calls
 outputs: 0 +-, 0 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -400,53 +400,50 @@ def accelerations(
         z38 = c_alpha * z37 + c_beta * z32
         z39 = z2 * (z2 * z2) * (z5 * z33 - z9 * z36 - z3 * z38)
         z40 = z3 * z39 + k3 * (z2 * z38)
-        z41 = w1 * z40
-        z42 = I_c * w3
-        z43 = I_b * w2 + I_d * w1
-        z44 = z31 * z43
-        z45 = z28 * z43
-        z46 = k1 * (z2 * z36) + z9 * z39
-        z47 = w3 * z46
-        z48 = g * mu2 - (w3 * u1 + w1 * z24 - (z41 + z47))
-        z49 = w2 * z46
-        z50 = k2 * (z2 * z33) - z5 * z39
-        z51 = w1 * z50
-        z52 = g * mu3 + (w1 * z23 + w2 * u1 - (z49 - z51))
-        s2 = s_beta * z44 - (c_beta * z45 + (r3 * z48 + z6 * z52))
-        z53 = w2 * z42 - s2
-        z54 = I_d * w2 + I_a * w1
-        z55 = w2 * z40
-        z56 = w3 * z50
-        z57 = g * z1 - (w2 * z24 - w3 * z23 - (z55 + z56))
-        z58 = w3 * z54 - w1 * z42 + (r3 * z57 + r1 * z52) - z14 * z53
-        s3 = c_beta * z44 + (s_beta * z45 + (z6 * z57 - r1 * z48))
-        z59 = w2 * z54 - s3 - z18 * z53
-        z60 = (z59 + z21 * z58) / z22
-        z61 = z20 * z58 + z21 * z60
-        z62 = z13 * z53 - z14 * z61 - z18 * z60
-        z63 = z41 - r3 * z62 + (z47 - r1 * z60)
-        z64 = z55 - r3 * z61 + (z56 + z6 * z60)
-        z65 = z49 + r1 * z61 - (z51 - z6 * z62)
-        z66 = z35 * u1 + s_beta * z64 - (z37 * z24 + c_beta * z65)
-        z67 = z32 * z23 - c_alpha * z63 + (z33 * z25 + mu2 * z66)
-        z68 = s_beta * z24 - c_beta * u1
-        z69 = s_gamma * z29
-        z70 = z35 * z24 - s_beta * z65 + (z37 * u1 - c_beta * z64)
-        s4 = z27 * (w1 * z35 - s_beta * z62 + (w3 * z37 - c_beta * z60))
-        z71 = z27 * z27 * (z28 * z32) + s4
+        z41 = k1 * (z2 * z36) + z9 * z39
+        z42 = w1 * z40 + w3 * z41
+        z43 = I_c * w3
+        z44 = I_b * w2 + I_d * w1
+        z45 = z31 * z44
+        z46 = z28 * z44
+        z47 = z42 - (w1 * z24 - (g * mu2 - w3 * u1))
+        z48 = k2 * (z2 * z33) - z5 * z39
+        z49 = w2 * z41 - w1 * z48
+        z50 = z49 - (w2 * u1 + (g * mu3 + w1 * z23))
+        s2 = s_beta * z45 - (c_beta * z46 + (r3 * z47 - z6 * z50))
+        z51 = w2 * z43 - s2
+        z52 = I_d * w2 + I_a * w1
+        z53 = w2 * z40 + w3 * z48
+        z54 = z53 + (w3 * z23 + (g * z1 - w2 * z24))
+        z55 = w3 * z52 - w1 * z43 + (r3 * z54 - r1 * z50) - z14 * z51
+        s3 = c_beta * z45 + (s_beta * z46 + (z6 * z54 - r1 * z47))
+        z56 = w2 * z52 - s3 - z18 * z51
+        z57 = (z56 + z21 * z55) / z22
+        z58 = z20 * z55 + z21 * z57
+        z59 = z13 * z51 - z14 * z58 - z18 * z57
+        z60 = z42 - (r3 * z59 + r1 * z57)
+        z61 = z53 - (r3 * z58 - z6 * z57)
+        z62 = z49 + (r1 * z58 + z6 * z59)
+        z63 = z35 * u1 + s_beta * z61 - (z37 * z24 + c_beta * z62)
+        z64 = z32 * z23 - c_alpha * z60 + (z33 * z25 + mu2 * z63)
+        z65 = s_beta * z24 - c_beta * u1
+        z66 = s_gamma * z29
+        z67 = z35 * z24 - s_beta * z62 + (z37 * u1 - c_beta * z61)
+        s4 = z27 * (w1 * z35 - s_beta * z59 + (w3 * z37 - c_beta * z57))
+        z68 = z27 * z27 * (z28 * z32) + s4
         qddot: list[float] = [
             # x'' (I.2.15)
-            -(z26 * z30 + s_gamma * z67 + (z68 * z69 + c_gamma * z70)),
+            -(z26 * z30 + s_gamma * z64 + (z65 * z66 + c_gamma * z67)),
             # y'' (I.2.15)
-            z68 * z30 - s_gamma * z70 - (z26 * z69 - c_gamma * z67),
+            z65 * z30 - s_gamma * z67 - (z26 * z66 - c_gamma * z64),
             # z'' (I.2.15)
-            z32 * z25 - c_alpha * z66 - (z33 * z23 + mu2 * z63),
+            z32 * z25 - c_alpha * z63 - (z33 * z23 + mu2 * z60),
             # alpha'' (I.2.15)
-            w3 * z35 + s_beta * z60 - (w1 * z37 + c_beta * z62),
+            w3 * z35 + s_beta * z57 - (w1 * z37 + c_beta * z59),
             # beta'' (I.2.15)
-            z29 * z33 + mu2 * z71 - z61,
+            z29 * z33 + mu2 * z68 - z58,
             # gamma'' (I.2.15)
-            -z71,
+            -z68,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -837,330 +834,324 @@ def jacobian(
         z37 = r3 * w2
         z38 = z6 * w3
         u1 = z37 + z38
-        z39 = s_beta * u1
-        z40 = r1 * w2
-        z41 = z6 * w1
-        z42 = z40 + z41
-        z43 = c_beta * z42
-        z44 = z39 + z43
-        z45 = k2 * z2
-        z46 = z5 * z31 + c_alpha * z45
-        z47 = w2 * z33 - w3 * z46
-        z48 = w2 * z35 - w1 * z46
-        z49 = s_beta * z47 + c_beta * z48
-        z50 = mu2 * z26 + c_alpha * z36 + (c_alpha * z44 - mu2 * z49)
+        z39 = r1 * w2
+        z40 = z6 * w1
+        z41 = z39 + z40
+        z42 = s_beta * u1 + c_beta * z41
+        z43 = k2 * z2
+        z44 = z5 * z31 + c_alpha * z43
+        z45 = w2 * z33 - w3 * z44
+        z46 = w2 * z35 - w1 * z44
+        z47 = s_beta * z45 + c_beta * z46
+        z48 = mu2 * z26 + c_alpha * z36 + (c_alpha * z42 - mu2 * z47)
         c_gamma = math.cos(gamma)
-        z51 = s_beta * z48 - c_beta * z47
-        z52 = k4 * (mu3 * (z1 * z28))
-        z53 = z3 * z52 + z1 * z32
-        z54 = mu3 * z34 - z9 * z52
-        z55 = w1 * z53 - w3 * z54
-        z56 = c_beta * u1
-        z57 = z5 * z52
-        z58 = w2 * z53 - w3 * z57
-        z59 = s_beta * z42
-        z60 = w2 * z54 - w1 * z57
-        z61 = z56 + s_beta * z58 - (z59 - c_beta * z60)
-        z62 = c_alpha * z55 - mu2 * z61
-        z63 = z43 + s_beta * z60 + (z39 - c_beta * z58)
-        z64 = z59 - z56
-        z65 = c_alpha * z26
-        z66 = mu2 * z44
-        z67 = z65 - z66
-        z68 = c_beta * z6
-        z69 = mu2 * z68 - c_alpha * r3
-        z70 = s_beta * z6
-        z71 = s_beta * r3 + c_beta * r1
+        z49 = s_beta * z46 - c_beta * z45
+        z50 = k4 * (mu3 * (z1 * z28))
+        z51 = z3 * z50 + z1 * z32
+        z52 = mu3 * z34 - z9 * z50
+        z53 = w1 * z51 - w3 * z52
+        z54 = s_beta * z41 - c_beta * u1
+        z55 = z5 * z50
+        z56 = w2 * z51 - w3 * z55
+        z57 = w2 * z52 - w1 * z55
+        z58 = z54 - (s_beta * z56 + c_beta * z57)
+        z59 = c_alpha * z53 + mu2 * z58
+        z60 = z42 + (s_beta * z57 - c_beta * z56)
+        z61 = c_alpha * z26 - mu2 * z42
+        z62 = c_beta * z6
+        z63 = mu2 * z62 - c_alpha * r3
+        z64 = s_beta * z6
+        z65 = s_beta * r3 + c_beta * r1
+        z66 = mu2 * z65
+        z67 = s_beta * r1 - c_beta * r3
+        z68 = mu2 * z64 + c_alpha * r1
+        z69 = s_beta * w1 - c_beta * w3
+        z70 = 1.0 / c_alpha
+        z71 = z69 * (z70 * z70)
         z72 = mu2 * z71
-        z73 = s_beta * r1 - c_beta * r3
-        z74 = mu2 * z70 + c_alpha * r1
-        z75 = s_beta * w1 - c_beta * w3
-        z76 = 1.0 / c_alpha
-        z77 = z75 * (z76 * z76)
-        z78 = mu2 * z77
-        z79 = c_beta * w1 + s_beta * w3
-        z80 = z76 * z79
-        z81 = s_beta * z76
-        z82 = c_beta * z76
-        z83 = g * r3
-        z84 = c_alpha * z79
-        z85 = z6 * w2
-        z86 = r3 * w3
-        z87 = z85 - z86
-        z88 = z3 * z24 - z5 * z41 - z9 * z87
-        z89 = z27 * z88
-        z90 = z2 * z89
-        z91 = k2 * z90
-        z92 = z76 * z75
-        z93 = c_beta * z17
-        z94 = z93 + s_beta * z8
-        z95 = c_beta * z94
-        z96 = k3 * z90
-        z97 = z92 * z95 - (mu3 * z96 - z24 * z32)
-        z98 = s_beta * z94
-        z99 = k1 * z90
-        z100 = z92 * z98 - (z1 * z99 + z87 * z34)
-        z101 = z92 * z94 - c_beta * z97 - s_beta * z100
-        z102 = s_beta * z17
-        z103 = z75 * z8 - z79 * (z17 - z95) - c_alpha * z100
-        z104 = z75 * z17
-        z105 = z104 + z79 * (z8 - z98) - c_alpha * z97
-        z106 = z75 * (z102 - c_beta * z8) + c_beta * z103 - s_beta * z105
-        z107 = mu2 * z79
-        z108 = w2 + mu2 * z92
-        z109 = c_beta * z108
-        z110 = s_beta * z107 - c_alpha * z109
-        z111 = s_beta * z108
-        z112 = c_alpha * z111 + c_beta * z107
-        z113 = z5 * z84 - z9 * z110 - z3 * z112
-        z114 = z2 * z113
-        z115 = z27 * z114
-        z116 = I_c * w3
-        z117 = I_d * w1
-        z118 = I_b * w2 + z117
-        z119 = z79 * z118
-        z120 = z75 * z118
-        z121 = k3 * z112
-        z122 = z2 * z121 + z3 * z115
-        z123 = k1 * z110
-        z124 = z2 * z123 + z9 * z115
-        z125 = g * mu2 - (w3 * u1 + w1 * z42 - (w1 * z122 + w3 * z124))
-        z126 = k2 * z84
-        z127 = z2 * z126 - z5 * z115
-        z128 = g * mu3 + (w1 * z26 + w2 * u1 - (w2 * z124 - w1 * z127))
-        s2 = s_beta * z119 - (c_beta * z120 + (r3 * z125 + z6 * z128))
-        z129 = w2 * z116 - s2
-        z130 = I_d * w2
-        z131 = z130 + I_a * w1
-        z132 = g * z1 - (w2 * z42 - w3 * z26 - (w2 * z122 + w3 * z127))
-        z133 = w3 * z131 - w1 * z116 + (r3 * z132 + r1 * z128) - z14 * z129
-        z134 = 1.0 / z23
-        s3 = c_beta * z119 + (s_beta * z120 + (z6 * z132 - r1 * z125))
-        z135 = w2 * z131 - s3 - z18 * z129
-        z136 = z134 * (z135 + z22 * z133)
-        z137 = z21 * z133 + z22 * z136
-        z138 = z13 * z129 - z14 * z137 - z18 * z136
-        z139 = z6 * z138
-        z140 = r1 * z137
-        z141 = w3 * z87 - (w1 * z24 + (2.0 * z139 - (z128 - z140)))
-        s4 = z83 + (z84 * z91 - z79 * z101 + z92 * z106)
-        z142 = s4 - k2 * (z41 * z115 - z2 * z141)
-        z143 = z27 * z27 * z114
-        z144 = r3 * z138
-        z145 = r1 * z136
-        z146 = w2 * z87 + (w1 * z41 - (2.0 * z144 - (z125 - z145)))
-        s5 = z121 * z24 + z126 * z41 - z123 * z87 + z113 * z89
-        z147 = s5 - z3 * z146 + z5 * z141
-        z148 = w2 * z24
-        z149 = w3 * z41
-        z150 = r3 * z136
-        z151 = z6 * z137
-        z152 = z148 + (z149 + (z150 + z151))
-        z153 = z88 * z143 + 0.5 * (z28 * (z147 - z9 * z152))
-        z154 = mu2 * z91 + z41 * z45
-        z155 = mu2 * z106
-        z156 = g * z6
-        s6 = z156 - z112 * z96 + k3 * (z24 * z115 - z2 * z146)
-        z157 = s6 - 2.0 * (z3 * z153)
-        s7 = z110 * z99 + k1 * (z87 * z115 + z2 * z152)
-        z158 = s7 + 2.0 * (z9 * z153)
-        s8 = z79 * z154 + z111 * z97 - z109 * z100 - z77 * z155
-        z159 = s8 + c_beta * z157 - s_beta * z158
-        z160 = c_alpha * (z142 - 2.0 * (z5 * z153)) - mu2 * z159
-        z161 = r1 * w1
-        z162 = z86 + z161
-        z163 = z9 * z40 - (z3 * z37 - z5 * z162)
-        z164 = z27 * z163
-        z165 = z2 * z164
-        z166 = k2 * z165
-        z167 = s_beta * z12 - c_beta * z19
-        z168 = c_beta * z167
-        z169 = k3 * z165
-        z170 = z92 * z168 + (mu3 * z169 + z37 * z32)
-        z171 = s_beta * z167
-        z172 = k1 * z165
-        z173 = z92 * z171 + (z1 * z172 - z40 * z34)
-        z174 = z92 * z167 - c_beta * z170 - s_beta * z173
-        z175 = z75 * z12 + z79 * (z19 + z168) - c_alpha * z173
-        z176 = z75 * z19 - z79 * (z12 - z171) + c_alpha * z170
-        s9 = z75 * (c_beta * z12 + s_beta * z19) - c_beta * z175
-        z177 = s9 - s_beta * z176
-        z178 = w3 * z40
-        z179 = r1 * z138
-        z180 = z178 - (z148 - (z150 - z179))
-        z181 = r3 * z137
-        z182 = z6 * z136
-        z183 = w2 * z40 + (w1 * z162 - (2.0 * z181 - (z132 + z182)))
-        s10 = z40 * z123 - (z37 * z121 + z126 * z162) + z113 * z164
-        z184 = s10 + z3 * z183 - z5 * z180
-        z185 = w2 * z37 + (w3 * z162 + (z139 - (z128 - 2.0 * z140)))
-        z186 = z163 * z143 + 0.5 * (z28 * (z184 + z9 * z185))
-        s11 = z84 * z166 + z79 * z174 + z92 * z177
-        z187 = s11 + k2 * (z162 * z115 - z2 * z180) - 2.0 * (z5 * z186)
-        z188 = mu2 * z166 - z45 * z162
-        z189 = mu2 * z177
-        z190 = g * r1
-        s12 = z190 + z112 * z169 + k3 * (z37 * z115 - z2 * z183)
-        z191 = s12 + 2.0 * (z3 * z186)
-        s13 = z83 + z110 * z172 - k1 * (z40 * z115 + z2 * z185)
-        z192 = s13 + 2.0 * (z9 * z186)
-        s14 = z79 * z188 - z111 * z170 + z109 * z173 - z77 * z189
-        z193 = s14 - c_beta * z191 - s_beta * z192
-        z194 = c_alpha * z187 - mu2 * z193 + z14 * z160
-        z195 = z85 - z161
-        z196 = z3 * z195 - z5 * z38 - z9 * z25
-        z197 = z27 * z196
-        z198 = z2 * z197
-        z199 = k2 * z198
-        z200 = z102 + c_beta * z16
-        z201 = c_beta * z200
-        z202 = k3 * z198
-        z203 = z92 * z201 + (mu3 * z202 - z195 * z32)
-        z204 = s_beta * z200
-        z205 = k1 * z198
-        z206 = z92 * z204 + (z1 * z205 + z25 * z34)
-        z207 = z92 * z200 - c_beta * z203 - s_beta * z206
-        z208 = z104 - z79 * (z16 - z201) - c_alpha * z206
-        z209 = z75 * z16 + z79 * (z17 - z204) - c_alpha * z203
-        z210 = z75 * (z93 - s_beta * z16) - c_beta * z208 + s_beta * z209
-        z211 = w3 * z25 - (w1 * z195 - (2.0 * z182 + (z132 - z181)))
-        s15 = z190 - (z84 * z199 + z79 * z207 + z92 * z210)
-        z212 = s15 + k2 * (z38 * z115 - z2 * z211)
-        z213 = z178 + (z149 - (z151 - z179))
-        s16 = z121 * z195 + z126 * z38 - z123 * z25 + z113 * z197
-        z214 = s16 - z3 * z213 + z5 * z211
-        z215 = w2 * z195 + (w3 * z38 - (z144 - (z125 - 2.0 * z145)))
-        z216 = z196 * z143 + 0.5 * (z28 * (z214 - z9 * z215))
-        z217 = mu2 * z199 + z38 * z45
-        z218 = mu2 * z210
-        s17 = z112 * z202 - k3 * (z195 * z115 - z2 * z213)
-        z219 = s17 + 2.0 * (z3 * z216)
-        s18 = z156 - z110 * z205 - k1 * (z25 * z115 + z2 * z215)
-        z220 = s18 - 2.0 * (z9 * z216)
-        s19 = z79 * z217 - z111 * z203 + z109 * z206 - z77 * z218
-        z221 = s19 - c_beta * z219 + s_beta * z220
-        s20 = c_alpha * (z212 + 2.0 * (z5 * z216)) + mu2 * z221
-        z222 = z134 * (s20 - z18 * z160 - z22 * z194)
-        z223 = z21 * z194 - z22 * z222
-        z224 = z75 * z108
-        z225 = z224 * z17
-        z226 = z79 * z111 + z92 * z110
-        z227 = z79 * z109 + z92 * z112
-        z228 = s_beta * z226 + c_beta * z227 - z92 * z107
-        z229 = z6 * z127
-        z230 = I_d * w3 - z6 * z26
-        z231 = r3 * z42
-        z232 = r3 * z122
-        z233 = z229 - (z230 + z231 - z232)
-        s21 = z225 - (z119 - z228 * z8) + z226 * z94 + z107 * z100
-        z234 = s21 - z108 * z105 + z75 * z233
-        z235 = z6 * z87 - (r1 * z41 - (I_c * w2 - r3 * u1 + r3 * z124))
-        z236 = c_beta * z118
-        z237 = z236 + s_beta * z233 - c_beta * z235 + z76 * z155
-        s22 = s_beta * z118 - c_alpha * z154 + mu2 * z101 - c_beta * z233
-        z238 = s22 - s_beta * z235
-        z239 = z228 * z17
-        s23 = z239 + (z120 - z224 * z8) + z227 * z94 + z107 * z97
-        z240 = s23 + z108 * z103 + z79 * z233
-        s24 = z234 + z79 * z235 + w1 * z237 - w3 * z238 - c_alpha * z158
-        s25 = z240 - z75 * z235 - w3 * z237 - w1 * z238 + c_alpha * z157
-        z241 = c_beta * s24 - s_beta * s25
-        z242 = z6 * z37 - (r3 * z162 + (w3 * k6 + r1 * z26 + r1 * z127))
-        s26 = z228 * z12 - z224 * z19 + z226 * z167 + z107 * z173
-        z243 = s26 + z108 * z176 - z75 * z242
-        s27 = r1 * z162 - (z131 - I_c * w1 + r3 * z26 + r3 * z127)
-        z244 = z6 * z40 - s27
-        z245 = s_beta * z242 + c_beta * z244 + z76 * z189
-        z246 = c_alpha * z188 + mu2 * z174 + c_beta * z242 - s_beta * z244
-        s28 = z224 * z12 + z228 * z19 - z227 * z167 - z107 * z170
-        z247 = s28 - z108 * z175 + z79 * z242
-        s29 = z243 + z79 * z244 - w1 * z245 - w3 * z246 + c_alpha * z192
-        s30 = z247 + z75 * z244 - w3 * z245 + w1 * z246 - c_alpha * z191
-        z248 = c_beta * s29 + s_beta * s30
-        z249 = z248 - z14 * z241
-        s31 = r3 * z38 + (z117 - I_a * w2 + r1 * z42 - r1 * z122)
-        z250 = z6 * z195 - s31
-        s32 = z120 - z239 - z224 * z16 - z226 * z200 - z107 * z206
-        z251 = s32 + z108 * z209 - z75 * z250
-        z252 = r1 * z124
-        z253 = z229 + (z231 - z252)
-        z254 = s_beta * (z118 - z250) - c_beta * z253 + z76 * z218
-        s33 = z236 + c_alpha * z217 + mu2 * z207 - c_beta * z250
-        z255 = s33 + s_beta * z253
-        s34 = z119 + z225 - z228 * z16 - z227 * z200 - z107 * z203
-        z256 = s34 - z108 * z208 - z79 * z250
-        s35 = z251 + z79 * z253 + w1 * z254 + w3 * z255 + c_alpha * z220
-        s36 = z256 - z75 * z253 - w3 * z254 + w1 * z255 - c_alpha * z219
-        z257 = c_beta * s35 - s_beta * s36
-        z258 = z134 * (z257 + z18 * z241 - z22 * z249)
-        z259 = z21 * z249 - z22 * z258
-        z260 = s_beta * z237 - c_beta * z238
-        z261 = s_beta * z245 + c_beta * z246 + z14 * z260
-        s37 = s_beta * z254 + c_beta * z255 + z18 * z260 + z22 * z261
-        z262 = z134 * s37
-        z263 = z21 * z261 + z22 * z262
-        z264 = r3 * z87 - (r1 * z24 + (w3 * k5 - z6 * u1 + z6 * z124 - z106))
-        z265 = z232 + (z230 - z252) - z177 - z14 * z264
-        s38 = z130 + (z131 - I_b * w1) + z6 * z42 - z6 * z122 - z210
-        z266 = r3 * z25 - (r1 * z195 + s38)
-        z267 = z134 * (z266 + z18 * z264 - z22 * z265)
-        z268 = z21 * z265 - z22 * z267
-        z269 = c_beta * z237 + s_beta * z238
-        z270 = c_beta * z245 - s_beta * z246 + z14 * z269
-        s39 = c_beta * z254 - s_beta * z255 + z18 * z269 + z22 * z270
-        z271 = z134 * s39
-        z272 = z21 * z270 + z22 * z271
+        z73 = c_beta * w1 + s_beta * w3
+        z74 = z70 * z73
+        z75 = s_beta * z70
+        z76 = c_beta * z70
+        z77 = g * r3
+        z78 = c_alpha * z73
+        z79 = z6 * w2
+        z80 = r3 * w3
+        z81 = z79 - z80
+        z82 = z3 * z24 - z5 * z40 - z9 * z81
+        z83 = z27 * z82
+        z84 = z2 * z83
+        z85 = k2 * z84
+        z86 = z70 * z69
+        z87 = c_beta * z17
+        z88 = z87 + s_beta * z8
+        z89 = c_beta * z88
+        z90 = k3 * z84
+        z91 = z86 * z89 - (mu3 * z90 - z24 * z32)
+        z92 = s_beta * z88
+        z93 = k1 * z84
+        z94 = z86 * z92 - (z1 * z93 + z81 * z34)
+        z95 = z86 * z88 - c_beta * z91 - s_beta * z94
+        z96 = s_beta * z17
+        z97 = z69 * z8 - z73 * (z17 - z89) - c_alpha * z94
+        z98 = z69 * z17
+        z99 = z98 + z73 * (z8 - z92) - c_alpha * z91
+        z100 = z69 * (z96 - c_beta * z8) + c_beta * z97 - s_beta * z99
+        z101 = mu2 * z73
+        z102 = w2 + mu2 * z86
+        z103 = c_beta * z102
+        z104 = s_beta * z101 - c_alpha * z103
+        z105 = s_beta * z102
+        z106 = c_alpha * z105 + c_beta * z101
+        z107 = z5 * z78 - z9 * z104 - z3 * z106
+        z108 = z2 * z107
+        z109 = z27 * z108
+        z110 = I_c * w3
+        z111 = I_d * w1
+        z112 = I_b * w2 + z111
+        z113 = z73 * z112
+        z114 = z69 * z112
+        z115 = k3 * z106
+        z116 = z2 * z115 + z3 * z109
+        z117 = k1 * z104
+        z118 = z2 * z117 + z9 * z109
+        z119 = g * mu2 - (w3 * u1 + w1 * z41 - (w1 * z116 + w3 * z118))
+        z120 = k2 * z78
+        z121 = z2 * z120 - z5 * z109
+        z122 = g * mu3 + (w1 * z26 + w2 * u1 - (w2 * z118 - w1 * z121))
+        s2 = s_beta * z113 - (c_beta * z114 + (r3 * z119 + z6 * z122))
+        z123 = w2 * z110 - s2
+        z124 = I_d * w2
+        z125 = z124 + I_a * w1
+        z126 = g * z1 - (w2 * z41 - w3 * z26 - (w2 * z116 + w3 * z121))
+        z127 = w3 * z125 - w1 * z110 + (r3 * z126 + r1 * z122) - z14 * z123
+        z128 = 1.0 / z23
+        s3 = c_beta * z113 + (s_beta * z114 + (z6 * z126 - r1 * z119))
+        z129 = w2 * z125 - s3 - z18 * z123
+        z130 = z128 * (z129 + z22 * z127)
+        z131 = z21 * z127 + z22 * z130
+        z132 = z13 * z123 - z14 * z131 - z18 * z130
+        z133 = z6 * z132
+        z134 = r1 * z131
+        z135 = w3 * z81 - (w1 * z24 + (2.0 * z133 - (z122 - z134)))
+        s4 = z77 + (z78 * z85 - z73 * z95 + z86 * z100)
+        z136 = s4 - k2 * (z40 * z109 - z2 * z135)
+        z137 = z27 * z27 * z108
+        z138 = r3 * z132
+        z139 = r1 * z130
+        z140 = w2 * z81 + (w1 * z40 - (2.0 * z138 - (z119 - z139)))
+        s5 = z115 * z24 + z120 * z40 - z117 * z81 + z107 * z83
+        z141 = s5 - z3 * z140 + z5 * z135
+        z142 = w2 * z24
+        z143 = w3 * z40
+        z144 = r3 * z130
+        z145 = z6 * z131
+        z146 = z142 + (z143 + (z144 + z145))
+        z147 = z82 * z137 + 0.5 * (z28 * (z141 - z9 * z146))
+        z148 = mu2 * z85 + z40 * z43
+        z149 = mu2 * z100
+        z150 = g * z6
+        s6 = z150 - z106 * z90 + k3 * (z24 * z109 - z2 * z140)
+        z151 = s6 - 2.0 * (z3 * z147)
+        s7 = z104 * z93 + k1 * (z81 * z109 + z2 * z146)
+        z152 = s7 + 2.0 * (z9 * z147)
+        s8 = z73 * z148 + z105 * z91 - z103 * z94 - z71 * z149
+        z153 = s8 + c_beta * z151 - s_beta * z152
+        z154 = c_alpha * (z136 - 2.0 * (z5 * z147)) - mu2 * z153
+        z155 = r1 * w1
+        z156 = z80 + z155
+        z157 = z9 * z39 - (z3 * z37 - z5 * z156)
+        z158 = z27 * z157
+        z159 = z2 * z158
+        z160 = k2 * z159
+        z161 = s_beta * z12 - c_beta * z19
+        z162 = c_beta * z161
+        z163 = k3 * z159
+        z164 = z86 * z162 + (mu3 * z163 + z37 * z32)
+        z165 = s_beta * z161
+        z166 = k1 * z159
+        z167 = z86 * z165 + (z1 * z166 - z39 * z34)
+        z168 = z86 * z161 - c_beta * z164 - s_beta * z167
+        z169 = z69 * z12 + z73 * (z19 + z162) - c_alpha * z167
+        z170 = z69 * z19 - z73 * (z12 - z165) + c_alpha * z164
+        s9 = z69 * (c_beta * z12 + s_beta * z19) - c_beta * z169
+        z171 = s9 - s_beta * z170
+        z172 = w3 * z39
+        z173 = r1 * z132
+        z174 = z172 - (z142 - (z144 - z173))
+        z175 = r3 * z131
+        z176 = z6 * z130
+        z177 = w2 * z39 + (w1 * z156 - (2.0 * z175 - (z126 + z176)))
+        s10 = z39 * z117 - (z37 * z115 + z120 * z156) + z107 * z158
+        z178 = s10 + z3 * z177 - z5 * z174
+        z179 = w2 * z37 + (w3 * z156 + (z133 - (z122 - 2.0 * z134)))
+        z180 = z157 * z137 + 0.5 * (z28 * (z178 + z9 * z179))
+        s11 = z78 * z160 + z73 * z168 + z86 * z171
+        z181 = s11 + k2 * (z156 * z109 - z2 * z174) - 2.0 * (z5 * z180)
+        z182 = mu2 * z160 - z43 * z156
+        z183 = mu2 * z171
+        z184 = g * r1
+        s12 = z184 + z106 * z163 + k3 * (z37 * z109 - z2 * z177)
+        z185 = s12 + 2.0 * (z3 * z180)
+        s13 = z77 + z104 * z166 - k1 * (z39 * z109 + z2 * z179)
+        z186 = s13 + 2.0 * (z9 * z180)
+        s14 = z73 * z182 - z105 * z164 + z103 * z167 - z71 * z183
+        z187 = s14 - c_beta * z185 - s_beta * z186
+        z188 = c_alpha * z181 - mu2 * z187 + z14 * z154
+        z189 = z79 - z155
+        z190 = z3 * z189 - z5 * z38 - z9 * z25
+        z191 = z27 * z190
+        z192 = z2 * z191
+        z193 = k2 * z192
+        z194 = z96 + c_beta * z16
+        z195 = c_beta * z194
+        z196 = k3 * z192
+        z197 = z86 * z195 + (mu3 * z196 - z189 * z32)
+        z198 = s_beta * z194
+        z199 = k1 * z192
+        z200 = z86 * z198 + (z1 * z199 + z25 * z34)
+        z201 = z86 * z194 - c_beta * z197 - s_beta * z200
+        z202 = z98 - z73 * (z16 - z195) - c_alpha * z200
+        z203 = z69 * z16 + z73 * (z17 - z198) - c_alpha * z197
+        z204 = z69 * (z87 - s_beta * z16) - c_beta * z202 + s_beta * z203
+        z205 = w3 * z25 - (w1 * z189 - (2.0 * z176 + (z126 - z175)))
+        s15 = z184 - (z78 * z193 + z73 * z201 + z86 * z204)
+        z206 = s15 + k2 * (z38 * z109 - z2 * z205)
+        z207 = z172 + (z143 - (z145 - z173))
+        s16 = z115 * z189 + z120 * z38 - z117 * z25 + z107 * z191
+        z208 = s16 - z3 * z207 + z5 * z205
+        z209 = w2 * z189 + (w3 * z38 - (z138 - (z119 - 2.0 * z139)))
+        z210 = z190 * z137 + 0.5 * (z28 * (z208 - z9 * z209))
+        z211 = mu2 * z193 + z38 * z43
+        z212 = mu2 * z204
+        s17 = z106 * z196 - k3 * (z189 * z109 - z2 * z207)
+        z213 = s17 + 2.0 * (z3 * z210)
+        s18 = z150 - z104 * z199 - k1 * (z25 * z109 + z2 * z209)
+        z214 = s18 - 2.0 * (z9 * z210)
+        s19 = z73 * z211 - z105 * z197 + z103 * z200 - z71 * z212
+        z215 = s19 - c_beta * z213 + s_beta * z214
+        s20 = c_alpha * (z206 + 2.0 * (z5 * z210)) + mu2 * z215
+        z216 = z128 * (s20 - z18 * z154 - z22 * z188)
+        z217 = z21 * z188 - z22 * z216
+        z218 = z69 * z102
+        z219 = z218 * z17
+        z220 = z73 * z105 + z86 * z104
+        z221 = z73 * z103 + z86 * z106
+        z222 = s_beta * z220 + c_beta * z221 - z86 * z101
+        z223 = z6 * z121
+        z224 = I_d * w3 - z6 * z26
+        z225 = r3 * z41
+        z226 = r3 * z116
+        z227 = z223 - (z224 + z225 - z226)
+        s21 = z219 - (z113 - z222 * z8) + z220 * z88 + z101 * z94
+        z228 = s21 - z102 * z99 + z69 * z227
+        z229 = z6 * z81 - (r1 * z40 - (I_c * w2 - r3 * u1 + r3 * z118))
+        z230 = c_beta * z112
+        z231 = z230 + s_beta * z227 - c_beta * z229 + z70 * z149
+        s22 = s_beta * z112 - c_alpha * z148 + mu2 * z95 - c_beta * z227
+        z232 = s22 - s_beta * z229
+        z233 = z222 * z17
+        s23 = z233 + (z114 - z218 * z8) + z221 * z88 + z101 * z91
+        z234 = s23 + z102 * z97 + z73 * z227
+        s24 = z228 + z73 * z229 + w1 * z231 - w3 * z232 - c_alpha * z152
+        s25 = z234 - z69 * z229 - w3 * z231 - w1 * z232 + c_alpha * z151
+        z235 = c_beta * s24 - s_beta * s25
+        z236 = z6 * z37 - (r3 * z156 + (w3 * k6 + r1 * z26 + r1 * z121))
+        s26 = z222 * z12 - z218 * z19 + z220 * z161 + z101 * z167
+        z237 = s26 + z102 * z170 - z69 * z236
+        s27 = r1 * z156 - (z125 - I_c * w1 + r3 * z26 + r3 * z121)
+        z238 = z6 * z39 - s27
+        z239 = s_beta * z236 + c_beta * z238 + z70 * z183
+        z240 = c_alpha * z182 + mu2 * z168 + c_beta * z236 - s_beta * z238
+        s28 = z218 * z12 + z222 * z19 - z221 * z161 - z101 * z164
+        z241 = s28 - z102 * z169 + z73 * z236
+        s29 = z237 + z73 * z238 - w1 * z239 - w3 * z240 + c_alpha * z186
+        s30 = z241 + z69 * z238 - w3 * z239 + w1 * z240 - c_alpha * z185
+        z242 = c_beta * s29 + s_beta * s30
+        z243 = z242 - z14 * z235
+        s31 = r3 * z38 + (z111 - I_a * w2 + r1 * z41 - r1 * z116)
+        z244 = z6 * z189 - s31
+        s32 = z114 - z233 - z218 * z16 - z220 * z194 - z101 * z200
+        z245 = s32 + z102 * z203 - z69 * z244
+        z246 = r1 * z118
+        z247 = z223 + (z225 - z246)
+        z248 = s_beta * (z112 - z244) - c_beta * z247 + z70 * z212
+        s33 = z230 + c_alpha * z211 + mu2 * z201 - c_beta * z244
+        z249 = s33 + s_beta * z247
+        s34 = z113 + z219 - z222 * z16 - z221 * z194 - z101 * z197
+        z250 = s34 - z102 * z202 - z73 * z244
+        s35 = z245 + z73 * z247 + w1 * z248 + w3 * z249 + c_alpha * z214
+        s36 = z250 - z69 * z247 - w3 * z248 + w1 * z249 - c_alpha * z213
+        z251 = c_beta * s35 - s_beta * s36
+        z252 = z128 * (z251 + z18 * z235 - z22 * z243)
+        z253 = z21 * z243 - z22 * z252
+        z254 = s_beta * z231 - c_beta * z232
+        z255 = s_beta * z239 + c_beta * z240 + z14 * z254
+        s37 = s_beta * z248 + c_beta * z249 + z18 * z254 + z22 * z255
+        z256 = z128 * s37
+        z257 = z21 * z255 + z22 * z256
+        z258 = r3 * z81 - (r1 * z24 + (w3 * k5 - z6 * u1 + z6 * z118 - z100))
+        z259 = z226 + (z224 - z246) - z171 - z14 * z258
+        s38 = z124 + (z125 - I_b * w1) + z6 * z41 - z6 * z116 - z204
+        z260 = r3 * z25 - (r1 * z189 + s38)
+        z261 = z128 * (z260 + z18 * z258 - z22 * z259)
+        z262 = z21 * z259 - z22 * z261
+        z263 = c_beta * z231 + s_beta * z232
+        z264 = c_beta * z239 - s_beta * z240 + z14 * z263
+        s39 = c_beta * z248 - s_beta * z249 + z18 * z263 + z22 * z264
+        z265 = z128 * s39
+        z266 = z21 * z264 + z22 * z265
         J: list[float] = [
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            c_gamma * z51 - s_gamma * z50,
+            c_gamma * z49 - s_gamma * z48,
             # (I.2.15)
-            s_gamma * z62 - c_gamma * z63,
+            s_gamma * z59 - c_gamma * z60,
             # (I.2.15)
-            s_gamma * z64 + c_gamma * z67,
+            s_gamma * z54 + c_gamma * z61,
             # (I.2.15)
-            -(s_gamma * z69 + c_gamma * z70),
+            -(s_gamma * z63 + c_gamma * z64),
             # (I.2.15)
-            -(s_gamma * z72 + c_gamma * z73),
+            -(s_gamma * z66 + c_gamma * z67),
             # (I.2.15)
-            c_gamma * z68 - s_gamma * z74,
+            c_gamma * z62 - s_gamma * z68,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            s_gamma * z51 + c_gamma * z50,
+            s_gamma * z49 + c_gamma * z48,
             # (I.2.15)
-            -(s_gamma * z63 + c_gamma * z62),
+            -(s_gamma * z60 + c_gamma * z59),
             # (I.2.15)
-            s_gamma * z67 - c_gamma * z64,
+            s_gamma * z61 - c_gamma * z54,
             # (I.2.15)
-            c_gamma * z69 - s_gamma * z70,
+            c_gamma * z63 - s_gamma * z64,
             # (I.2.15)
-            c_gamma * z72 - s_gamma * z73,
+            c_gamma * z66 - s_gamma * z67,
             # (I.2.15)
-            s_gamma * z68 + c_gamma * z74,
+            s_gamma * z62 + c_gamma * z68,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z66 + c_alpha * z49 - (z65 - mu2 * z36),
+            mu2 * z36 + c_alpha * z47 - z61,
             # (I.2.15)
-            -(mu2 * z55 + c_alpha * z61),
+            c_alpha * z58 - mu2 * z53,
             0.0,
             # (I.2.15)
-            -(mu2 * r3 + c_alpha * z68),
+            -(mu2 * r3 + c_alpha * z62),
             # (I.2.15)
-            -c_alpha * z71,
+            -c_alpha * z65,
             # (I.2.15)
-            mu2 * r1 - c_alpha * z70,
+            mu2 * r1 - c_alpha * z64,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z75,
+            -z69,
             0.0,
             # (I.2.15)
             c_beta,
@@ -1171,71 +1162,71 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z75 + mu2 * z78,
+            z69 + mu2 * z72,
             # (I.2.15)
-            mu2 * z80,
+            mu2 * z74,
             0.0,
             # (I.2.15)
-            mu2 * z81,
+            mu2 * z75,
             # (I.2.15)
             1.0,
             # (I.2.15)
-            -mu2 * z82,
+            -mu2 * z76,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z78,
+            -z72,
             # (I.2.15)
-            -z80,
+            -z74,
             0.0,
             # (I.2.15)
-            -z81,
+            -z75,
             0.0,
             # (I.2.15)
-            z82,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            z18 * z222 - (z13 * z160 + z14 * z223),
-            # (I.2.15)
-            -(z13 * z241 - z14 * z259 + z18 * z258),
-            0.0,
-            # (I.2.15)
-            -(z13 * z260 + z14 * z263 + z18 * z262),
-            # (I.2.15)
-            -(z13 * z264 - z14 * z268 + z18 * z267),
-            # (I.2.15)
-            z13 * z269 + z14 * z272 + z18 * z271,
+            z76,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z223,
+            z18 * z216 - (z13 * z154 + z14 * z217),
             # (I.2.15)
-            -z259,
+            -(z13 * z235 - z14 * z253 + z18 * z252),
             0.0,
             # (I.2.15)
-            z263,
+            -(z13 * z254 + z14 * z257 + z18 * z256),
             # (I.2.15)
-            -z268,
+            -(z13 * z258 - z14 * z262 + z18 * z261),
             # (I.2.15)
-            -z272,
+            z13 * z263 + z14 * z266 + z18 * z265,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z222,
+            z217,
             # (I.2.15)
-            -z258,
+            -z253,
             0.0,
+            # (I.2.15)
+            z257,
             # (I.2.15)
             -z262,
             # (I.2.15)
-            -z267,
+            -z266,
+            0.0,
+            0.0,
+            0.0,
             # (I.2.15)
-            z271,
+            z216,
+            # (I.2.15)
+            -z252,
+            0.0,
+            # (I.2.15)
+            -z256,
+            # (I.2.15)
+            -z261,
+            # (I.2.15)
+            z265,
         ]
         _finish("jacobian", J)
         return [J[k7 : k7 + 9] for k7 in range(0, 81, 9)]

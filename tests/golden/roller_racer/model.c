@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:cf5020bc9d7e75ca)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:afc878dd4c80f41f)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -346,17 +346,15 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
     const double z9 = z4 - z6 * z8;
     const double z10 = theta_dot * v;
     const double z11 = k1 * (theta_dot * z2 - v * s_phi);
-    const double z12 = d1 * (z11 * (theta_dot * s_phi));
-    const double z13 = z11 * (c_phi * v);
-    const double z14 = z12 + z13;
-    const double z15 = k3 * (s_phi * z14);
-    const double z16 = (z14 * z5 - z15 * z8) / z9;
-    const double z17 = z7 * z15 - z8 * z16;
+    const double z12 = d1 * (z11 * (theta_dot * s_phi)) + z11 * (c_phi * v);
+    const double z13 = k3 * (s_phi * z12);
+    const double z14 = (z12 * z5 - z13 * z8) / z9;
+    const double z15 = z7 * z13 - z8 * z14;
     /* (I.2.15) */
-    qddot[0] = c_theta * z17 - s_theta * z10; /* x'' */
-    qddot[1] = c_theta * z10 + s_theta * z17; /* y'' */
-    qddot[2] = z16; /* theta'' */
-    qddot[3] = -k1 * (z12 + z2 * z16 + (z13 - s_phi * z17)); /* phi'' */
+    qddot[0] = c_theta * z15 - s_theta * z10; /* x'' */
+    qddot[1] = c_theta * z10 + s_theta * z15; /* y'' */
+    qddot[2] = z14; /* theta'' */
+    qddot[3] = -k1 * (z12 + (z2 * z14 - s_phi * z15)); /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX && fabs(z9) > 1e-13 * z4)) {
         /* the coframe is singular */

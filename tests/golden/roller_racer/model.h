@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:07eebadfd8c968bf)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:d66b155160d67cfe)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -31,7 +31,7 @@
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 8 +-, 28 *, 3 /, 4 calls
  * velocities: 2 +-, 6 *, 1 /, 4 calls
- * accelerations: 14 +-, 34 *, 3 /, 4 calls
+ * accelerations: 13 +-, 34 *, 3 /, 4 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 7 +-, 11 *, 0 /, 4 calls
  * reactions: 12 +-, 34 *, 3 /, 2 calls

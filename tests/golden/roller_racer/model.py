@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:721df1c846afb445).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:0bc87907bedea2b5).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -31,7 +31,7 @@ out[0] = speed [m/s]
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 8 +-, 28 *, 3 /, 4 calls
 velocities: 2 +-, 6 *, 1 /, 4 calls
-accelerations: 14 +-, 34 *, 3 /, 4 calls
+accelerations: 13 +-, 34 *, 3 /, 4 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 7 +-, 11 *, 0 /, 4 calls
 reactions: 12 +-, 34 *, 3 /, 2 calls
@@ -258,21 +258,19 @@ def accelerations(
         z10 = theta_dot * v
         c_theta = math.cos(theta)
         z11 = k1 * (theta_dot * z2 - v * s_phi)
-        z12 = d1 * (z11 * (theta_dot * s_phi))
-        z13 = z11 * (c_phi * v)
-        z14 = z12 + z13
-        z15 = k3 * (s_phi * z14)
-        z16 = (z14 * z5 - z15 * z8) / z9
-        z17 = z7 * z15 - z8 * z16
+        z12 = d1 * (z11 * (theta_dot * s_phi)) + z11 * (c_phi * v)
+        z13 = k3 * (s_phi * z12)
+        z14 = (z12 * z5 - z13 * z8) / z9
+        z15 = z7 * z13 - z8 * z14
         qddot: list[float] = [
             # x'' (I.2.15)
-            c_theta * z17 - s_theta * z10,
+            c_theta * z15 - s_theta * z10,
             # y'' (I.2.15)
-            c_theta * z10 + s_theta * z17,
+            c_theta * z10 + s_theta * z15,
             # theta'' (I.2.15)
-            z16,
+            z14,
             # phi'' (I.2.15)
-            -k1 * (z12 + z2 * z16 + (z13 - s_phi * z17)),
+            -k1 * (z12 + (z2 * z14 - s_phi * z15)),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

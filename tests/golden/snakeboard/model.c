@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:f06a27a018d47f89)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:113ed9d24448937a)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -949,53 +949,52 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z102 = z14 * z88 + z20 * z96 + z24 * z101;
     const double z103 = z62 * z62 * z102;
     const double z104 = J_2 * z14;
-    const double z105 = z74 * z53;
-    const double z106 = k2 * (z31 * z65 - s_p_f * (s_p_b * z70 - c_p_f * z64));
-    const double z107 = z64 * z33 - z5 * z69 + (c_p_b * z72 - s_p_b * (z3 * z69 + 4.0 * (c_p_b * z68) - 2.0 *
-        z106));
-    const double z108 = z73 * (z30 * z7);
-    const double z109 = z30 * z107 - 2.0 * (z34 * z108);
-    const double z110 = z80 + c1 * z56;
-    const double z111 = z12 * z56;
-    const double z112 = z77 - s1 * z56;
-    const double z113 = z11 * z56;
-    const double z114 = z11 * z110 - (s1 * z111 - c1 * z79) - (z12 * z112 + (c1 * z113 + s1 * z81));
-    const double z115 = z7 * z114;
-    const double z116 = v * (z105 + z13 * z109 + (z82 * z35 + z115));
-    const double z117 = z20 * z95;
-    const double z118 = l * z64;
-    const double z119 = z93 * z35 - z7 * (z97 + z15 * z110 + (z12 * z118 + (z17 * z113 + z81 * z28)));
-    const double z120 = z55 * z88 + z104 * z116 + (z48 * z96 + z117 * (z74 * z47 + z19 * z109 - z119));
-    const double z121 = z24 * z95;
-    const double z122 = z99 * z35 + z7 * (z90 - z15 * z112 - (z11 * z118 - (z17 * z111 + z79 * z28)));
-    const double z123 = (J_2 * (z59 * z35 - z61) + m * (z61 + z25 * z35)) * z103 + z62 * (z120 - (z36 * z101
-        + z121 * (z74 * z29 - z23 * z109 + z122)));
-    const double z124 = z7 * (z60 + z13 * z57);
-    const double z125 = c_p_f * z65 - s_p_f * z70;
-    const double z126 = 2.0 * (k2 * (2.0 * (z41 * z65) + (c_p_f * z71 - s_p_f * (s_p_f * z69 - c_p_b *
+    const double z105 = z80 + c1 * z56;
+    const double z106 = z12 * z56;
+    const double z107 = z77 - s1 * z56;
+    const double z108 = z11 * z56;
+    const double z109 = z11 * z105 - (s1 * z106 - c1 * z79) - (z12 * z107 + (c1 * z108 + s1 * z81));
+    const double z110 = z74 * z53 + z7 * z109;
+    const double z111 = k2 * (z31 * z65 - s_p_f * (s_p_b * z70 - c_p_f * z64));
+    const double z112 = z64 * z33 - z5 * z69 + (c_p_b * z72 - s_p_b * (z3 * z69 + 4.0 * (c_p_b * z68) - 2.0 *
+        z111));
+    const double z113 = z73 * (z30 * z7);
+    const double z114 = z30 * z112 - 2.0 * (z34 * z113);
+    const double z115 = v * (z110 + (z82 * z35 + z13 * z114));
+    const double z116 = z20 * z95;
+    const double z117 = l * z64;
+    const double z118 = z93 * z35 - z7 * (z97 + z15 * z105 + (z12 * z117 + (z17 * z108 + z81 * z28)));
+    const double z119 = z55 * z88 + z104 * z115 + (z48 * z96 + z116 * (z74 * z47 + z19 * z114 - z118));
+    const double z120 = z24 * z95;
+    const double z121 = z99 * z35 + z7 * (z90 - z15 * z107 - (z11 * z117 - (z17 * z106 + z79 * z28)));
+    const double z122 = (J_2 * (z59 * z35 - z61) + m * (z61 + z25 * z35)) * z103 + z62 * (z119 - (z36 * z101
+        + z120 * (z74 * z29 - z23 * z114 + z121)));
+    const double z123 = z7 * (z60 + z13 * z57);
+    const double z124 = c_p_f * z65 - s_p_f * z70;
+    const double z125 = 2.0 * (k2 * (2.0 * (z41 * z65) + (c_p_f * z71 - s_p_f * (s_p_f * z69 - c_p_b *
         z65))));
-    const double z127 = z30 * (2.0 * z125 - 6.0 * (k1 * z125) - (z64 * z42 + s_p_b * (4.0 * z106 - z126)));
-    const double z128 = z127 - 2.0 * (z43 * z108);
-    const double z129 = v * (z115 - z82 * z44 + (z105 - z13 * z128));
-    const double z130 = l * z65;
-    const double z131 = z7 * (s1 * z130 + (z77 * z38 - z21 * z58) + (z98 + z17 * (z79 - z11 * z58)));
-    const double z132 = z57 * z88 + z104 * z129 - (z51 * z96 - z117 * (z93 * z44 - z131 - (z74 * z50 + z19 *
-        z128)));
-    const double z133 = z7 * (c1 * z130 - (z80 * z38 - z16 * z58) - (z92 - z17 * (z81 + z12 * z58)));
-    const double z134 = z62 * (z132 + (z45 * z101 + z121 * (z99 * z44 - z133 + (z74 * z39 - z23 * z128))));
-    const double z135 = (J_2 * (z59 * z44 + z124) - m * (z124 - z25 * z44)) * z103 - z134;
-    const double z136 = m * z24;
-    const double z137 = m * z20;
-    const double z138 = (z100 - z27 * (z19 * z14)) * z136 + ((z94 + z27 * (z23 * z14)) * z137 + z83 * z104);
-    const double z139 = z62 * z138;
-    const double z140 = z62 * (z56 * z104 + z49 * z137 - z37 * z136);
-    const double z141 = z62 * (z58 * z104 - z52 * z137 + z46 * z136);
-    const double z142 = z62 * z102;
-    const double z143 = z116 - (z55 * z142 + z14 * z123);
-    const double z144 = z129 - (z57 * z142 - z14 * z135);
-    const double z145 = z83 - z14 * z139;
-    const double z146 = z56 - z14 * z140;
-    const double z147 = z58 - z14 * z141;
+    const double z126 = z30 * (2.0 * z124 - 6.0 * (k1 * z124) - (z64 * z42 + s_p_b * (4.0 * z111 - z125)));
+    const double z127 = z126 - 2.0 * (z43 * z113);
+    const double z128 = v * (z110 - (z82 * z44 + z13 * z127));
+    const double z129 = l * z65;
+    const double z130 = z7 * (s1 * z129 + (z77 * z38 - z21 * z58) + (z98 + z17 * (z79 - z11 * z58)));
+    const double z131 = z57 * z88 + z104 * z128 - (z51 * z96 - z116 * (z93 * z44 - z130 - (z74 * z50 + z19 *
+        z127)));
+    const double z132 = z7 * (c1 * z129 - (z80 * z38 - z16 * z58) - (z92 - z17 * (z81 + z12 * z58)));
+    const double z133 = z62 * (z131 + (z45 * z101 + z120 * (z99 * z44 - z132 + (z74 * z39 - z23 * z127))));
+    const double z134 = (J_2 * (z59 * z44 + z123) - m * (z123 - z25 * z44)) * z103 - z133;
+    const double z135 = m * z24;
+    const double z136 = m * z20;
+    const double z137 = (z100 - z27 * (z19 * z14)) * z135 + ((z94 + z27 * (z23 * z14)) * z136 + z83 * z104);
+    const double z138 = z62 * z137;
+    const double z139 = z62 * (z56 * z104 + z49 * z136 - z37 * z135);
+    const double z140 = z62 * (z58 * z104 - z52 * z136 + z46 * z135);
+    const double z141 = z62 * z102;
+    const double z142 = z115 - (z55 * z141 + z14 * z122);
+    const double z143 = z128 - (z57 * z141 - z14 * z134);
+    const double z144 = z83 - z14 * z138;
+    const double z145 = z56 - z14 * z139;
+    const double z146 = z58 - z14 * z140;
     /* (I.2.15) */
     J[2] = -z27 * z19;
     J[4] = -z37;
@@ -1011,26 +1010,26 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     J[37] = 1.0;
     J[48] = 1.0;
     J[59] = 1.0;
-    J[64] = z123;
-    J[65] = z135;
-    J[66] = z139;
-    J[68] = -z140;
-    J[69] = z141;
-    J[74] = -z143;
-    J[75] = z144;
-    J[76] = -z145;
-    J[78] = z146;
-    J[79] = -z147;
-    J[84] = -z143;
-    J[85] = z144;
-    J[86] = -z145;
-    J[88] = z146;
-    J[89] = -z147;
-    J[94] = -z143;
-    J[95] = z144;
-    J[96] = -z145;
-    J[98] = z146;
-    J[99] = -z147;
+    J[64] = z122;
+    J[65] = z134;
+    J[66] = z138;
+    J[68] = -z139;
+    J[69] = z140;
+    J[74] = -z142;
+    J[75] = z143;
+    J[76] = -z144;
+    J[78] = z145;
+    J[79] = -z146;
+    J[84] = -z142;
+    J[85] = z143;
+    J[86] = -z144;
+    J[88] = z145;
+    J[89] = -z146;
+    J[94] = -z142;
+    J[95] = z143;
+    J[96] = -z144;
+    J[98] = z145;
+    J[99] = -z146;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[12] + J[65] + J[68] + J[75] + J[78] + J[94] + J[96] + J[99]) <= DBL_MAX
         && fabs(J_r) > 0.0

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:07c0b9672fd44eb9)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:61675d2f6cf000ae)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -44,7 +44,7 @@
  * residuals: 9 +-, 15 *, 0 /, 6 calls
  * reactions: 82 +-, 155 *, 4 /, 9 calls
  * energy: 24 +-, 42 *, 1 /, 6 calls
- * jacobian: 165 +-, 299 *, 2 /, 9 calls
+ * jacobian: 164 +-, 299 *, 2 /, 9 calls
  * outputs: 10 +-, 18 *, 1 /, 5 calls
  *
  * Calls: t is the time; y has SNAKEBOARD_NY entries, p has SNAKEBOARD_NP; snakeboard_parameter_defaults may

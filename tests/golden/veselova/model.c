@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:dabe1132b97c3934)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:0ddec9fa5d346995)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -597,71 +597,69 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     const double z22 = z18 * z18 * (c_theta * z21);
     const double z23 = s_phi * z18;
     const double z24 = c_phi * z18;
-    const double z25 = s_theta * w_y;
-    const double z26 = s_psi * k1;
-    const double z27 = z25 * z26;
-    const double z28 = c_psi * z27;
-    const double z29 = c_theta * k2;
-    const double z30 = s_psi * c_theta;
-    const double z31 = z25 * z29 + z30 * z27;
-    const double z32 = w_x * z31;
-    const double z33 = 1.0 / z17;
-    const double z34 = k1 * (c_psi * z19 - z21 * z30);
-    const double z35 = z21 * k2;
-    const double z36 = s_psi * z34 - c_theta * z35;
-    const double z37 = s_theta * w_x;
-    const double z38 = z25 * z36;
-    const double z39 = z33 * (z36 * z37 + z38 * z15);
-    const double z40 = z12 * z39;
-    const double z41 = s_phi * z39;
-    const double z42 = k1 * z41;
-    const double z43 = z38 * z14 - z15 * z39;
-    const double z44 = s_phi * z43;
-    const double z45 = z6 * z44;
-    const double z46 = w_x * z28;
-    const double z47 = k1 * z44;
-    const double z48 = c_phi * (w_y * z28 - (z32 + (z40 - 2.0 * (z8 * z42) - z10 * z43 - z45))) - s_phi *
-        (z46 + (w_y * z31 - (z6 * z41 - 2.0 * (z8 * z47))));
-    const double z49 = z37 * z26;
-    const double z50 = z37 * z29 + z30 * z49;
-    const double z51 = c_phi * z39;
-    const double z52 = k1 * (z44 - z51);
-    const double z53 = c_psi * z49;
-    const double z54 = c_phi * (z46 - (w_x * z50 - (z12 * z43 - 2.0 * (z8 * z52)))) - s_phi * (w_x * z53 +
-        (z32 + (z45 - (z40 + z6 * z51))));
-    const double z55 = z33 * (z54 + z15 * z48);
-    const double z56 = z21 * z27;
-    const double z57 = k1 * z39 - 2.0 * (s_phi * z42) - 2.0 * (c_phi * z47);
-    const double z58 = c_phi * z41 - s_phi * z44;
-    const double z59 = I1 * z58;
-    const double z60 = I2 * z58;
-    const double z61 = s_theta * (z25 * z35 + s_psi * z56 + z7 * z57) + c_theta * (w_y * z36 + 2.0 * (s_theta
-        * (I3 * z58 - z1 * z59 - z2 * z60)));
-    const double z62 = z21 * z49;
-    const double z63 = c_phi * z51;
-    const double z64 = k1 * z63;
-    const double z65 = k1 * z43 - 2.0 * (s_phi * z52);
-    const double z66 = s_psi * z62 + (z35 * z37 - 2.0 * (c_theta * (z1 * z64 + k2 * z63))) - z7 * z65;
-    const double z67 = c_phi * z44;
-    const double z68 = I1 * z67;
-    const double z69 = I2 * z67;
-    const double z70 = s_theta * z66 + c_theta * (w_x * z36 - 2.0 * (s_theta * (I3 * z67 - z1 * z68 - z2 *
-        z69)));
-    const double z71 = z33 * (z70 + z15 * z61);
-    const double z72 = c_theta * z57;
-    const double z73 = 2.0 * (s_psi * (2.0 * z60 + (I2 * z43 - z5 * z59) - (I1 * z43 + z4 * z60)));
-    const double z74 = s_psi * (z19 * z27 - s_psi * z72) - c_psi * (z25 * z34 - c_theta * z56 - c_psi * z72 -
-        z73);
-    const double z75 = c_theta * z65;
-    const double z76 = 2.0 * z69 + (z5 * z64 + I2 * z39 - z5 * z68) - (I1 * z39 + z4 * z69);
-    const double z77 = s_psi * (z19 * z49 + s_psi * z75) - c_psi * (z34 * z37 - c_theta * z62 + c_psi * z75 +
-        2.0 * (s_psi * z76));
-    const double z78 = z33 * (z77 + z15 * z74);
-    const double z79 = s_phi * z31 - c_phi * z28;
-    const double z80 = s_theta * z36;
-    const double z81 = z33 * (z80 - s_phi * z50 + c_phi * z53 - z15 * z79);
-    const double z82 = z80 + c_phi * z31 + s_phi * z28;
-    const double z83 = z33 * (c_phi * z50 + s_phi * z53 + z15 * z82);
+    const double z25 = 1.0 / z17;
+    const double z26 = s_psi * c_theta;
+    const double z27 = k1 * (c_psi * z19 - z21 * z26);
+    const double z28 = z21 * k2;
+    const double z29 = s_psi * z27 - c_theta * z28;
+    const double z30 = s_theta * w_x;
+    const double z31 = s_theta * w_y;
+    const double z32 = z31 * z29;
+    const double z33 = z25 * (z29 * z30 + z32 * z15);
+    const double z34 = z32 * z14 - z15 * z33;
+    const double z35 = s_phi * z34;
+    const double z36 = z12 * z33 - z6 * z35;
+    const double z37 = s_phi * z33;
+    const double z38 = k1 * z37;
+    const double z39 = c_theta * k2;
+    const double z40 = s_psi * k1;
+    const double z41 = z31 * z40;
+    const double z42 = z31 * z39 + z26 * z41;
+    const double z43 = c_psi * z41;
+    const double z44 = w_x * z43;
+    const double z45 = k1 * z35;
+    const double z46 = c_phi * (z36 - (z10 * z34 + (2.0 * (z8 * z38) - (w_x * z42 - w_y * z43)))) + s_phi *
+        (z44 + (w_y * z42 - (z6 * z37 - 2.0 * (z8 * z45))));
+    const double z47 = z30 * z40;
+    const double z48 = z30 * z39 + z26 * z47;
+    const double z49 = c_phi * z33;
+    const double z50 = k1 * (z35 - z49);
+    const double z51 = c_psi * z47;
+    const double z52 = c_phi * (z44 - (w_x * z48 - (z12 * z34 - 2.0 * (z8 * z50)))) + s_phi * (z36 + (z6 *
+        z49 - w_x * (z42 + z51)));
+    const double z53 = z25 * (z52 - z15 * z46);
+    const double z54 = z21 * z41;
+    const double z55 = k1 * z33 - 2.0 * (s_phi * z38) - 2.0 * (c_phi * z45);
+    const double z56 = c_phi * z37 - s_phi * z35;
+    const double z57 = I1 * z56;
+    const double z58 = I2 * z56;
+    const double z59 = s_theta * (z31 * z28 + s_psi * z54 + z7 * z55) + c_theta * (w_y * z29 + 2.0 * (s_theta
+        * (I3 * z56 - z1 * z57 - z2 * z58)));
+    const double z60 = z21 * z47;
+    const double z61 = c_phi * z49;
+    const double z62 = k1 * z61;
+    const double z63 = k1 * z34 - 2.0 * (s_phi * z50);
+    const double z64 = s_psi * z60 + (z28 * z30 - 2.0 * (c_theta * (z1 * z62 + k2 * z61))) - z7 * z63;
+    const double z65 = c_phi * z35;
+    const double z66 = I1 * z65;
+    const double z67 = I2 * z65;
+    const double z68 = s_theta * z64 + c_theta * (w_x * z29 - 2.0 * (s_theta * (I3 * z65 - z1 * z66 - z2 *
+        z67)));
+    const double z69 = z25 * (z68 + z15 * z59);
+    const double z70 = c_theta * z55;
+    const double z71 = 2.0 * (s_psi * (2.0 * z58 + (I2 * z34 - z5 * z57) - (I1 * z34 + z4 * z58)));
+    const double z72 = s_psi * (z19 * z41 - s_psi * z70) - c_psi * (z31 * z27 - c_theta * z54 - c_psi * z70 -
+        z71);
+    const double z73 = c_theta * z63;
+    const double z74 = 2.0 * z67 + (z5 * z62 + I2 * z33 - z5 * z66) - (I1 * z33 + z4 * z67);
+    const double z75 = s_psi * (z19 * z47 + s_psi * z73) - c_psi * (z27 * z30 - c_theta * z60 + c_psi * z73 +
+        2.0 * (s_psi * z74));
+    const double z76 = z25 * (z75 + z15 * z72);
+    const double z77 = s_phi * z42 - c_phi * z43;
+    const double z78 = s_theta * z29;
+    const double z79 = z25 * (z78 - s_phi * z48 + c_phi * z51 - z15 * z77);
+    const double z80 = z78 + c_phi * z42 + s_phi * z43;
+    const double z81 = z25 * (c_phi * z48 + s_phi * z51 + z15 * z80);
     /* (I.2.15) */
     J[0] = -c_theta * z20;
     J[1] = z21 + c_theta * z22;
@@ -674,16 +672,16 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     J[11] = -z22;
     J[13] = z23;
     J[14] = -z24;
-    J[15] = z15 * z55 - z14 * z48;
-    J[16] = z15 * z71 - z14 * z61;
-    J[17] = z14 * z74 - z15 * z78;
-    J[18] = z14 * z79 + z15 * z81;
-    J[19] = z15 * z83 - z14 * z82;
-    J[20] = -z55;
-    J[21] = -z71;
-    J[22] = z78;
-    J[23] = -z81;
-    J[24] = -z83;
+    J[15] = z14 * z46 + z15 * z53;
+    J[16] = z15 * z69 - z14 * z59;
+    J[17] = z14 * z72 - z15 * z76;
+    J[18] = z14 * z77 + z15 * z79;
+    J[19] = z15 * z81 - z14 * z80;
+    J[20] = -z53;
+    J[21] = -z69;
+    J[22] = z76;
+    J[23] = -z79;
+    J[24] = -z81;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[0] + J[1] + J[11] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[23] +
         J[24]) <= DBL_MAX

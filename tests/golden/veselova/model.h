@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:99046220f1a2132d)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:771688ec85c9753f)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -32,7 +32,7 @@
  * residuals: 1 +-, 1 *, 0 /, 1 calls
  * reactions: 35 +-, 71 *, 3 /, 6 calls
  * energy: 7 +-, 18 *, 1 /, 6 calls
- * jacobian: 96 +-, 196 *, 3 /, 6 calls
+ * jacobian: 95 +-, 196 *, 3 /, 6 calls
  * outputs: 10 +-, 24 *, 1 /, 6 calls
  *
  * Calls: t is the time; y has VESELOVA_NY entries, p has VESELOVA_NP; veselova_parameter_defaults may be

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:735692191c263450).
+"""veselova, emitted by nhc 0.1.0 (nhc:fda83af5e3d0ba00).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -32,7 +32,7 @@ state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
 reactions: 35 +-, 71 *, 3 /, 6 calls
 energy: 7 +-, 18 *, 1 /, 6 calls
-jacobian: 96 +-, 196 *, 3 /, 6 calls
+jacobian: 95 +-, 196 *, 3 /, 6 calls
 outputs: 10 +-, 24 *, 1 /, 6 calls
 
 A singular point raises SingularModelError.
@@ -529,77 +529,75 @@ def jacobian(
         z22 = z18 * z18 * (c_theta * z21)
         z23 = s_phi * z18
         z24 = c_phi * z18
-        z25 = s_theta * w_y
-        z26 = s_psi * k1
-        z27 = z25 * z26
-        z28 = c_psi * z27
-        z29 = c_theta * k2
-        z30 = s_psi * c_theta
-        z31 = z25 * z29 + z30 * z27
-        z32 = w_x * z31
-        z33 = 1.0 / z17
-        z34 = k1 * (c_psi * z19 - z21 * z30)
-        z35 = z21 * k2
-        z36 = s_psi * z34 - c_theta * z35
-        z37 = s_theta * w_x
-        z38 = z25 * z36
-        z39 = z33 * (z36 * z37 + z38 * z15)
-        z40 = z12 * z39
-        z41 = s_phi * z39
-        z42 = k1 * z41
-        z43 = z38 * z14 - z15 * z39
-        z44 = s_phi * z43
-        z45 = z6 * z44
-        z46 = w_x * z28
-        z47 = k1 * z44
-        s2 = w_y * z28 - (z32 + (z40 - 2.0 * (z8 * z42) - z10 * z43 - z45))
-        s3 = s_phi * (z46 + (w_y * z31 - (z6 * z41 - 2.0 * (z8 * z47))))
-        z48 = c_phi * s2 - s3
-        z49 = z37 * z26
-        z50 = z37 * z29 + z30 * z49
-        z51 = c_phi * z39
-        z52 = k1 * (z44 - z51)
-        z53 = c_psi * z49
-        s4 = c_phi * (z46 - (w_x * z50 - (z12 * z43 - 2.0 * (z8 * z52))))
-        z54 = s4 - s_phi * (w_x * z53 + (z32 + (z45 - (z40 + z6 * z51))))
-        z55 = z33 * (z54 + z15 * z48)
-        z56 = z21 * z27
-        z57 = k1 * z39 - 2.0 * (s_phi * z42) - 2.0 * (c_phi * z47)
-        z58 = c_phi * z41 - s_phi * z44
-        z59 = I1 * z58
-        z60 = I2 * z58
-        s5 = 2.0 * (s_theta * (I3 * z58 - z1 * z59 - z2 * z60))
-        s6 = s_theta * (z25 * z35 + s_psi * z56 + z7 * z57)
-        z61 = s6 + c_theta * (w_y * z36 + s5)
-        z62 = z21 * z49
-        z63 = c_phi * z51
-        z64 = k1 * z63
-        z65 = k1 * z43 - 2.0 * (s_phi * z52)
-        s7 = z35 * z37 - 2.0 * (c_theta * (z1 * z64 + k2 * z63))
-        z66 = s_psi * z62 + s7 - z7 * z65
-        z67 = c_phi * z44
-        z68 = I1 * z67
-        z69 = I2 * z67
-        s8 = 2.0 * (s_theta * (I3 * z67 - z1 * z68 - z2 * z69))
-        z70 = s_theta * z66 + c_theta * (w_x * z36 - s8)
-        z71 = z33 * (z70 + z15 * z61)
-        z72 = c_theta * z57
-        s9 = 2.0 * z60 + (I2 * z43 - z5 * z59) - (I1 * z43 + z4 * z60)
-        z73 = 2.0 * (s_psi * s9)
-        s10 = c_psi * (z25 * z34 - c_theta * z56 - c_psi * z72 - z73)
-        z74 = s_psi * (z19 * z27 - s_psi * z72) - s10
-        z75 = c_theta * z65
-        s11 = 2.0 * z69 + (z5 * z64 + I2 * z39 - z5 * z68)
-        z76 = s11 - (I1 * z39 + z4 * z69)
-        s12 = z34 * z37 - c_theta * z62 + c_psi * z75
-        s13 = c_psi * (s12 + 2.0 * (s_psi * z76))
-        z77 = s_psi * (z19 * z49 + s_psi * z75) - s13
-        z78 = z33 * (z77 + z15 * z74)
-        z79 = s_phi * z31 - c_phi * z28
-        z80 = s_theta * z36
-        z81 = z33 * (z80 - s_phi * z50 + c_phi * z53 - z15 * z79)
-        z82 = z80 + c_phi * z31 + s_phi * z28
-        z83 = z33 * (c_phi * z50 + s_phi * z53 + z15 * z82)
+        z25 = 1.0 / z17
+        z26 = s_psi * c_theta
+        z27 = k1 * (c_psi * z19 - z21 * z26)
+        z28 = z21 * k2
+        z29 = s_psi * z27 - c_theta * z28
+        z30 = s_theta * w_x
+        z31 = s_theta * w_y
+        z32 = z31 * z29
+        z33 = z25 * (z29 * z30 + z32 * z15)
+        z34 = z32 * z14 - z15 * z33
+        z35 = s_phi * z34
+        z36 = z12 * z33 - z6 * z35
+        z37 = s_phi * z33
+        z38 = k1 * z37
+        z39 = c_theta * k2
+        z40 = s_psi * k1
+        z41 = z31 * z40
+        z42 = z31 * z39 + z26 * z41
+        z43 = c_psi * z41
+        z44 = w_x * z43
+        z45 = k1 * z35
+        s2 = z10 * z34 + (2.0 * (z8 * z38) - (w_x * z42 - w_y * z43))
+        s3 = s_phi * (z44 + (w_y * z42 - (z6 * z37 - 2.0 * (z8 * z45))))
+        z46 = c_phi * (z36 - s2) + s3
+        z47 = z30 * z40
+        z48 = z30 * z39 + z26 * z47
+        z49 = c_phi * z33
+        z50 = k1 * (z35 - z49)
+        z51 = c_psi * z47
+        s4 = c_phi * (z44 - (w_x * z48 - (z12 * z34 - 2.0 * (z8 * z50))))
+        z52 = s4 + s_phi * (z36 + (z6 * z49 - w_x * (z42 + z51)))
+        z53 = z25 * (z52 - z15 * z46)
+        z54 = z21 * z41
+        z55 = k1 * z33 - 2.0 * (s_phi * z38) - 2.0 * (c_phi * z45)
+        z56 = c_phi * z37 - s_phi * z35
+        z57 = I1 * z56
+        z58 = I2 * z56
+        s5 = 2.0 * (s_theta * (I3 * z56 - z1 * z57 - z2 * z58))
+        s6 = s_theta * (z31 * z28 + s_psi * z54 + z7 * z55)
+        z59 = s6 + c_theta * (w_y * z29 + s5)
+        z60 = z21 * z47
+        z61 = c_phi * z49
+        z62 = k1 * z61
+        z63 = k1 * z34 - 2.0 * (s_phi * z50)
+        s7 = z28 * z30 - 2.0 * (c_theta * (z1 * z62 + k2 * z61))
+        z64 = s_psi * z60 + s7 - z7 * z63
+        z65 = c_phi * z35
+        z66 = I1 * z65
+        z67 = I2 * z65
+        s8 = 2.0 * (s_theta * (I3 * z65 - z1 * z66 - z2 * z67))
+        z68 = s_theta * z64 + c_theta * (w_x * z29 - s8)
+        z69 = z25 * (z68 + z15 * z59)
+        z70 = c_theta * z55
+        s9 = 2.0 * z58 + (I2 * z34 - z5 * z57) - (I1 * z34 + z4 * z58)
+        z71 = 2.0 * (s_psi * s9)
+        s10 = c_psi * (z31 * z27 - c_theta * z54 - c_psi * z70 - z71)
+        z72 = s_psi * (z19 * z41 - s_psi * z70) - s10
+        z73 = c_theta * z63
+        s11 = 2.0 * z67 + (z5 * z62 + I2 * z33 - z5 * z66)
+        z74 = s11 - (I1 * z33 + z4 * z67)
+        s12 = z27 * z30 - c_theta * z60 + c_psi * z73
+        s13 = c_psi * (s12 + 2.0 * (s_psi * z74))
+        z75 = s_psi * (z19 * z47 + s_psi * z73) - s13
+        z76 = z25 * (z75 + z15 * z72)
+        z77 = s_phi * z42 - c_phi * z43
+        z78 = s_theta * z29
+        z79 = z25 * (z78 - s_phi * z48 + c_phi * z51 - z15 * z77)
+        z80 = z78 + c_phi * z42 + s_phi * z43
+        z81 = z25 * (c_phi * z48 + s_phi * z51 + z15 * z80)
         J: list[float] = [
             # (I.2.15)
             -c_theta * z20,
@@ -628,25 +626,25 @@ def jacobian(
             # (I.2.15)
             -z24,
             # (I.2.15)
-            z15 * z55 - z14 * z48,
+            z14 * z46 + z15 * z53,
             # (I.2.15)
-            z15 * z71 - z14 * z61,
+            z15 * z69 - z14 * z59,
             # (I.2.15)
-            z14 * z74 - z15 * z78,
+            z14 * z72 - z15 * z76,
             # (I.2.15)
-            z14 * z79 + z15 * z81,
+            z14 * z77 + z15 * z79,
             # (I.2.15)
-            z15 * z83 - z14 * z82,
+            z15 * z81 - z14 * z80,
             # (I.2.15)
-            -z55,
+            -z53,
             # (I.2.15)
-            -z71,
+            -z69,
             # (I.2.15)
-            z78,
+            z76,
+            # (I.2.15)
+            -z79,
             # (I.2.15)
             -z81,
-            # (I.2.15)
-            -z83,
         ]
         _finish("jacobian", J)
         return [J[k3 : k3 + 5] for k3 in range(0, 25, 5)]
