@@ -1,14 +1,12 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:14302732e7ed8bf9)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:d3a4f8bf2bdfa23d)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
- *     constraints contains the dependent coordinate `x`
- * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
- *     constraints contains the dependent coordinate `y`
+ *     constraints contains the dependent coordinates `x`, `y`
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the constraints are not
  *     homogeneous (b_alpha is not zero)
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the time t occurs in T, U or the

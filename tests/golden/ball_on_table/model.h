@@ -1,14 +1,12 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:3d4ddc785622579a)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:c0d7e305c1b33388)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
- *     constraints contains the dependent coordinate `x`
- * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
- *     constraints contains the dependent coordinate `y`
+ *     constraints contains the dependent coordinates `x`, `y`
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the constraints are not
  *     homogeneous (b_alpha is not zero)
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the time t occurs in T, U or the

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:4de8255dfb9afc28).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:06b949866d7e6f4f).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -7,9 +7,7 @@ Source: ball_on_table.yaml
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): the affine
-    part b_alpha of the constraints contains the dependent coordinate `x`
-Note: hypothesis of I.3 that fails (the generalized equations are used): the affine
-    part b_alpha of the constraints contains the dependent coordinate `y`
+    part b_alpha of the constraints contains the dependent coordinates `x`, `y`
 Note: hypothesis of I.3 that fails (the generalized equations are used): the
     constraints are not homogeneous (b_alpha is not zero)
 Note: hypothesis of I.3 that fails (the generalized equations are used): the time t
