@@ -40,6 +40,19 @@ def test_a_dip_within_a_step_is_seen(depth: float, method: str, step: float, com
 
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), METHODS)
+@pytest.mark.parametrize("angle", [0.3, 1.1, 2.5])
+def test_a_target_that_is_passed_within_a_step_is_met(angle: float, method: str, step: float, compiled: bool) -> None:
+    """Distances fall and rise along lines, below zero for a short while only, where a parabola sees nothing."""
+    x, y, near = math.cos(angle), math.sin(angle), 1e-4
+    beside = until(f"abs(x - {x!r}) - {near}", method, step, compiled)
+    apart = until(f"sqrt((x - {x!r})^2 + (y - {y!r})^2) - {near}", method, step, compiled)
+    assert (beside.ended, apart.ended) == ("event", "event")
+    assert beside.times[-1] == pytest.approx(math.acos(x + near), abs=1e-8)
+    assert apart.times[-1] == pytest.approx(angle - 2 * math.asin(near / 2), abs=1e-8)
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("method", "step"), METHODS)
 def test_what_only_comes_near_is_no_event(method: str, step: float, compiled: bool) -> None:
     assert until("(x - 0.5)^2 + 1e-9", method, step, compiled).ended == "done"
     assert until("x + 1.0000001", method, step, compiled).ended == "done"

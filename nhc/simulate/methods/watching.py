@@ -42,16 +42,29 @@ def may_dip(
 
 
 def find_deep(heights: Sequence[float]) -> int:
-    """The place of the lowest height, or -1 where the parabola through it and its neighbours goes down by less than half of it."""
+    """The place of the lowest height, or -1 where neither the parabola through it and its neighbours nor the lines beside it, as a
+    distance has them, go down by half of it.
+    """
     last = len(heights) - 1
     place = min(range(last + 1), key=lambda i: heights[i])
     middle = min(max(place, 1), last - 1)
     a, b, c = heights[middle - 1 : middle + 2]
     if place == 0:  # it must fall at first
-        return place if 4.0 * b < 3.0 * a + c else -1
+        return place if 4.0 * b < 3.0 * a + c or 2.0 * b - c < 0.5 * a else -1
     if place == last:  # it must rise at last
-        return place if 3.0 * c + a > 4.0 * b else -1
-    return place if b < 0.01 * a or (c - a) ** 2 > 4.0 * b * (a - 2.0 * b + c) else -1
+        return place if 3.0 * c + a > 4.0 * b or 2.0 * b - a < 0.5 * c else -1
+    smooth = b < 0.01 * a or (c - a) ** 2 > 4.0 * b * (a - 2.0 * b + c)
+    return place if smooth or find_fold(heights, place if c < a else place - 1) < 0.5 * b else -1
+
+
+def find_fold(heights: Sequence[float], k: int) -> float:
+    """Where between the heights k and k + 1 the lines meet that go through those before and those after: at which height."""
+    if k == 0:
+        return 2.0 * heights[1] - heights[2]
+    if k == len(heights) - 2:
+        return 2.0 * heights[k] - heights[k - 1]
+    fall, rise = heights[k - 1] - heights[k], heights[k + 2] - heights[k + 1]
+    return heights[k] - fall * (rise + heights[k] - heights[k + 1]) / (fall + rise) if fall > 0.0 < rise else heights[k]
 
 
 def find_event(look: Look, before: list[float], events: int, first: int) -> tuple[float, int, list[float]]:
