@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from itertools import islice
 
@@ -29,6 +30,7 @@ from nhc.records import record
 
 _POINTS = 24  # at most, at which its usual value is looked for
 _COLUMNS = 8  # that stand for all
+_NO_MASS = 1e-6  # of the largest mass that a coordinate has at these points
 _LARGE, _TERMS, _MOST_ROWS = 400, 60, 4  # of determinants that are judged
 _TOLERANCE = 1e-15
 """Of the elimination: with less there is rounding alone, and it is refused."""
@@ -49,11 +51,12 @@ def find_nearness(planner: PlannerBase) -> Nearness | None:
         return None
     g, given = planner.graph, planner.solves[0]
     masses = len(given.matrix) - len(planner.equations.multipliers)
-    matrix = _in_own_units(g, given.matrix, masses)
+    points = _points(planner, given.matrix)
+    matrix = _in_own_units(g, given.matrix, _least_masses(planner, given.matrix[:masses], points), masses)
     if all(planner._is_constant(entry) for row in matrix for entry in row):
         return None
     columns = _columns(len(matrix))
-    usual = _find_usual(planner, given.matrix, matrix, columns, masses)
+    usual = _find_usual(g, given.matrix, matrix, columns, masses, points)
     if usual is None:
         return None
     size = range(len(matrix))
@@ -102,13 +105,39 @@ def _columns(size: int) -> list[list[Fraction]]:
     return [[Fraction(part // 10**7 - 500, 500) for part in column] for column in parts]
 
 
-def _in_own_units(graph: Graph, matrix: Sequence[Sequence[Node]], masses: int) -> list[list[Node]]:
+def _points(planner: PlannerBase, matrix: Sequence[Sequence[Node]]) -> list[dict[Node, float]]:
+    """Places, of scenes and others, at which it is looked how large things usually are."""
+    system = planner.system
+    symbols = sorted({symbol for row in matrix for node in row for symbol in planner.graph.symbols_in(node)})
+    points = islice((p | values for values in scene_values(system) for p in trial_points(system)), _POINTS)
+    return [{**dict.fromkeys(symbols, 0.37), **point} for point in points]
+
+
+def _least_masses(
+    planner: PlannerBase, matrix: Sequence[Sequence[Node]], points: Sequence[dict[Node, float]]
+) -> list[Fraction]:
+    """Where a mass that changes comes down to this, a small part of its largest value, the constraints give the unit, too."""
+    found = [0.0] * len(matrix)
+    for i, row in enumerate(matrix):
+        for point in points if not planner._is_constant(row[i]) else ():
+            with suppress(ArithmeticError, ValueError):
+                found[i] = max(found[i], abs(float(evaluate(planner.graph, [row[i]], point)[0])))
+    return [_power_below(_NO_MASS * x) if 0.0 < x < math.inf else Fraction(0) for x in found]
+
+
+def _power_below(x: float) -> Fraction:
+    return Fraction(10) ** math.floor(math.log10(x))
+
+
+def _in_own_units(
+    graph: Graph, matrix: Sequence[Sequence[Node]], least: Sequence[Fraction], masses: int
+) -> list[list[Node]]:
     """Coordinates without mass have what the constraints make them as their unit."""
     g, size = graph, len(matrix)
     own = [g.one] * size
     heavy = [i for i in range(masses) if matrix[i][i] != g.zero]
     for i in heavy:
-        own[i] = g.inverse(g.function("sqrt", size_of(g, matrix[i][i])))
+        own[i] = g.inverse(g.function("sqrt", g.add(size_of(g, matrix[i][i]), g.number(least[i]))))
     for j in range(masses, size):
         beside = heavy if any(matrix[i][j] != g.zero for i in heavy) else range(masses)
         own[j] = _unit(g, [g.mul(matrix[i][j], own[i]) for i in beside])
@@ -123,23 +152,19 @@ def _unit(graph: Graph, entries: Sequence[Node]) -> Node:
 
 
 def _find_usual(
-    planner: PlannerBase,
+    graph: Graph,
     given: Sequence[Sequence[Node]],
     matrix: Sequence[Sequence[Node]],
     columns: Sequence[Sequence[Fraction]],
     masses: int,
+    points: Sequence[dict[Node, float]],
 ) -> Fraction | None:
     """The power of ten below the largest value at trial points; None where the masses are not positive at one of them."""
-    g, system, size = planner.graph, planner.system, len(matrix)
-    nodes = [n for rows in (given, matrix) for row in rows for n in row]
-    symbols = sorted({symbol for node in nodes for symbol in g.symbols_in(node)})
+    size, nodes = len(matrix), [n for rows in (given, matrix) for row in rows for n in row]
     best, sides = 0.0, [[float(b) for b in column] for column in columns]
-    points = (p | values for values in scene_values(system) for p in trial_points(system))
-    for point in islice(points, _POINTS):
-        for symbol in symbols:
-            point.setdefault(symbol, 0.37)
+    for point in points:
         try:
-            values = [float(x) for x in evaluate(g, nodes, point)]
+            values = [float(x) for x in evaluate(graph, nodes, point)]
             rows = [values[k * size : (k + 1) * size] for k in range(2 * size)]
             if -1 in pivot_signs([row[:masses] for row in rows[:masses]]):
                 return None
@@ -147,4 +172,4 @@ def _find_usual(
             best = max(best, 1.0 / math.hypot(*found))
         except (ArithmeticError, ValueError, Singular):
             continue
-    return Fraction(10) ** math.floor(math.log10(min(best, 1.0))) if best > 0.0 else None
+    return _power_below(min(best, 1.0)) if best > 0.0 else None

@@ -8,10 +8,10 @@ What is used more than once is one factor and stays whole.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from heapq import heapify, heappop, heappush
 from itertools import combinations
 
 from nhc.algebra.graph import MUL, Graph, Node
+from nhc.algebra.rewriting.pairs import Pairs
 
 _MOST_FACTORS = 10
 Factors = list[int]
@@ -72,23 +72,13 @@ def _share(chains: dict[Node, Factors]) -> tuple[list[tuple[int, int]], bool]:
     for node, factors in chains.items():
         for pair in combinations(factors, 2):
             users.setdefault(pair, set()).add(node)
-    heap = [(-len(own), pair) for pair, own in users.items() if len(own) > 1]
-    heapify(heap)
-    made, changed = list[tuple[int, int]](), False
-    while heap:
-        count, pair = heappop(heap)
-        own = users[pair]
-        if len(own) != -count:
-            if len(own) > 1:
-                heappush(heap, (-len(own), pair))
-            continue
+    pairs, made, changed = Pairs(users), list[tuple[int, int]](), False
+    for pair, own in pairs:
         whole = next((node for node in sorted(own) if len(chains[node]) == 2), None)
         if whole is None:
             made.append(pair)
-        else:
-            own = own - {whole}
         symbol = -len(made) if whole is None else whole
-        for node in sorted(own):
+        for node in sorted(own - {whole}):
             factors, changed = chains[node], True
             for old in combinations(factors, 2):
                 users[old].discard(node)
@@ -97,7 +87,5 @@ def _share(chains: dict[Node, Factors]) -> tuple[list[tuple[int, int]], bool]:
             factors.append(symbol)
             factors.sort()
             for fresh in combinations(factors, 2):
-                users.setdefault(fresh, set()).add(node)
-                if len(users[fresh]) > 1:
-                    heappush(heap, (-len(users[fresh]), fresh))
+                pairs.add(fresh, node)
     return made, changed

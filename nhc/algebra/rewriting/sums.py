@@ -12,10 +12,10 @@ pair is taken out, only the pairs with one of its terms change.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from heapq import heapify, heappop, heappush
 from itertools import combinations
 
 from nhc.algebra.graph import ADD, NEG, Graph, Node
+from nhc.algebra.rewriting.pairs import Pairs
 
 _MOST_TERMS = 12
 Terms = dict[int, int]
@@ -86,16 +86,8 @@ def pair_terms(chains: Mapping[Node, Terms]) -> tuple[list[Pair], set[Node]]:
         if len(common) > 1:
             for a, b in combinations(common, 2):
                 users.setdefault(_key(terms, a, b), set()).add(node)
-    heap = [(-len(own), pair) for pair, own in users.items() if len(own) > 1]
-    heapify(heap)
-    made, changed = list[Pair](), set[Node]()
-    while heap:
-        count, pair = heappop(heap)
-        own = users[pair]
-        if len(own) != -count:
-            if len(own) > 1:
-                heappush(heap, (-len(own), pair))
-            continue
+    pairs, made, changed = Pairs(users), list[Pair](), set[Node]()
+    for pair, own in pairs:
         a, b = pair[:2]
         whole = next((node for node in sorted(own) if len(chains[node]) == 2), None)
         if whole is None:
@@ -115,10 +107,7 @@ def pair_terms(chains: Mapping[Node, Terms]) -> tuple[list[Pair], set[Node]]:
             others = [term for term in terms if often.get(term) != 1]
             terms[symbol] = side
             for term in others:
-                key = _key(terms, symbol, term)
-                users.setdefault(key, set()).add(node)
-                if len(users[key]) > 1:
-                    heappush(heap, (-len(users[key]), key))
+                pairs.add(_key(terms, symbol, term), node)
     return made, changed
 
 
