@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.frame import Frame, coordinate_frame
+from nhc.mechanics.linearize import leaf_of
 from nhc.mechanics.properties.conserved import find_conserved
 from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
@@ -78,3 +82,31 @@ def test_a_level_on_which_rows_are_integrable(
     if texts is not None:
         integrals = find_position_integrals(system, frame_of(system), found.hidden, found.closed)
         assert [i.text for i in integrals] == texts
+
+
+ENGEL = """nhc: 1
+system: engel
+coordinates: [x, y, z, w, u]
+T: (x'^2 + y'^2 + z'^2 + w'^2 + u'^2)/2
+V: (x^2 + y^2)/2
+constraints:
+  - z' = y*x'
+  - w' = z*x'
+  - u' = y*x'
+"""
+
+
+def test_a_leaf_is_spanned_by_brackets_of_brackets() -> None:
+    """Engel's distribution (2, 3, 4) in five coordinates: u - z is hidden in two rows neither of which is integrable, and w is
+    reached by a bracket with a bracket only.
+    """
+    system = build(ENGEL)
+    leaf = leaf_of(system, frame_of(system))
+    assert (leaf.dimension, leaf.normals) == (4, ())
+    g = system.graph
+    assert rank(g, leaf.fields) == 4
+    values = evaluate(
+        g, [x for field in leaf.fields for x in field], dict(zip(system.q, (0.3, 0.7, 0.2, 0.5, 0.4), strict=True))
+    )
+    rows = np.array([float(x) for x in values]).reshape(-1, system.n)
+    assert np.allclose(rows @ [0, 0, 1, 0, -1], 0)
