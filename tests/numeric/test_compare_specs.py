@@ -24,6 +24,15 @@ forces: {theta: -c*theta'}
 constraints: [{slip: "-sin(theta)*x' + cos(theta)*y' = 0"}]
 scenes: {go: {initial: {theta: 0.1, x': 1, theta': 0.5}, time: [0, 5]}}
 """
+CENTRED = """
+coordinates: [X, Y, theta]
+parameters: {m: 1, I: 0.3, a: 0.25, c: 0.1}
+define: {edge_x: "X - a*cos(theta)", edge_y: "Y - a*sin(theta)"}
+T: m/2*(X'^2 + Y'^2) + I/2*theta'^2
+forces: {theta: -c*theta'}
+constraints: [{slip: "-sin(theta)*edge_x' + cos(theta)*edge_y' = 0"}]
+scenes: {go: {initial: {theta: 0.1, X': 1, Y': 0.2, theta': 0.5}, time: [0, 5]}}
+"""
 SPHERE = """
 coordinates: [x, y, z]
 parameters: {m: 1, k: 2}
@@ -77,6 +86,7 @@ SAME = [
     (SLEIGH, changed(SLEIGH, ("x", "@"), ("y", "x"), ("@", "y")), ("x=y", "y=x")),
     (SLEIGH, changed(SLEIGH, ("{m: 1", "{M: 1"), ("T: m", "T: M")), ("m=M",)),
     (SLEIGH, changed(SLEIGH, ("{m: 1", "{M: 1"), ("T: m/2", "T: M"), ("I/2", "I/2")), ("m=2*M",)),
+    (SLEIGH, CENTRED, ("x=edge_x, y=edge_y",)),  # by what the second spec defines
     # the same plane of velocities, by other forms
     (
         PARTICLE,
