@@ -11,8 +11,10 @@ from nhc.cli.entry import main
 from nhc.language import Source, read
 from nhc.program.stepping import MANY_STEPS
 from nhc.simulate.opening import open_scene
+from nhc.simulate.pacing import Pace
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.stiffness import spectral_size
+from nhc.simulate.task import TOO_MANY, Outcome, Task
 from tests.support import spec_path
 
 SYRUP = """nhc: 1
@@ -110,3 +112,14 @@ def test_the_command_says_so(how: tuple[str, ...], tmp_path: Path, capsys: pytes
     code = main(["run", str(spec), "--tol", "1e-5", *how])
     out, err = capsys.readouterr()
     assert code == 0 and out.startswith("t,x,y\n") and "the scene is stiff" in err and "goes on with radau5" in err
+
+
+def test_refused_steps_count_against_the_limit_of_all_legs() -> None:
+    """Legs may take 100 steps together, accepted or refused; a look after each 40 of them does not lengthen a run."""
+    pace = Pace("dop853", Task([], [1.0], [0.0, 1.0], 1e-6, most=100), True, print, looks=40)
+    left = []
+    for _ in range(3):
+        left.append(pace.most)
+        pace.count(Outcome(TOO_MANY, 0, 0.5, [1.0], 1e-3, steps=25, rejected=15))
+    assert left == [40, 40, 20]
+    assert pace.most == 0
