@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -78,16 +79,17 @@ def command(
         reached = f"; the rates that should vanish reach {error.residual:.3g}" if math.isfinite(error.residual) else ""
         advice = [error.advice, *([_OTHERS] if formulation in _TURNING and math.isfinite(error.residual) else [])]
         raise Failure(f"{error}{reached}", advice, exit=Exit.NUMERICAL) from error
+    notes = _notes(found, formulation or "")
     if as_json:
-        put_json("nhc.linearize/1", describe(found))
+        put_json("nhc.linearize/1", describe(found, notes))
     else:
-        put("\n".join([*_motion_lines(found), "", *_matrix_lines(found), "", *_eigenvalue_lines(found)]))
+        put("\n".join([*_motion_lines(found), "", *_matrix_lines(found), "", *_eigenvalue_lines(found, notes)]))
         if found.swept is not None and sweep is not None:
             put("\n".join(["", *_sweep_lines(sweep[0], found.swept)]))
     return 0
 
 
-def describe(found: Findings) -> dict[str, Any]:
+def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
     """The findings as a tree: numbers in full, the state by names."""
     from nhc.study.linearize import eigenvalues, verdict
 
@@ -112,7 +114,7 @@ def describe(found: Findings) -> dict[str, Any]:
         "verdict": verdict(made),
         "symbolic": [list(row) for row in found.paper],
         "symbolic_at": dict(found.held),
-        "notes": [*_notes(found), *([f"no symbolic matrix: {found.why}"] if found.why else [])],
+        "notes": [*notes, *([f"no symbolic matrix: {found.why}"] if found.why else [])],
     }
     if found.swept is not None:
         points = zip(found.swept.values, found.swept.points, strict=True)
@@ -164,7 +166,7 @@ def _matrix_lines(found: Findings) -> list[str]:
     return lines
 
 
-def _eigenvalue_lines(found: Findings) -> list[str]:
+def _eigenvalue_lines(found: Findings, notes: Sequence[str]) -> list[str]:
     from nhc.study.linearize import modes, verdict
 
     made = found.linearisation
@@ -182,7 +184,7 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
         lines.append(
             f"  {several(made.turns, 'direction')} left out: turns of the whole motion, on which nothing depends"
         )
-    lines += [f"  note: {note}" for note in _notes(found)]
+    lines += [f"  note: {note}" for note in notes]
     told = {
         "stable": "stable to first order",
         "unstable": "unstable",
@@ -192,12 +194,12 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
     return [*lines, f"verdict: {told[verdict(made)]}"]
 
 
-def _notes(found: Findings) -> list[str]:
-    """What could not be told, and that this may not be the motion that was meant."""
+def _notes(found: Findings, formulation: str) -> list[str]:
+    """What could not be told, and that this may not be the motion that was meant; ``formulation`` is what was asked for."""
     notes = list(found.linearisation.notes)
     if found.halted:
         notes.append(f"not the motion asked about: {found.halted}; `--hold` keeps such a velocity")
-    if found.halted and found.formulation.name in _TURNING:
+    if found.halted and formulation in _TURNING:
         notes.append(_OTHERS)
     return notes
 
