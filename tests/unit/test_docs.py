@@ -6,8 +6,10 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from benchmarks.chart import draw_scaling
 from nhc.cli.entry import VERBS
 from nhc.language.expressions.names import DOT, FUNCTIONS, PI, TIME
 from nhc.language.schema import reference_table
@@ -133,3 +135,19 @@ def test_the_citation_has_the_version() -> None:
 def test_every_verb_is_described() -> None:
     help = (ROOT / "docs" / "cli.md").read_text()
     assert [verb for verb in VERBS if f"| `nhc {verb}" not in help] == []
+
+
+def test_the_chart_of_derivations_shows_the_table_beside_it() -> None:
+    """Drawn anew from the page's milliseconds, which are rounded, the chart's points are where the file has them."""
+    table = re.findall(r"^\| (trailers|snake) \|(.*) ms \|", (ROOT / "docs/performance.md").read_text(), re.MULTILINE)
+    times = {
+        family: dict(zip((5, 10, 20, 50, 100), (float(x) / 1e3 for x in row.replace("ms", "").split("|")), strict=True))
+        for family, row in table
+    }
+    assert set(times) == {"trailers", "snake"}
+    drawn, kept = (
+        [(float(x), float(y)) for x, y in re.findall(r'<circle cx="([\d.]+)" cy="([\d.]+)"', text)]
+        for text in (draw_scaling(times), (ROOT / "docs/derivation.svg").read_text())
+    )
+    assert len(drawn) == 10
+    assert np.abs(np.array(drawn) - kept).max() < 1.5
