@@ -117,7 +117,7 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     flow = model.flow
     guess = state_of(flow, formulation.frame, start)
     holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
-    steady = find_steady(model, guess, holds)
+    steady = _keep_speeds(model, scene, guess, find_steady(model, guess, holds), holds)
     check_smooth(model, steady)
     made = linearise_at(model, steady)
     halted = _describe_halt(model, scene, guess, steady.y)
@@ -132,6 +132,36 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     return Findings(flow, formulation, model, made, rows, held, "", swept, halted)
 
 
+def _keep_speeds(
+    model: SteadyModel, scene: Scene, guess: Sequence[float], steady: Steady, holds: Sequence[Hold]
+) -> Steady:
+    """The member of the family of ``steady`` that has the velocities that were asked for, one by one as far as there is one.
+
+    The search alone ends at the member nearest in the whole state, of which the user gave a part: at another speed.
+    """
+    for hold in _asked(model, scene, guess):
+        kept = (*holds, hold)
+        if abs(model.value(steady.y, hold.node) - hold.value) > _SNAP * abs(hold.value):
+            try:
+                steady = find_steady(model, steady.y, kept)
+            except NotSteady:
+                continue
+        holds = kept
+    return steady
+
+
+def _asked(model: SteadyModel, scene: Scene, guess: Sequence[float]) -> list[Hold]:
+    """The velocities that were given, as they are in the guess; zeros are what nobody gives a thought."""
+    found = list[Hold]()
+    for entry in scene.initial:
+        name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
+        node = None if entry.kind == "coordinate" else quantity(model.flow, name)
+        value = 0.0 if node is None else model.value(guess, node)
+        if node is not None and value:
+            found.append(Hold(name, node, value))
+    return found
+
+
 def _describe_halt(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> str:
     """Which velocities that were asked for have gone with most of the kinetic energy: rest was nearer than what was meant."""
     flow, g = model.flow, model.flow.graph
@@ -139,13 +169,11 @@ def _describe_halt(model: SteadyModel, scene: Scene, guess: Sequence[float], y: 
     if not model.value(y, kinetic) < _LOST * model.value(guess, kinetic):
         return ""
     lost = list[str]()
-    for entry in scene.initial:
-        name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
-        node = None if entry.kind == "coordinate" else quantity(flow, name)
-        if node is not None:
-            before, after = model.value(guess, node), model.value(y, node)
-            if abs(after) < abs(before) / 2:
-                lost.append(f"{name} = {before:.6g} has become {after if abs(after) > _SNAP * abs(before) else 0:.6g}")
+    for asked in _asked(model, scene, guess):
+        after = model.value(y, asked.node)
+        if abs(after) < abs(asked.value) / 2:
+            now = after if abs(after) > _SNAP * abs(asked.value) else 0
+            lost.append(f"{asked.name} = {asked.value:.6g} has become {now:.6g}")
     return "; ".join(lost)
 
 

@@ -651,3 +651,33 @@ def test_what_is_wrong_with_a_motion_is_said_of_it(
     assert not [text for text in said if text not in told], told
     assert "the scene" not in told
     assert "near:" not in told
+
+
+IN_A_CYLINDER = """nhc: 1
+system: ball_in_cylinder
+coordinates: [phi, z]
+parameters: {m: 1, a: 0.2, R: 1, g: 9.81}
+rotation: {S: {velocities: [wx, wy, wz], frame: space}}
+T: m/2*((R - a)^2*phi'^2 + z'^2) + m*a^2/5*(wx^2 + wy^2 + wz^2)
+V: m*g*z
+constraints:
+  - (R - a)*phi' + a*wz = 0
+  - z' + a*(wx*sin(phi) - wy*cos(phi)) = 0
+quasi_velocities:
+  wr: wx*cos(phi) + wy*sin(phi)
+  wt: -wx*sin(phi) + wy*cos(phi)
+  wn: wz
+"""
+
+
+@pytest.mark.parametrize(("about", "speed"), [("phi'=3", 3.0), ("wn=-2", 0.5), ("phi'=3, wt=0.1", 3.0)])
+def test_of_a_family_the_motion_with_the_speed_that_was_asked_for_is_taken(about: str, speed: float) -> None:
+    """A ball that rolls inside a vertical cylinder sways up and down at sqrt(2/7) of the speed at which it goes round (Neimark and
+    Fufaev 1972); the member of the family that is nearest in the whole state goes round at nearly twice that speed.
+    """
+    found = linearize(Source("cylinder.yaml", IN_A_CYLINDER), Request(about))
+    flow, steady = found.flow, found.linearisation.steady
+    assert found.model.value(steady.y, named_quantity(flow, "phi'", "")) == pytest.approx(speed, rel=1e-12)
+    pair = cmath.sqrt(-2 / 7) * speed
+    assert matches(eigenvalues(found.linearisation), [pair, -pair], 1e-9)
+    assert not found.halted
