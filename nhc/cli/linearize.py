@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from nhc.study.sweep import Sweep
 
 
-_TURNING = ("multipliers", "voronec")
 _OTHERS = (
     "velocities that turn with a body (x' and y', rates of a quaternion) are not steady here: leave out `--formulation`"
 )
@@ -65,7 +64,8 @@ def command(
     """Linearize about an equilibrium or a steady motion.
 
     Finds the steady motion of SPEC that is nearest to MOTION, prints the matrix of small perturbations and its
-    eigenvalues.  A motion is steady when nothing changes but cyclic coordinates, on which no rate depends.
+    eigenvalues.  A motion is steady when nothing changes but cyclic coordinates, on which no rate depends, or when it is at
+    rest in axes that move along a symmetry, as in a bend.
     """
     source = open_spec(spec)
     from nhc.pipeline import Options, linearize
@@ -77,7 +77,7 @@ def command(
         found = linearize(source, request, Options(formulation=formulation or ""))
     except NotSteady as error:
         reached = f"; the rates that should vanish reach {error.residual:.3g}" if math.isfinite(error.residual) else ""
-        advice = [error.advice, *([_OTHERS] if formulation in _TURNING and math.isfinite(error.residual) else [])]
+        advice = [error.advice, *([_OTHERS] if formulation == "voronec" and math.isfinite(error.residual) else [])]
         raise Failure(f"{error}{reached}", advice, exit=Exit.NUMERICAL) from error
     notes = _notes(found, formulation or "")
     if as_json:
@@ -104,6 +104,7 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
         "residual": made.steady.residual,
         "steps": made.steady.steps,
         "cyclic": [flow.names[i] for i in found.model.cyclic],
+        "along": [{"entries": list(entries), "rate": rate} for entries, rate in made.steady.along(flow)],
         "entries": names,
         "matrix": made.full.tolist(),
         "admissible": made.basis.tolist(),
@@ -138,6 +139,12 @@ def _motion_lines(found: Findings) -> list[str]:
         lines.append(
             f"  {name:{width}} = {value if abs(value) > 1e-13 else 0:.15g}{'  (cyclic)' if i in found.model.cyclic else ''}"
         )
+    together: dict[str, list[str]] = {}
+    for entries, rate in steady.along(flow):
+        together.setdefault(f"{rate:.6g}", []).append(entries[0] if len(entries) == 1 else f"({', '.join(entries)})")
+    if together:
+        moving = "; ".join(f"{', '.join(names)} at {rate}" for rate, names in together.items())
+        lines.append(f"  at rest in axes that move with it: {moving}")
     return lines
 
 
@@ -182,7 +189,7 @@ def _eigenvalue_lines(found: Findings, notes: Sequence[str]) -> list[str]:
         )
     if made.turns:
         lines.append(
-            f"  {several(made.turns, 'direction')} left out: turns of the whole motion, on which nothing depends"
+            f"  {several(made.turns, 'direction')} left out: turns or shifts of the whole motion, on which nothing depends"
         )
     lines += [f"  note: {note}" for note in notes]
     told = {
@@ -199,7 +206,7 @@ def _notes(found: Findings, formulation: str) -> list[str]:
     notes = list(found.linearisation.notes)
     if found.halted:
         notes.append(f"not the motion asked about: {found.halted}; `--hold` keeps such a velocity")
-    if found.halted and formulation in _TURNING:
+    if found.halted and formulation == "voronec":
         notes.append(_OTHERS)
     return notes
 

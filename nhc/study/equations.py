@@ -13,26 +13,27 @@ from nhc.algebra.evaluate import Mpmath, evaluate_into
 from nhc.algebra.graph import Node
 from nhc.study.field import RANK, Hold, SteadyModel
 from nhc.study.roots import Equations
+from nhc.study.turns import Turn, combined
 from nhc.study.units import Matrix, Vector, normal
 
 
-def turned(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> tuple[list[float], SteadyModel]:
+def turned(model: SteadyModel, turns: Sequence[Turn], y: Vector) -> tuple[list[float], SteadyModel]:
     """The state, and the model on axes that go along with its turns."""
     state, turning = _parted(model, turns, y)
     return state, model if turning is None else replace(model, turning=turning)
 
 
-def _parted(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> tuple[list[float], Matrix | None]:
+def _parted(model: SteadyModel, turns: Sequence[Turn], y: Vector) -> tuple[list[float], Turn | None]:
     """The state, and the turn that goes with it."""
     count = len(model.flow.y)
     state = [float(x) for x in y[:count]]
     if not turns:
         return state, None
-    return state, np.asarray(sum(speed * turn for speed, turn in zip(y[count:], turns, strict=True)))
+    return state, combined(y[count:], turns)
 
 
 def equations(
-    model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]
+    model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold]
 ) -> tuple[Vector, Matrix, float]:
     """Rates of the rest, conditions and holds, with their slopes and the size that rounding is measured by."""
     state, own = turned(model, turns, y)
@@ -50,7 +51,7 @@ def equations(
     slopes = np.vstack([jacobian[rest], across, held])
     by_speed = np.zeros((len(slopes), len(turns)))
     for k, turn in enumerate(turns):
-        by_speed[: len(rest), k] = -(turn @ np.array(state))[rest]
+        by_speed[: len(rest), k] = -turn.at(state)[rest]
     return np.concatenate([rates[rest], off, wanted]), np.hstack([slopes, by_speed]), scale
 
 
@@ -77,7 +78,7 @@ def all_but(across: Matrix, size: int) -> Matrix:
     return np.asarray(np.linalg.svd(across)[2][len(across) :]) if len(across) else np.eye(size)
 
 
-def exact_equations(model: SteadyModel, turns: Sequence[Matrix], holds: Sequence[Hold]) -> Equations:
+def exact_equations(model: SteadyModel, turns: Sequence[Turn], holds: Sequence[Hold]) -> Equations:
     """Rates of the rest, conditions and holds over the state, and the speeds of ``turns`` after it, in the model's units.
 
     The parameters are the doubles that they are.
@@ -91,7 +92,7 @@ class _Exact:
     ``conditions`` are the nodes that shall have the values ``wanted``, ``across`` their slopes by the state.
     """
 
-    def __init__(self, model: SteadyModel, turns: Sequence[Matrix], holds: Sequence[Hold]) -> None:
+    def __init__(self, model: SteadyModel, turns: Sequence[Turn], holds: Sequence[Hold]) -> None:
         import mpmath
 
         self.mp: Any = mpmath  # imported late: most searches do without
@@ -140,11 +141,17 @@ class _Exact:
     def _still(self, i: int, place: Sequence[Any], rate: Any, slopes: Sequence[Any]) -> tuple[Any, list[Any]]:
         """The rate of entry i on axes that go along with the turns, and its slopes by the state and by their speeds."""
         tick, unit, speeds = self.model.tick, self.units[i], place[len(self.units) :]
-        along = [sum(self.mp.mpf(float(x)) * y for x, y in zip(turn[i], place, strict=False)) for turn in self.turns]
+        along = [
+            sum(
+                (self.mp.mpf(float(x)) * y for x, y in zip(turn.matrix[i], place, strict=False)),
+                self.mp.mpf(float(turn.shift[i])),
+            )
+            for turn in self.turns
+        ]
         value = rate * tick / unit - sum(a * w for a, w in zip(along, speeds, strict=True))
         row = [x * tick * own / unit for x, own in zip(slopes, self.units, strict=True)]
         for turn, speed in zip(self.turns, speeds, strict=True):
-            row = [x - float(turn[i, j]) * speed for j, x in enumerate(row)]
+            row = [x - float(turn.matrix[i, j]) * speed for j, x in enumerate(row)]
         return value, [*row, *(-a for a in along)]
 
 

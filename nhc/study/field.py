@@ -17,6 +17,7 @@ from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.linearize import Leaf
 from nhc.records import record
 from nhc.study.tape import Tapes
+from nhc.study.turns import Turn
 from nhc.study.units import Matrix, Units, Vector, choose_units, cleaned, trials
 
 RANK = 1e-9
@@ -38,8 +39,8 @@ class Hold:
 class SteadyModel:
     """A field with its parameters' values; ``rest`` are the entries of the state that are not cyclic.
 
-    ``symmetries`` are groups of turns, matrices over the state, that a steady motion may go along: it stands still in axes
-    that turn with it, by ``turning``.  ``units``: those of every state and rate that goes in or comes out, where they are not
+    ``symmetries`` are groups of turns and shifts that a steady motion may go along: it stands still in axes that move with
+    it, by ``turning``.  ``units``: those of every state and rate that goes in or comes out, where they are not
     the spec's.
     """
 
@@ -49,8 +50,8 @@ class SteadyModel:
     cyclic: tuple[int, ...]
     p: tuple[float, ...]
     tapes: Tapes
-    symmetries: tuple[tuple[Matrix, ...], ...] = ()
-    turning: Matrix | None = None
+    symmetries: tuple[tuple[Turn, ...], ...] = ()
+    turning: Turn | None = None
     units: Units | None = None
 
     @cached_property
@@ -93,7 +94,7 @@ class SteadyModel:
             field = field * self.units.time / states
             jacobian = jacobian * self.units.time * states / states[:, None]
         if self.turning is not None:
-            field, jacobian = field - self.turning @ np.asarray(y), jacobian - self.turning
+            field, jacobian = field - self.turning.at(y), jacobian - self.turning.matrix
         return field, jacobian
 
     def mass(self, y: Sequence[float]) -> Matrix:
@@ -226,8 +227,8 @@ class SteadyModel:
         if units.own:
             return self
         states = np.array(units.states)
-        turning = None if self.turning is None else self.turning * units.time * states / states[:, None]
-        groups = tuple(tuple(turn * states / states[:, None] for turn in group) for group in self.symmetries)
+        turning = None if self.turning is None else self.turning.inside(states, units.time)
+        groups = tuple(tuple(turn.inside(states) for turn in group) for group in self.symmetries)
         return replace(self, units=units, turning=turning, symmetries=groups)
 
     def clean_jacobian(self, y: Sequence[float]) -> Matrix:

@@ -17,6 +17,7 @@ from nhc.records import record
 from nhc.study.field import RANK, SteadyModel
 from nhc.study.roots import undecided
 from nhc.study.steady import Steady, find_steady
+from nhc.study.turns import Turn
 from nhc.study.units import Matrix, balance
 
 ROUNDING = 1e-13
@@ -117,12 +118,16 @@ def linearise_at(model: SteadyModel, steady: Steady, family: int | None = None) 
     )
 
 
-def _beside_turns(basis: Matrix, turns: Sequence[Matrix], y: Sequence[float], rest: Sequence[int]) -> Matrix:
+def _beside_turns(basis: Matrix, turns: Sequence[Turn], y: Sequence[float], rest: Sequence[int]) -> Matrix:
     """The part of the basis across turns that nothing depends on: these are null directions, and the rest is a quotient by them."""
     if not turns:
         return basis
-    along = np.array([turn @ np.array(y) for turn in turns])[:, list(rest)] @ basis.T
-    return np.asarray(_kernel(along) @ basis)
+    moved = np.array([turn.at(y) for turn in turns])[:, list(rest)]
+    inside = moved @ basis.T
+    # a turn may lead off the constraints: what it does there is no perturbation
+    beside = moved - inside @ basis
+    weights = _kernel(np.where(np.abs(beside) > RANK * np.linalg.norm(moved), beside, 0.0).T)
+    return np.asarray(_kernel(weights @ inside) @ basis)
 
 
 def _admissible(model: SteadyModel, y: Sequence[float], full: Matrix) -> tuple[Matrix, tuple[str, ...]]:

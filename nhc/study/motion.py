@@ -8,8 +8,6 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TypeVar
 
-import numpy as np
-
 from nhc.algebra.calculus import substitute
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
@@ -26,7 +24,7 @@ from nhc.mechanics.flow import Flow, flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.linearize import Leaf, cyclic_of, is_autonomous, leaf_of, quantity, reduced, symbolic_matrix
-from nhc.mechanics.properties.symmetry import Generator, turning_symmetries
+from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
@@ -39,7 +37,7 @@ from nhc.study.linearize import Linearisation, linearise_at
 from nhc.study.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
 from nhc.study.sweep import Branch, Sweep, sweep
 from nhc.study.tape import Tapes
-from nhc.study.units import Matrix
+from nhc.study.turns import turn_of
 
 _SNAP = 1e-11
 _LOST = 0.1  # of the kinetic energy: a motion with less is not the one that was asked about
@@ -89,15 +87,8 @@ def steady_model(equations: Equations, formulation: Formulation, p: Sequence[flo
         except Singular:
             raise NotSteady("the constraints cannot be solved for any velocities", math.inf) from None
     made = SteadyModel(flow, frame, leaf, cyclic_of(flow), tuple(p), Tapes(flow.graph, flow.y))
-    groups = turning_symmetries(flow, frame, made.rest)
-    return replace(made, symmetries=tuple(tuple(_matrix(turn, len(flow.y)) for turn in group) for group in groups))
-
-
-def _matrix(turn: Generator, size: int) -> Matrix:
-    made = np.zeros((size, size))
-    for place, x in turn.items():
-        made[place] = float(x)
-    return made
+    groups = symmetries_of(flow, frame, made.rest)
+    return replace(made, symmetries=tuple(tuple(turn_of(one, len(flow.y)) for one in group) for group in groups))
 
 
 def linearise(equations: Equations, formulation: Formulation, request: Request, start: Start | None = None) -> Findings:

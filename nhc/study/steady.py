@@ -9,11 +9,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from nhc.mechanics.flow import Flow
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import sampled_rows
 from nhc.study.equations import all_but, bound, equations, exact_equations, turned
 from nhc.study.field import RANK, SINGULAR, Hold, SteadyModel
 from nhc.study.roots import newton_step, refined, undecided
+from nhc.study.turns import Turn
 from nhc.study.units import Matrix, Vector, beside, is_steady, trials
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
@@ -43,7 +45,7 @@ class SingularFrame(NotSteady):
 class Steady:
     """A steady motion: the state, the largest rate that is left of what should stand still, the steps taken.
 
-    ``turning`` is the turn that goes with it, made of ``turns``; both are matrices over the state.  ``residual`` is in the
+    ``turning`` is the turn that goes with it, made of ``turns``.  ``residual`` is in the
     units of :mod:`nhc.study.units`.  ``others`` are states of which it may as well be one, as far as digits tell.
     """
 
@@ -51,9 +53,27 @@ class Steady:
     residual: float
     steps: int
     equilibrium: bool
-    turning: Matrix | None = field(default=None, compare=False)
-    turns: tuple[Matrix, ...] = field(default=(), compare=False)
+    turning: Turn | None = field(default=None, compare=False)
+    turns: tuple[Turn, ...] = field(default=(), compare=False)
     others: tuple[tuple[float, ...], ...] = field(default=(), compare=False)
+
+    def along(self, flow: Flow) -> list[tuple[tuple[str, ...], float]]:
+        """What the axes in which the motion is at rest do: a coordinate moves, a pair of entries turns, at a rate.
+
+        Turns of quaternions are left out; their angular velocities stand in the state.
+        """
+        if self.turning is None:
+            return []
+        count, names = len(flow.y), flow.names
+        quaternions = {flow.system.q_names[i] for rotation in flow.system.rotations for i in rotation.places}
+        entries: list[tuple[tuple[int, ...], float]] = [((i,), self.turning.shift[i]) for i in range(count)]
+        entries += [((c, r), self.turning.matrix[r, c]) for r in range(count) for c in range(r)]
+        least = 1e-9 * max((abs(rate) for _, rate in entries), default=0.0)
+        return [
+            (tuple(names[i] for i in places), float(rate))
+            for places, rate in entries
+            if abs(rate) > least and not {names[i].removesuffix("'") for i in places} & quaternions
+        ]
 
 
 class Locked(NotSteady):
@@ -165,16 +185,16 @@ def _soundness(model: SteadyModel, rows: Sequence[Sequence[Sequence[float]]]) ->
     return min((relative_determinant(row, range(len(row))) ** power for row in rows), default=0.0)
 
 
-def _first_turn(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> Vector:
+def _first_turn(model: SteadyModel, turns: Sequence[Turn], y: Vector) -> Vector:
     """How fast the guess turns: what leaves the least of its rates."""
     if not turns:
         return np.zeros(0)
     rest = list(model.rest)
-    along = np.array([turn @ y for turn in turns])[:, rest]
+    along = np.array([turn.at(y) for turn in turns])[:, rest]
     return np.asarray(np.linalg.lstsq(along.T, model.field([float(x) for x in y])[0][rest], rcond=None)[0])
 
 
-def _iterate(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]) -> Steady:
+def _iterate(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold]) -> Steady:
     """``y`` is the state, with the speed of each turn after it."""
     value, slopes, scale = equations(model, turns, y, holds)
     before, damping = np.zeros_like(y), 1.0
@@ -223,7 +243,7 @@ def _halves(before: Vector, move: Vector) -> bool:
     return 0.45 * last < size < 0.55 * last and float(before @ move) > 0.99 * size * last
 
 
-def _accept(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold], steps: int) -> Steady:
+def _accept(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold], steps: int) -> Steady:
     """The iteration can do no better: either rounding is all that is left, or there is nothing to find.
 
     Beside very steep slopes (a coframe that is almost singular) plain ones count as weak, and one step along them is left to do.
@@ -238,7 +258,7 @@ def _accept(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Seque
         raise
 
 
-def _accepted(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold], steps: int) -> Steady:
+def _accepted(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold], steps: int) -> Steady:
     """The steady motion at y.
 
     Raises:
@@ -260,15 +280,15 @@ def _accepted(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Seq
     still = bool(np.max(np.abs(model.field(state)[0][:n]), initial=0.0) <= 1e-9 * scale)
     if model.units is not None:
         states, time = np.array(model.units.states), model.units.time
-        turning = None if turning is None else turning * states[:, None] / states / time
-        turns = [turn * states[:, None] / states for turn in turns]
+        turning = None if turning is None else turning.outside(states, time)
+        turns = [turn.outside(states) for turn in turns]
     return Steady(
         model.outside(state), size, steps, still, turning, tuple(turns), tuple(model.outside(place) for place in places)
     )
 
 
 def _settled(
-    model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]
+    model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold]
 ) -> tuple[Vector, list[list[float]]]:
     """The root itself where y is only near it, and states that may be the root as well for all that rounded parameters tell."""
     moved, slopes = _moved(model, turns, y, holds)
@@ -280,9 +300,7 @@ def _settled(
     return y, [turned(model, turns, place)[0] for place in moved]
 
 
-def _moved(
-    model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]
-) -> tuple[list[Vector], Matrix]:
+def _moved(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold]) -> tuple[list[Vector], Matrix]:
     """Where one step of Newton's method from y goes with parameters that rounding may have made of them; the slopes at y."""
     slopes, found = equations(model, turns, y, holds)[1], list[Vector]()
     for _, p in trials(y.tolist()[: len(model.flow.y)], model.p):

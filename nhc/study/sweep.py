@@ -11,7 +11,7 @@ from nhc.records import record
 from nhc.study.field import Hold, SteadyModel
 from nhc.study.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
 from nhc.study.steady import NotSteady, find_steady
-from nhc.study.units import Matrix
+from nhc.study.turns import Turn
 
 _BISECTIONS = 60
 _ZERO = "an eigenvalue passes zero"
@@ -48,7 +48,7 @@ class Branch:
         self._known: dict[float, tuple[float, ...]] = {}
         self._guess = tuple(guess)
         self.family: int | None = None
-        self._turns: tuple[Matrix, ...] | None = None
+        self._turns: tuple[Turn, ...] | None = None
 
     def __call__(self, value: float) -> Linearisation:
         """The linearisation at a value.

@@ -24,7 +24,7 @@ from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.linearize import cyclic_of
-from nhc.mechanics.properties.symmetry import turning_symmetries
+from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
 from nhc.pipeline import Options, emit
@@ -348,12 +348,12 @@ def test_symmetries_are_turns() -> None:
         formulation = formulate(system)
         flow = flow_of(equations_of(system, formulation))
         rest = [i for i in range(len(flow.y)) if i not in cyclic_of(flow)]
-        assert [len(group) for group in turning_symmetries(flow, formulation.frame, rest)] == count
+        assert [len(group) for group in symmetries_of(flow, formulation.frame, rest)] == count
     for text in (TORQUE.format(frame="body"), TORQUE.format(frame="space")):
         system = resolve(decode(Source("s.yaml", text)))
         formulation = formulate(system)
         flow = flow_of(equations_of(system, formulation))
-        assert turning_symmetries(flow, formulation.frame, range(len(flow.y))) == ()
+        assert symmetries_of(flow, formulation.frame, range(len(flow.y))) == ()
 
 
 def test_a_scene_that_needs_angular_velocity_has_three_equations(capsys: pytest.CaptureFixture[str]) -> None:

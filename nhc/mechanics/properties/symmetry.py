@@ -1,9 +1,11 @@
-"""Turns of rotations under which a motion's field looks the same: what a steady turn may go along.
+"""Turns and shifts under which a motion's field looks the same: what a steady motion may go along.
 
 A turn of space about a fixed axis multiplies a quaternion from the left, one about an axis of the body from the right, so both
-are linear in e; angular velocities on the axes that turn are turned with them.  A combination S of such turns is a symmetry of
-y' = f(y) where S f = (df/dy) S y.  All combinations are found by exact linear algebra at random points of a prime field; those
-that change what a sign is taken of are none.
+are linear in e; angular velocities on the axes that turn are turned with them.  Coordinates, velocities and the components of an
+angular velocity are turned two at a time, and each coordinate may be shifted: the headings of a car and its trailers together,
+with x' and y' where the state has them.  A combination S y + s of such fields is a symmetry of y' = f(y) where
+S f = (df/dy) (S y + s).  All combinations are found by exact linear algebra at random points of a prime field; those that change
+what a sign is taken of are none.
 """
 
 from __future__ import annotations
@@ -19,45 +21,74 @@ from nhc.algebra.graph import Node
 from nhc.algebra.solving.linear import STEPPED
 from nhc.mechanics.flow import Flow, jacobian_residues, solve_at
 from nhc.mechanics.frame import Frame
+from nhc.mechanics.rotation import Rotation
 
 Generator = Mapping[tuple[int, int], Fraction]
-"""S by its entries (row, column) over the state."""
+"""S by its entries (row, column) over the state; s in the column after the last."""
 
-_POINTS, _DRAWS = 3, 400
+_POINTS, _SPARE, _DRAWS = 3, 8, 400
+_NEAR, _MOST = 2, 400  # x, y and z of a body stand side by side; pairs that do not are tried where these have no turn
 
 
-def turning_symmetries(flow: Flow, frame: Frame | None, rest: Sequence[int]) -> tuple[tuple[Generator, ...], ...]:
-    """(turns of space, turns of space and of bodies) that leave the field of the entries ``rest`` as it is.
+def symmetries_of(flow: Flow, frame: Frame | None, rest: Sequence[int]) -> tuple[tuple[Generator, ...], ...]:
+    """Larger and larger groups of what leaves the field of the entries ``rest`` as it is; none where nothing does.
 
-    Empty where there are none, and for formulations that keep the rates of quaternions.
+    Turns of space, these with turns of bodies, and all of it with plane turns and shifts.  Turns of neighbours come first: those of
+    all pairs together turn a free centre of mass against what moves about it, too, which says nothing.
     """
-    if frame is None or not frame.turned:
-        return ()
-    of_space = [_generator(flow, frame, k, -1, axis, rest) for k in range(len(frame.turned)) for axis in range(3)]
-    of_bodies = [_generator(flow, frame, k, 1, axis, rest) for k in range(len(frame.turned)) for axis in range(3)]
+    turned = flow.system.rotations if frame is None else frame.turned
+    of_space, of_bodies = (
+        [_generator(flow, rotation, side, axis, rest) for rotation in turned for axis in range(3)] for side in (-1, 1)
+    )
+    found: list[tuple[Generator, ...]] = [()]
+    turns = [*of_space, *of_bodies]
     try:
-        found = [_symmetries(flow, rest, made) for made in (of_space, [*of_space, *of_bodies])]
+        for generators in (of_space, turns, [*turns, *_plane(flow, rest, _NEAR)], [*turns, *_plane(flow, rest, _MOST)]):
+            made = tuple(one for one in _symmetries(flow, rest, generators) if _keeps_steps(flow, one))
+            if len(made) > len(found[-1]):
+                found.append(made)
+            if len(generators) > len(turns) and any(column < len(flow.y) for one in made for _, column in one):
+                break
     except Unlucky:
-        return ()
-    found = [tuple(turn for turn in made if _keeps_steps(flow, turn)) for made in found]
-    kept = found if len(found[1]) > len(found[0]) else found[:1]
-    return tuple(made for made in kept if made)
+        pass
+    return tuple(found[1:])
 
 
-def _generator(flow: Flow, frame: Frame, k: int, side: int, axis: int, rest: Sequence[int]) -> Generator:
+def _plane(flow: Flow, rest: Sequence[int], reach: int) -> list[Generator]:
+    """A shift of each coordinate; turns of coordinates, of their rates, of components of angular velocities, two at a time.
+
+    ``reach``: how far apart two of a kind may stand.  Empty where that makes too many.
+    """
+    n, one = flow.system.n, Fraction(1)
+    names = {name: place for place, name in enumerate(flow.names)}
+    quaternions = {place for rotation in flow.system.rotations for place in rotation.places}
+    plain = [i for i in range(n) if i not in quaternions]
+    rates = [names.get(f"{flow.system.q_names[i]}'") for i in plain]
+    angular = [[names.get(w) for w in declared.velocities] for declared in flow.system.spec.rotations]
+    kinds = [_among(plain, rest), _among(rates, rest), *(_among(places, rest) for places in angular)]
+    pairs = [(i, j) for kind in kinds for k, i in enumerate(kind) for j in kind[k + 1 : k + 1 + reach]]
+    if reach > _NEAR and len(pairs) > _MOST:
+        return []
+    return [*({(i, len(flow.y)): one} for i in kinds[0]), *({(i, j): -one, (j, i): one} for i, j in pairs)]
+
+
+def _among(places: Sequence[int | None], rest: Sequence[int]) -> list[int]:
+    return [place for place in places if place is not None and place in rest]
+
+
+def _generator(flow: Flow, rotation: Rotation, side: int, axis: int, rest: Sequence[int]) -> Generator:
     """The turn of a rotation about an axis of space (``side`` -1) or of the body (1), on the entries ``rest``."""
-    rotation = frame.turned[k]
     declared = next(r for r in flow.system.spec.rotations if r.name == rotation.name)
     i, j = (axis + 1) % 3, (axis + 2) % 3
     e, half = rotation.places, Fraction(1, 2)
-    entries = {
-        (e[0], e[axis + 1]): -half,
-        (e[axis + 1], e[0]): half,
-        (e[i + 1], e[j + 1]): side * half,
-        (e[j + 1], e[i + 1]): -side * half,
-    }
+    names = {name: place for place, name in enumerate(flow.names)}
+    rates = [names.get(f"{flow.system.q_names[place]}'") for place in e]
+    entries = dict[tuple[int, int], Fraction]()
+    for own in (list(e), [place for place in rates if place is not None]):
+        if len(own) == len(e):
+            entries[own[0], own[axis + 1]], entries[own[axis + 1], own[0]] = -half, half
+            entries[own[i + 1], own[j + 1]], entries[own[j + 1], own[i + 1]] = side * half, -side * half
     if side == rotation.sign:  # body: w' = w x axis; space: w' = axis x w
-        names = {name: place for place, name in enumerate(flow.names)}
         w = [names.get(name) for name in declared.velocities]
         for row, column, sign in ((i, j, side), (j, i, -side)):
             a, b = w[row], w[column]
@@ -67,23 +98,29 @@ def _generator(flow: Flow, frame: Frame, k: int, side: int, axis: int, rest: Seq
 
 
 def _symmetries(flow: Flow, rest: Sequence[int], generators: Sequence[Generator]) -> tuple[Generator, ...]:
-    rows: list[list[int]] = []
-    points, prime = 0, primes_of(flow.graph)[0]
+    if not generators:
+        return ()
+    rows, idle = list[list[int]](), set(range(len(generators)))
+    prime = primes_of(flow.graph)[0]
+    wanted = max(_POINTS, -(-(len(generators) + _SPARE) // max(len(rest), 1)))
     for draw in range(_DRAWS):
-        if points == _POINTS:
+        if wanted == 0:
             break
         try:
-            rows += _defects(flow, rest, generators, FieldPoint(flow.graph, 13_000_003 + draw, prime))
+            columns, still = _defects(flow, rest, generators, FieldPoint(flow.graph, 13_000_003 + draw, prime))
         except Unlucky:
             continue
-        points += 1
-    if points < _POINTS:
+        rows += [list(row) for row in zip(*columns, strict=True)]
+        idle &= still
+        wanted -= 1
+    if wanted:
         raise Unlucky
+    used = [k for k in range(len(generators)) if k not in idle]
     found = []
-    for vector in find_relations(rows, len(generators), prime):
+    for vector in find_relations([[row[k] for k in used] for row in rows], len(used), prime):
         total: dict[tuple[int, int], Fraction] = {}
-        for weight, generator in zip(vector, generators, strict=True):
-            for place, x in generator.items():
+        for weight, k in zip(vector, used, strict=True):
+            for place, x in generators[k].items():
                 total[place] = total.get(place, Fraction(0)) + weight * x
         kept = {place: x for place, x in total.items() if x}
         if kept:
@@ -95,26 +132,31 @@ def _keeps_steps(flow: Flow, generator: Generator) -> bool:
     """Whether a turn leaves alone what signs, roots and branches are taken of: their own slopes tell of no step."""
     g, seeds = flow.graph, dict[Node, Node]()
     for (row, column), x in generator.items():
-        y = flow.y[row]
-        seeds[y] = g.add(seeds.get(y, g.zero), g.mul(g.number(x), flow.y[column]))
+        y, along = flow.y[row], flow.y[column] if column < len(flow.y) else g.one
+        seeds[y] = g.add(seeds.get(y, g.zero), g.mul(g.number(x), along))
     nodes = reachable(g, [*flow.velocities, *flow.flat], g.mask(seeds))
     arguments = dict.fromkeys(kid for node in nodes if g.op[node] in STEPPED for kid in g.kids[node])
     return all(are_zero(g, tangent(g, list(arguments), seeds)))
 
 
-def _defects(flow: Flow, rest: Sequence[int], generators: Sequence[Generator], point: FieldPoint) -> list[list[int]]:
-    """(df/dy S y - S f) for every generator (columns) and entry of ``rest`` (rows), at a point."""
+def _defects(
+    flow: Flow, rest: Sequence[int], generators: Sequence[Generator], point: FieldPoint
+) -> tuple[list[list[int]], set[int]]:
+    """df/dy (S y + s) - S f for every generator, over the entries ``rest``, at a point; the generators with zeros in both terms."""
     p, size = point.prime, len(flow.unknowns)
     slopes = jacobian_residues(flow, point)
-    y = point.evaluate(flow.y)
+    y = [*point.evaluate(flow.y), 1]
     rates = list(point.evaluate(flow.velocities))
-    rates += solve_at(size, point.evaluate(flow.flat), p)[: flow.kept]
-    columns = []
-    for generator in generators:
+    rates += [*solve_at(size, point.evaluate(flow.flat), p)[: flow.kept], 0]
+    columns, idle = list[list[int]](), set[int]()
+    for k, generator in enumerate(generators):
         moved, turned = dict.fromkeys(range(len(y)), 0), dict.fromkeys(range(len(y)), 0)
         for (r, c), x in generator.items():
             weight = x.numerator * pow(x.denominator, -1, p)
             moved[r] += weight * y[c]
             turned[r] += weight * rates[c]
-        columns.append([(sum(slopes[i][j] * moved[j] for j in moved) - turned[i]) % p for i in rest])
-    return [list(row) for row in zip(*columns, strict=True)]
+        by_slopes = [sum(slopes[i][j] * x for j, x in moved.items() if x) % p for i in rest]
+        if not any(by_slopes) and not any(turned[i] % p for i in rest):
+            idle.add(k)
+        columns.append([(x - turned[i]) % p for x, i in zip(by_slopes, rest, strict=True)])
+    return columns, idle

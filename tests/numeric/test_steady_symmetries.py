@@ -1,0 +1,144 @@
+"""Steady motions that go along a symmetry: bends, circular orbits, turns in every formulation, against closed forms."""
+
+from __future__ import annotations
+
+import cmath
+import json
+import math
+
+import pytest
+
+from nhc.cli import main
+from nhc.language import Source, read
+from nhc.pipeline import Options, linearize
+from nhc.study.linearize import eigenvalues, verdict
+from nhc.study.motion import Findings, Request
+from nhc.study.steady import NotSteady
+from tests.numeric.test_linearize import IN_A_CYLINDER, matches
+from tests.support import spec_path
+
+
+def find(text: str, about: str, formulation: str = "") -> Findings:
+    return linearize(Source("s.yaml", text), Request(about), Options(formulation=formulation))
+
+
+def gallery(name: str, about: str, formulation: str = "") -> Findings:
+    return linearize(read(str(spec_path(name))), Request(about), Options(formulation=formulation))
+
+
+def along(found: Findings) -> dict[tuple[str, ...], float]:
+    return dict(found.linearisation.steady.along(found.flow))
+
+
+def state(found: Findings) -> dict[str, float]:
+    return dict(zip(found.flow.names, found.linearisation.steady.y, strict=True))
+
+
+@pytest.mark.parametrize("formulation", ["", "multipliers"])
+def test_a_car_with_trailers_goes_round_a_bend(formulation: str) -> None:
+    """The speed of an axle falls by cos a at each hitch, and all turn alike: w L = v_k sin a_k on links of length L."""
+    found = gallery("n_trailer3", "v=1, w=0.3", formulation)
+    here, speed = state(found), 1.0
+    for k in range(3):
+        angle = here[f"theta{k}"] - here[f"theta{k + 1}"]
+        assert math.sin(angle) == pytest.approx(0.3 * 0.8 / speed, rel=1e-9)
+        speed *= math.cos(angle)
+    assert {names: rate for names, rate in along(found).items() if len(names) == 1} == pytest.approx(
+        {(f"theta{k}",): 0.3 for k in range(4)}
+    )
+    assert found.linearisation.turns == 1 and verdict(found.linearisation) == "stable"
+    assert not found.linearisation.steady.equilibrium
+
+
+def test_a_car_with_trailers_straight_on_is_stable_whatever_its_heading() -> None:
+    found = gallery("n_trailer3", "v=1")
+    # a triple root: its digits are the third root of the rounding
+    assert matches(eigenvalues(found.linearisation), [-1.25] * 3, 1e-4)
+    assert verdict(found.linearisation) == "stable"
+
+
+KEPLER = "nhc: 1\nsystem: s\ncoordinates: [x, y]\nparameters: {k: 2}\nT: (x'^2 + y'^2)/2\nV: -k/(x^2 + y^2)^(N/2)\n"
+
+
+@pytest.mark.parametrize("power", [-2.0, 0.5, 1.0, 1.5])
+def test_a_circular_orbit_sways_at_the_root_of_two_minus_the_power(power: float) -> None:
+    """V = -k/r^n: the radius sways at sqrt(2 - n) of the angular velocity (Bertrand 1873)."""
+    sign = 1 if power > 0 else -1
+    found = find(KEPLER.replace("N", str(power)).replace("k: 2", f"k: {2 * sign}"), "x=1, y'=1.2")
+    here = state(found)
+    turning = here["y'"] / math.hypot(here["x"], here["y"])
+    assert here["y'"] == pytest.approx(1.2, rel=1e-12) and along(found)[("x", "y")] == pytest.approx(turning)
+    if power == -2.0:  # an isotropic spring also turns x against x'
+        assert verdict(found.linearisation) in ("marginal", "none")
+        return
+    pair = turning * cmath.sqrt(power - 2)
+    assert matches(eigenvalues(found.linearisation), [pair, -pair], 1e-9)
+
+
+TRIANGLE = """nhc: 1
+system: triangle
+coordinates: [x1, y1, x2, y2, x3, y3]
+parameters: {m1: 1, m2: 1, m3: 1, G: 1}
+define:
+  r12: sqrt((x1 - x2)^2 + (y1 - y2)^2)
+  r13: sqrt((x1 - x3)^2 + (y1 - y3)^2)
+  r23: sqrt((x2 - x3)^2 + (y2 - y3)^2)
+T: m1/2*(x1'^2 + y1'^2) + m2/2*(x2'^2 + y2'^2) + m3/2*(x3'^2 + y3'^2)
+V: -G*(m1*m2/r12 + m1*m3/r13 + m2*m3/r23)
+"""
+
+
+def test_lagranges_triangle_is_unstable_at_equal_masses() -> None:
+    """Gascheau 1843: (l/w)^4 + (l/w)^2 + 27/4 s = 0 with s = (m1 m2 + m1 m3 + m2 m3)/(m1 + m2 + m3)^2; beside it +-i w, of the
+    size of the triangle and of the centre of mass in axes that turn.
+    """
+    start = "x1=1, x2=-0.5, y2=0.87, x3=-0.5, y3=-0.87, y1'=0.76, x2'=-0.66, y2'=-0.38, x3'=0.66, y3'=-0.38"
+    found = find(TRIANGLE, start)
+    turning = along(found)[("x1", "y1")]
+    squares = [turning**2 * (-1 + sign * cmath.sqrt(1 - 9)) / 2 for sign in (1, -1)]
+    roots = [sign * cmath.sqrt(square) for square in squares for sign in (1, -1)]
+    roots += [complex(0, sign * turning) for sign in (1, 1, -1, -1)]
+    assert matches(eigenvalues(found.linearisation), roots, 1e-6)
+    assert found.linearisation.turns == 3 and found.linearisation.family == 1
+
+
+@pytest.mark.parametrize(("name", "about"), [("rolling_disk", "theta=1.2, w_u=0.65, w_n=-2.75")])
+def test_multipliers_find_the_turn_that_the_others_find(name: str, about: str) -> None:
+    kept, whole = gallery(name, about), gallery(name, about, "multipliers")
+    assert matches(eigenvalues(whole.linearisation), eigenvalues(kept.linearisation), 1e-8)
+    assert state(whole)["theta"] == pytest.approx(state(kept)["theta"], rel=1e-9)
+    assert whole.linearisation.family == kept.linearisation.family and whole.linearisation.turns == 1
+    assert ("x'", "y'") in along(whole)
+
+
+def test_multipliers_find_the_sleeping_top_by_the_rates_of_its_quaternion() -> None:
+    kept = gallery("heavy_top_quaternion", "w3=3")
+    whole = gallery("heavy_top_quaternion", "w3=3", "multipliers")
+    assert matches(eigenvalues(whole.linearisation), eigenvalues(kept.linearisation), 1e-8)
+    assert verdict(whole.linearisation) == verdict(kept.linearisation) == "marginal"
+
+
+def test_angular_velocities_in_space_turn_with_the_body_that_goes_round() -> None:
+    """The ball in the cylinder of test_linearize without quasi-velocities that go along: wx and wy turn with phi."""
+    text = IN_A_CYLINDER.split("quasi_velocities")[0]
+    found = find(text, "phi'=3")
+    pair = cmath.sqrt(-2 / 7) * 3
+    assert matches(eigenvalues(found.linearisation), [pair, -pair], 1e-9)
+    assert along(found) == pytest.approx({("phi",): 3.0, ("wx", "wy"): 3.0})
+
+
+def test_what_goes_along_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["linearize", "n_trailer3", "--about", "v=1, w=0.3"]) == 0
+    told = capsys.readouterr().out
+    assert "at rest in axes that move with it: theta0, theta1, theta2, theta3 at 0.3\n" in told
+    assert "1 direction left out: turns or shifts of the whole motion" in told
+    assert main(["linearize", "n_trailer3", "--about", "v=1, w=0.3", "--json"]) == 0
+    tree = json.loads(capsys.readouterr().out)
+    assert [entry["entries"] for entry in tree["along"]] == [[f"theta{k}"] for k in range(4)]
+
+
+def test_a_force_in_a_fixed_direction_leaves_no_circle() -> None:
+    """None is made up where the equations are not those of all directions."""
+    text = KEPLER.replace("N", "1.0").rstrip() + " + 0.3*x\n"
+    with pytest.raises(NotSteady, match="steady"):
+        linearize(Source("s.yaml", text), Request("x=1, y'=1.4", holds=("y'",)))
