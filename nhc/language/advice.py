@@ -121,3 +121,22 @@ def foreign_name(name: str) -> str:
     if re.fullmatch(r"(lambda|reaction)s?_?\w*", name):
         return "reactions are no part of expressions: a scene asks for them by `need: [reactions]`"
     return ""
+
+
+def meant_entry(name: str, known: Collection[str]) -> str:
+    """The entry of a matrix of rotation that others write with two numbers or two letters: `R_33` and `R_zz` are `R_z3`."""
+    found = re.fullmatch(r"(.+?)_?([xyz123])_?([xyz123])", name)
+    if not found:
+        return ""
+    base, row, column = found.groups()
+    row, column = "xyz"["xyz123".index(row) % 3], "123"["xyz123".index(column) % 3]
+    entry = f"{base}_{row}{column}"
+    return entry if entry in known and entry != name else ""
+
+
+def meant_force(name: str, offered: Collection[str]) -> str:
+    """How a force on a whole body or point is given: by the components that these declare."""
+    if f"{name}_w1" in offered:
+        torque = f"a torque as `{name}_w1`, `{name}_w2` or `{name}_w3`"
+        return f"write a force on a body by its components, as `{name}_x: ...` at its origin, {torque}"
+    return f"write a force at a point by its components, as `{name}_x: ...`" if f"{name}_vx" in offered else ""

@@ -105,12 +105,17 @@ class _SceneReader:
         near = nearest(name, known)
         rate = meant_rate(name, [other for other in self.scope.of_kind("coordinate") if f"{other}'" in known])
         defined = self.scope.kind(name) in ("define", "entry", "output")
-        if defined and what == _NEEDED:
+        several = [part.strip() for part in text.value.split(",")]
+        if what == _NEEDED and len(several) > 1 and all(fold(part) in known for part in several):
+            help = f"write `need: [{', '.join(several)}]`"
+        elif defined and what == _NEEDED:
             help = f"show it under `outputs`: `{name}: {name}`"
         elif defined:
             help = f"`{name}` follows from others: give the values of these"
             if self.scope.kind(name) != "entry" and what != "parameter":
                 help += ", or move it to `quasi_velocities` where it is a velocity"
+        elif self.scope.kind(name) == "parameter" and what != _NEEDED:
+            help = f"values of parameters stand beside `initial`: `parameters: {{{name}: ...}}`"
         elif rate:
             help = rate
         elif near:
@@ -163,8 +168,10 @@ class _SceneReader:
             if target is None and is_empty(value):
                 continue  # the end of a text with a comma in it, reported as an empty value
             if target is None:
-                known = self.scope.of_kind("coordinate", "quasi")
-                velocities = tuple(f"{name}'" for name in self.scope.of_kind("coordinate"))
+                parts = {name for rotation in self.rotations.values() for name in rotation.coordinates}
+                own = tuple(name for name in self.scope.of_kind("coordinate") if name not in parts)
+                known = (*self.scope.of_kind("rotation"), *own, *self.scope.of_kind("quasi"))
+                velocities = tuple(f"{name}'" for name in own)
                 self._unknown(text, "coordinate, velocity or quasi-velocity", (*known, *velocities))
             elif target in found:
                 self.bag.error("E0305", f"the start of `{text.value}` is set twice", text.span, help=("keep one",))

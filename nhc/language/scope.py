@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
-from nhc.language.advice import foreign_name, meant_rate
+from nhc.language.advice import foreign_name, meant_entry, meant_force, meant_rate
 from nhc.language.expressions.names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
 from nhc.language.expressions.syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
 from nhc.language.yaml_tree.nodes import Text
@@ -100,7 +100,7 @@ class Scope:
         if not self.open and not self.is_unknown(name, text.span):
             proposed = [n for n in self.of_kind("coordinate") if n not in hidden]
             known = f"the coordinates are {quote(proposed)}" if proposed else f"known: {quote(also)}"
-            help = suggest(name, [*proposed, *also], known)
+            help = meant_force(name, self.offered) or suggest(name, [*proposed, *also], known)
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
 
@@ -216,7 +216,7 @@ class Scope:
             known = (
                 (*self.of_kind(*kinds), PI) if place == "start" else (*self.of_kind(*kinds), *self.offered, TIME, PI)
             )
-            near = nearest(name, known) if self._searches <= _SEARCHES else None
+            near = meant_entry(name, known) or (nearest(name, known) if self._searches <= _SEARCHES else None)
             rate = meant_rate(name, self.of_kind("coordinate", "define", "entry")) if place != "start" else ""
             where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"
             help = rate or foreign_name(name) or (f"did you mean `{near}`?" if near else f"declare it under {where}")

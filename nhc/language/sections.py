@@ -11,7 +11,7 @@ from nhc.language.keys import COORDINATE_KEYS, PARAMETER_KEYS
 from nhc.language.scope import Scope
 from nhc.language.shape import Shapes
 from nhc.language.spec import Coordinate, Parameter
-from nhc.language.units.dimensions import SPELLING, UnitError, parse_unit
+from nhc.language.units.dimensions import UnitError, parse_unit
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
@@ -24,7 +24,7 @@ def _read_unit(table: Table, shapes: Shapes) -> str:
     try:
         parse_unit(text.value)
     except UnitError as error:
-        shapes.bag.error("E0316", error.message, text.locate(error.start, error.end), help=(SPELLING,))
+        shapes.bag.error("E0316", error.message, text.locate(error.start, error.end), help=(error.help,))
     return " ".join(text.value.split())
 
 

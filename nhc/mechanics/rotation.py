@@ -69,7 +69,7 @@ class Rotation:
                 found = (graph.zero,) * 4
             else:
                 on = dict(zip(self.v, rates, strict=True))
-                first, a, b, c = substitute(graph, [self.growth, *self.omega], on)
+                first, a, b, c = substitute(graph, [self.growth, *self.omega], on, named=False)
                 found = (first, a, b, c)
             self.known[tuple(rates)] = found
         return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from fractions import Fraction
 from functools import cache
@@ -11,7 +12,7 @@ import numpy as np
 import pytest
 import sympy
 
-from nhc.algebra.calculus import gradient
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.exact.relations import find_relations, rational, without
@@ -134,7 +135,7 @@ def test_integrals_of_the_gallery_imply_the_constraints(name: str) -> None:
         ("x, y", "c: x' = cos(t)", "x - sin(t)"),
         ("x, y", "c: x' = 3", "x - 3*t"),
         ("x, y", "c: x*x' + y' = 0", "x^2 + 2*y"),
-        ("x, y, z", "c: x*z*y' + y*z*x' + x*y*z' = 0", "log(x) + log(y) + log(z)"),
+        ("x, y, z", "c: x*z*y' + y*z*x' + x*y*z' = 0", "log(abs(x)) + log(abs(y)) + log(abs(z))"),
     ],
 )
 def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None:
@@ -155,7 +156,7 @@ def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None
         (("cos(b)*u' + sin(b)*z' + R*b' = 0", "cos(b)*z' = sin(b)*u'"), "z - R*cos(b)"),  # height of a leaning disk
         (("u' = R*z'", "b' = R*(1 - exp(-t))"), "b - R*t - R*exp(-t)"),  # a motor that comes up to speed
         (("z' = b*u' + u*b' + R", "w' = u*b'"), "z - b*u - R*t"),
-        (("z' = z*(R*b' + u')", "w' = u*b'"), "log(z) - R*b - u"),
+        (("z' = z*(R*b' + u')", "w' = u*b'"), "log(abs(z)) - R*b - u"),
         (("z' = u*b'", "w' = b*u' + R*sin(3*t)"), "z + w - u*b + R*cos(3*t)/3"),  # neither row alone, and driven
         (("z' = 3*R*b^2*u*b' + R*b^3*u' + R^2*t^2", "w' = u*z'"), "z - R*b^3*u - R^2*t^3/3"),  # all of one degree
         (("z' = R*cos(u + R*t)*u' + R^2*cos(u + R*t)",), "z - R*sin(u + R*t)"),  # on a wave that passes
@@ -165,15 +166,31 @@ def test_integrals_with_a_parameter_beside_a_function(rows: tuple[str, ...], int
     system = constrained("b, u, z, w", *rows, parameters="{R: 0.4}")
     facts = describe(system, formulate(system), Bag(system.spec.origin))
     assert "not found" not in facts.marked["integrals"]
-    b, u, z, w, R, t = sympy.symbols("b u z w R t")
-    wanted = sympy.sympify(integral, {"b": b, "u": u, "z": z, "w": w, "R": R, "t": t})
-    found = [sympy.sympify(e["integral"].replace("^", "**")) for e in facts.data["integrals"]]
+    b, u, z, w, R, t = sympy.symbols("b u z w R t", real=True)
+    wanted = sympy.sympify(integral, names := {"b": b, "u": u, "z": z, "w": w, "R": R, "t": t})
+    found = [sympy.sympify(e["integral"].replace("^", "**"), names) for e in facts.data["integrals"]]
     ratios = [
         [sympy.simplify(sympy.diff(f, x) - k * sympy.diff(wanted, x)) for x in (b, u, z, w, t)]
         for f in found
         for k in (1, -1, 3, -3)
     ]
     assert [0, 0, 0, 0, 0] in ratios, found
+
+
+@pytest.mark.parametrize("row", ["y' = R*y", "x' = y'/y", "sin(y)*x' = cos(y)*y'", "x*y' + y*x' = R*x*y"])
+@pytest.mark.parametrize("y", [1.3, -1.3])
+def test_logarithms_are_constant_on_either_branch(row: str, y: float) -> None:
+    """y' = R y holds at y < 0 too: log(y) has no value there, log(abs(y)) has one."""
+    system = constrained("x, y", f"c: {row}", parameters="{R: 0.4}")
+    g, kinds, frame = system.graph, classify(system), frame_of(system)
+    (integral,) = find_position_integrals(system, frame, kinds.hidden, kinds.closed)
+    assert "log(abs(" in integral.text
+    known = {system.q[0]: -0.7, system.q[1]: y, system.t: 0.2, system.p[0]: 0.4}
+    rates = [tangent(g, [integral.node], dict(zip(system.q, e, strict=True)))[0] for e in frame.free_vectors]
+    rates += tangent(g, [integral.node], {**dict(zip(system.q, frame.drift, strict=True)), system.t: g.one})
+    value, *found = evaluate(g, [integral.node, *rates], known)
+    assert math.isfinite(value)
+    assert found == pytest.approx([0.0] * len(found), abs=1e-12)
 
 
 def test_an_integral_that_is_not_elementary_is_said_to_be_missing() -> None:

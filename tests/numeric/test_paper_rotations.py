@@ -108,3 +108,14 @@ def test_a_rolling_ball_reads_like_a_textbook() -> None:
         "  (I1 + m*a^2*(R_x1^2 + R_y1^2)) w1' + m*a^2*(R_x1*R_x2 + R_y1*R_y2) w2'",
     ):
         assert line in text.splitlines(), line
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_turn_of_a_direction_has_no_name(name: str) -> None:
+    """omega of a vector that is no velocity is another number than omega of the motion: it must not be printed under its name."""
+    system = load(name)
+    g = system.graph
+    for rotation in system.rotations:
+        for unit in range(4):
+            turned = rotation.turning(g, [g.one if k == unit else g.zero for k in range(4)])
+            assert not [g.labels[node] for node in turned if node in g.labels]

@@ -41,7 +41,13 @@ SLIPS = [
     ("θ: 0.1", "θ: nan", "E0313", "write a finite number", "θ: 0"),
     ("x': 1", "dx: 1", "E0419", "the velocity is written `x'`", "x': 1"),
     ("x': 1", "dtheta_dt: 1", "E0419", "the velocity is written `theta'`", "theta': 1"),
-    ("+ x'^2", "+ diff(x, t)^2", "E0206", "write `dot(x)`", "+ dot(x)^2"),
+    ("+ x'^2", "+ diff(x, t)^2", "E0206", "write `x'`", "+ x'^2"),
+    ("+ x'^2", "+ diff(θ)^2", "E0206", "write `θ'`", "+ theta'^2"),
+    ("+ x'^2", "+ diff(2*x, t)^2", "E0206", "write `dot(x)`", "+ dot(2*x)^2"),
+    ("l: 0.5", "l: 0,5", "E0109", "decimal numbers are written with `.`: `0.5`", "l: 0.5"),
+    ("l: 0.5", "l: 50%", "E0201", "write `50/100`", "l: 50/100"),
+    ("need: [x, θ']", 'need: "x, θ"', "E0419", "write `need: [x, θ]`", "need: [x, θ]"),
+    ("x': 1}", "m: 3}", "E0419", "`parameters: {m: ...}`", "x': 1}, parameters: {m: 3}"),
     ("V: -m*g*l*cos(θ)", "formulation: Hamel", "E0312", "write `euler-lagrange`", "formulation: euler-lagrange"),
     ("V: -m*g*l*cos(θ)", "formulation: d'Alembert", "E0312", "write `multipliers`", "formulation: multipliers"),
     ("V: -m*g*l*cos(θ)", "formulation: Voronets", "E0312", "write `voronec`", "formulation: auto"),
@@ -122,6 +128,56 @@ def test_one_slip_one_diagnostic_and_a_help_that_helps(
 )  # fmt: skip
 def test_the_first_of_several(right: str, wrong: str, help: str) -> None:
     assert any(help in d.help[0] for d in find(SPEC.replace(right, wrong)))
+
+
+ARM = """nhc: 1
+system: arm
+coordinates: {x: {unit: m}, phi: {unit: rad}}
+rotation: {R: {velocities: [p, q, r]}}
+parameters: {m: {value: 2, unit: kg}, l: {value: 0.5, unit: m}, g: {value: 9.81, unit: m/s^2}, F: {value: 1, unit: N}}
+bodies:
+  cart: {at: [x, 0, 0], mass: m}
+  arm: {parent: cart, turns: [y: phi], mass: m, centre: [l, 0, 0]}
+  top: {at: [x, 0, 0], rotation: R, mass: m, inertia: m*l^2}
+points: {tip: {parent: arm, at: [l, 0, 0]}}
+V: m*g*l*R_z3
+forces: {tip_z: F}
+scenes: {go: {initial: {phi: 0.1, R: [1, 0, 0, 0]}, time: [0, 1]}}
+"""
+
+
+def test_the_other_spec_holds() -> None:
+    assert find(ARM) == ()
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "code", "help", "followed"),
+    [
+        ("unit: m/s^2", "unit: m/sec^2", "E0316", "write `s`", "unit: m/s^2"),
+        ("unit: N", "unit: Newton", "E0316", "write `N`", "unit: N"),
+        ("unit: N", "unit: kgm/s^2", "E0316", "write `kg*m`", "unit: kg*m/s^2"),
+        ("unit: N", "unit: furlong", "E0316", "units are written like", "unit: N"),
+        ("m*g*l*R_z3", "m*g*l*R_33", "E0302", "did you mean `R_z3`?", "m*g*l*R_z3"),
+        ("m*g*l*R_z3", "m*g*l*R33", "E0302", "did you mean `R_z3`?", "m*g*l*R_z3"),
+        ("tip_z: F", "tip: F", "E0302", "as `tip_x: ...`", "tip_x: F"),
+        ("tip_z: F", "arm: F", "E0302", "as `arm_x: ...` at its origin, a torque as `arm_w1`, `arm_w2`", "arm_x: F"),
+        (
+            "tip_z: F",
+            "arm: F*l",
+            "E0302",
+            "as `arm_x: ...` at its origin, a torque as `arm_w1`, `arm_w2`",
+            "arm_w2: F*l",
+        ),
+        ("phi: 0.1", "psi: 0.1", "E0419", "did you mean `phi`?", "phi: 0.1"),
+        ("R: [1, 0, 0, 0]", "turned: 1", "E0419", "known: `R`, `x`, `phi`", "R: [0, 1, 0, 0]"),
+        ("m*g*l*R_z3", "m*g + m*g*l*R_z3", "E0413", "the unit m is missing on the left, or", "m*g*l + m*g*l*R_z3"),
+        ("m*g*l*R_z3", "m*g*l*R_z3 + m*g", "E0413", "or one with m on the right", "m*g*l*R_z3 + m*g*l"),
+    ],
+)
+def test_slips_with_bodies_rotations_and_units(right: str, wrong: str, code: str, help: str, followed: str) -> None:
+    (found,) = find(ARM.replace(right, wrong, 1))
+    assert (found.code, help in found.help[0]) == (code, True), found
+    assert find(ARM.replace(right, followed, 1)) == ()
 
 
 @pytest.mark.parametrize("entry", ["x' == l*θ'", "x' - l*θ' ==0"])

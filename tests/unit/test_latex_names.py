@@ -52,6 +52,17 @@ def look(text: str) -> str:
     return re.sub(r"\\math(?:rm|it)", "", text).replace("{", "").replace("}", "")
 
 
+def test_indices_of_the_forms_are_no_names() -> None:
+    """`d` is set apart from the differential's d; the d of Omega_d is that of the thesis (dynamic), and stays."""
+    text = (
+        "nhc: 1\nsystem: apart\ncoordinates: [x, y]\nparameters: {d: 1, c: 2, r: 3}\nV: d*x*c*r\nT: (x'^2 + d*y'^2)/2\n"
+    )
+    page = render(load(text))
+    assert r"\mathtt{d}" in page
+    assert r"\boldsymbol{\Omega}_{c} &=" in page
+    assert r"\boldsymbol{\Omega}_{d} &=" in page
+
+
 def test_no_two_names_look_alike() -> None:
     made = load(ALIKE)
     spec = made.system.spec

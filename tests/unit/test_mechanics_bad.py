@@ -46,6 +46,64 @@ def test_every_code_of_the_mechanics_is_met() -> None:
     assert met >= CODES
 
 
+@pytest.mark.parametrize(
+    ("forms", "more", "notes"),
+    [
+        ("{u: th, w: x'}", "", ["`u` contains no velocity"]),
+        ("{u: sin(th)*x' - cos(th)*y', w: th'}", "", ["`u` follows from the constraint `edge`"]),
+        ("{u: th', w: 2*th' + 1}", "", ["`w` follows from `u`"]),
+        (
+            "{u: x', w: th', s: y'}",
+            "",
+            [
+                "`s` follows from the constraint `edge` and `u`",
+                "the constraint leaves 2 of the 3 velocities free, and 3 quasi-velocities are given",
+            ],
+        ),
+        (
+            "{u: x', w: th'}",
+            "holonomic: [rod: x = 1]",
+            [
+                "`u` follows from the constraint `rod`",
+                "the 2 constraints leave 1 of the 3 velocities free, and 2 quasi-velocities are given",
+            ],
+        ),
+    ],
+)
+def test_it_is_said_why_quasi_velocities_are_no_basis(forms: str, more: str, notes: list[str]) -> None:
+    text = f"""nhc: 1
+system: none
+coordinates: [x, y, th]
+T: (x'^2 + y'^2 + th'^2)/2
+constraints: [edge: "-sin(th)*x' + cos(th)*y' = 0"]
+{more}
+quasi_velocities: {forms}
+"""
+    (found,) = diagnose(Source("none.yaml", text))
+    assert (found.code, list(found.notes)) == ("E0406", notes)
+
+
+def test_the_missing_component_of_an_angular_velocity_is_named() -> None:
+    """T need not lack a whole rotation: the spin about one axis is enough."""
+    text = "nhc: 1\nsystem: spin\nrotation: {R: {velocities: [p, q, r]}}\nT: (2*p^2 + (q + p)^2)/2\nV: R_z3\n"
+    (found,) = diagnose(Source("spin.yaml", text))
+    assert found.message == "`T` has no second-order part in `r`"
+
+
+def test_a_coordinate_that_moves_no_body_is_shown() -> None:
+    text = """nhc: 1
+system: idle
+coordinates: [x, phi, chi]
+bodies:
+  cart: {at: [x, 0], mass: 1}
+  arm: {parent: cart, turns: [z: phi], inertia: 2}
+"""
+    source = Source("idle.yaml", text)
+    (found,) = diagnose(source)
+    assert (found.code, found.message) == ("E0404", "`T` has no second-order part in `chi'`")
+    assert source.text[found.span.start : found.span.end] == "chi"
+
+
 @pytest.mark.parametrize("formulation", ["auto", "lagrange", "multipliers", "voronec"])
 @pytest.mark.parametrize(
     ("K", "a", "warned"), [(1.0, 0.9, False), (1.0, 1.1, True), (1e9, 3e4, False), (1e9, 3.2e4, True), (-1e-9, 0, True)]

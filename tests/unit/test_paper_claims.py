@@ -300,3 +300,17 @@ def test_the_theorem_of_energy_holds_for_many_signs() -> None:
         + "U: sqrt((x - y)^2) - max(x, y) + min(x, y)\nconstraints: [slip: z' - (x^2)^(1/2)*y' + abs(x + c)*y' = 0]\n"
     )
     assert says(text, "energy") == "energy: T + V is conserved"
+
+
+@pytest.mark.parametrize("formulation", ["voronec", "chaplygin", "euler-lagrange", "multipliers"])
+def test_a_name_stands_for_what_it_was_given_to(formulation: str) -> None:
+    """With y' = 0 the rate of Y is b*p'*cos(p), a part of the sum that is named: before the constraints Y' is the sum."""
+    text = HEAD + (
+        "coordinates: [p, x, y]\n"
+        "define: {Y: y + c*sin(p)}\n"
+        "T: (p'^2 + x'^2 + m*Y'^2 + (1 + Y'^2)^2/9)/2\n"
+        "constraints: [level: y' = 0, slip: x' - sin(p)*p' = 0]\n"
+    )
+    found = said(derive(text, formulation))
+    assert "Y' = y' + c*p'*cos(p)" in found
+    assert "y' + Y'" not in found

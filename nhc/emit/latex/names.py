@@ -43,7 +43,8 @@ class Names:
         base, own = self._base(mark.base)
         if mark.dots:
             base = f"{_DOTS[mark.dots]}{{{base}}}"
-        lower = ",".join([*own, *(self._index(x) for x in mark.lower)])
+        index = spell_index if _is_form(mark) else self._index
+        lower = ",".join([*own, *(index(x) for x in mark.lower)])
         upper = ",".join([*("*" for _ in range(mark.star)), *(self._index(x) for x in mark.upper)])
         text = base + (f"^{{{upper}}}" if upper else "") + (f"_{{{lower}}}" if lower else "")
         return (r"d" if mark.prefix else "") + text + mark.at
@@ -69,7 +70,8 @@ def name_document(derivation: Derivation) -> Names:
     """One spelling for each name that the document uses, none for two of them."""
     marks = dict.fromkeys(_list_marks(derivation))
     bases = dict.fromkeys(mark.base for mark in marks if _is_name(mark))
-    indices = dict.fromkeys(x for mark in marks for x in (*mark.lower, *mark.upper) if not x.isdigit())
+    indexed = [x for mark in marks if not _is_form(mark) for x in (*mark.lower, *mark.upper)]
+    indices = dict.fromkeys(x for x in indexed if not x.isdigit())
     spec = derivation.system.spec
     groups = (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities)
     given = {entry.name for group in groups for entry in group}
@@ -112,6 +114,11 @@ def _bare(mark: Mark) -> Mark:
 def _is_name(mark: Mark) -> bool:
     """Whether the base is a name by itself; with indices of nhc's it is a letter of the theory."""
     return not (mark.lower or mark.upper or mark.star)
+
+
+def _is_form(mark: Mark) -> bool:
+    """Whether it is Omega or Theta, whose indices c, d and r are letters of the thesis, not names."""
+    return " form" in mark.base
 
 
 def _group(looks: Iterable[tuple[str, str]]) -> list[list[str]]:

@@ -86,6 +86,11 @@ def meant_sign(text: str, at: int) -> str:
     """What to do about a sign that no expression holds, at this place of a text."""
     if text[at] == ".":
         return _meant_dot(text, at)
+    share = (
+        re.search(r"(?<![\w.])(\d+)$", text[:at].rstrip()) if text[at] == "%" and not text[at + 1 :].strip() else None
+    )
+    if share:
+        return f"write `{share[1]}/100`"
     return _meant_latex(text[at + 1 :]) if text[at] == "\\" else _SIGNS.get(text[at], _GRAMMAR)
 
 
@@ -116,6 +121,9 @@ def _meant_latex(rest: str) -> str:
 
 def meant_call(name: str, rest: str) -> str:
     """What to write for the call of something that is no function, ``rest`` being the text from its parenthesis on."""
+    rate = re.match(r"\(\s*([^\W\d]\w*)\s*(?:,\s*t\s*)?\)", rest)
+    if rate and SPELLINGS.get(name.lower()) == "dot(x)":
+        return f"write `{rate[1]}'`"
     if name.lower() in SPELLINGS:
         return f"write `{SPELLINGS[name.lower()]}`"
     if re.match(r"\(\s*t\s*\)", rest):

@@ -9,7 +9,7 @@ _MOST_DIGITS = 400  # far beyond what a double can tell apart, far below what ma
 _DECIMAL = re.compile(r"([-+]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([-+]?[0-9]+))?")
 _LARGEST = 308
 _SMALLEST = -307
-DOUBLES = "write a number between 1e-307 and 1e308, with some hundred digits at most, or choose other units"
+DOUBLES = "write a number from 1e-307 up to less than 1e308, with some hundred digits at most, or choose other units"
 
 
 def exact(text: str) -> Fraction | None:

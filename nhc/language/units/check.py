@@ -131,7 +131,7 @@ class Checker:
             what = f"{show(left.dimension)} {word} {show(right.dimension)}"
             labels = (Label(node.left.span, show(left.dimension)), Label(node.right.span, show(right.dimension)))
             bare = left.number is not None or right.number is not None
-            missing = _lack(left.dimension, right.dimension)
+            missing = _lack_beside(left.dimension, right.dimension)
             help = ("a bare number has no unit: make it a parameter with its unit" if bare else missing,)
             self.bag.error("E0413", f"units do not fit: {what}", node.operator, labels=labels, help=help)
             return _UNKNOWN
@@ -190,7 +190,7 @@ class Checker:
             return
         message = f"units do not fit: {show(left.dimension or ONE)} = {show(right.dimension or ONE)}"
         label = Label(item.left.span, show(left.dimension or ONE))
-        help = (_lack(left.dimension or ONE, right.dimension or ONE),)
+        help = (_lack_beside(left.dimension or ONE, right.dimension or ONE),)
         self.bag.error("E0413", message, item.right.span, show(right.dimension or ONE), labels=(label,), help=help)
 
 
@@ -198,6 +198,13 @@ def _lack(wanted: Dimension, found: Dimension) -> str:
     """What would make one dimension the other."""
     missing = multiply(wanted, raise_to(found, -1))
     return f"a factor with the unit {show(missing)} is missing, or a unit is declared wrongly"
+
+
+def _lack_beside(left: Dimension, right: Dimension) -> str:
+    """What would make either dimension the other: which of them is wrong is not known."""
+    ahead, behind = multiply(right, raise_to(left, -1)), multiply(left, raise_to(right, -1))
+    lacking = f"a factor with the unit {show(ahead)} is missing on the left, or one with {show(behind)} on the right"
+    return f"{lacking}, or a unit is declared wrongly"
 
 
 def _combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction | None:

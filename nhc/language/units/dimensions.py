@@ -68,14 +68,29 @@ _ORDER = {"kg": 0, "m": 1}  # mass and length are written first
 SPELLING = "units are written like `kg*m^2/s^2`, `N*m`, `rad`, `1`"
 
 
-class UnitError(Exception):
-    """A text is no unit; ``start`` and ``end`` are offsets in it."""
+_WORDS = {
+    **dict.fromkeys(("sec", "secs", "second", "seconds"), "s"),
+    **dict.fromkeys(("meter", "meters", "metre", "metres"), "m"),
+    **dict.fromkeys(("kilogram", "kilograms"), "kg"),
+    **dict.fromkeys(("gram", "grams", "gm"), "g"),
+    **dict.fromkeys(("minute", "minutes"), "min"),
+    **dict.fromkeys(("hour", "hours"), "h"),
+    **dict.fromkeys(("radian", "radians", "rads"), "rad"),
+    **dict.fromkeys(("degree", "degrees"), "deg"),
+    **{"newton": "N", "joule": "J", "watt": "W", "hertz": "Hz", "pascal": "Pa", "kelvin": "K", "ampere": "A", "volt": "V"},
+    **{"newtons": "N", "joules": "J", "watts": "W", "volts": "V", "amperes": "A", "rpm": "1/min", "none": "1"},
+}  # fmt: skip
 
-    def __init__(self, message: str, start: int, end: int) -> None:
+
+class UnitError(Exception):
+    """A text is no unit; ``start`` and ``end`` are offsets in it; ``help`` says what to write."""
+
+    def __init__(self, message: str, start: int, end: int, help: str = SPELLING) -> None:
         super().__init__(message)
         self.message = message
         self.start = start
         self.end = end
+        self.help = help
 
 
 @cache
@@ -106,6 +121,17 @@ def _power(name: str, power: int | Fraction) -> str:
 
 
 def _unit(text: str, start: int) -> Dimension:
+    known = _known_unit(text)
+    if known is not None:
+        return known
+    meant = _WORDS.get(text.casefold(), "")
+    for k in range(1, len(text)):
+        if not meant and _known_unit(text[:k]) is not None and text[k:] in _UNITS:
+            meant = f"{text[:k]}*{text[k:]}"
+    raise UnitError(f"unknown unit `{text}`", start, start + len(text), f"write `{meant}`" if meant else SPELLING)
+
+
+def _known_unit(text: str) -> Dimension | None:
     name = text.replace("\u03a9", "ohm").replace("\u2126", "ohm")
     if name in _UNITS:
         return _UNITS[name]
@@ -113,7 +139,7 @@ def _unit(text: str, start: int) -> Dimension:
         rest = name.removeprefix(prefix)
         if rest != name and rest in _UNITS and rest not in _UNPREFIXED and prefix in _ENLARGED.get(rest, _PREFIXES):
             return _UNITS[rest]
-    raise UnitError(f"unknown unit `{text}`", start, start + len(text))
+    return None
 
 
 @structure

@@ -265,4 +265,7 @@ def _check_filled(source: Source, node: Node, place: Span, what: str, bag: Bag) 
             help = "commas separate entries here: write a list as `[a, b]`, and a text with commas in quotes"
             if pair:
                 help = f"write `{pair[1]}: {pair[2]}`"
+            whole = re.search(r":\s*([-+]?\d+),$", source.text[: place.start])
+            if whole and re.fullmatch(r"\d+", source.text[place.start : place.end]):
+                help = f"decimal numbers are written with `.`: `{whole[1]}.{source.text[place.start : place.end]}`"
         bag.error("E0109", f"empty {what}", span, help=(help,))

@@ -10,6 +10,7 @@ from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import Bag, Span, several
 from nhc.mechanics.choosing.adapt import complete, turning_choices
+from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
 from nhc.mechanics.choosing.reach import becomes_singular
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
@@ -144,7 +145,8 @@ def _euler_lagrange(system: System) -> Formulation:
             [
                 f"these quasi-velocities are no basis together with the {several(system.l, 'constraint')}"
                 if system.l
-                else "these quasi-velocities are no basis"
+                else "these quasi-velocities are no basis",
+                *list_faults(system),
             ],
             "E0406",
             "quasi_velocities",

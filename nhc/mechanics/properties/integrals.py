@@ -127,11 +127,14 @@ def _partners(g: Graph, functions: Sequence[Node]) -> list[Node]:
 
 
 def _elementary(g: Graph, coordinates: Sequence[Node]) -> list[Node]:
-    """Logarithms, sines, cosines and quotients of the coordinates, and their products with coordinates: for small systems."""
+    """Logarithms, sines, cosines and quotients of the coordinates, and their products with coordinates: for small systems.
+
+    Logarithms are those of absolute values, which are constant wherever the rates are: y' = y holds at negative y, too.
+    """
     if len(coordinates) > 5:
         return []
     waves = [g.function(name, x) for x in coordinates for name in ("sin", "cos")]
-    logs = [g.function("log", x) for x in (*coordinates, *waves)]
+    logs = [g.function("log", g.function("abs", x)) for x in (*coordinates, *waves)]
     quotients = [g.div(x, y) for x in (g.one, *coordinates) for y in coordinates if x != y]
     return [*waves, *logs, *quotients, *(g.mul(x, wave) for x in coordinates for wave in waves)]
 

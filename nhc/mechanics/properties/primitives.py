@@ -32,7 +32,7 @@ def find_primitives(system: System) -> list[Node]:
 
 
 def _integrate(g: Graph, term: Monomial, x: Node) -> Iterator[Node]:
-    """At most one node: the integral of the product by x, up to a number."""
+    """At most one node: the integral of the product by x, up to a number; that of 1/x has a value on either side of 0."""
     inside = [(node, power) for node, power in term if g.depends(node, g.deps[x])]
     outside = g.product([g.power(node, power) for node, power in term if not g.depends(node, g.deps[x])])
     if not inside:
@@ -40,7 +40,7 @@ def _integrate(g: Graph, term: Monomial, x: Node) -> Iterator[Node]:
     elif len(inside) == 1:
         node, power = inside[0]
         if node == x:
-            yield g.mul(outside, g.power(x, power + 1) if power != -1 else g.function("log", x))
+            yield g.mul(outside, g.power(x, power + 1) if power != -1 else g.function("log", g.function("abs", x)))
         elif power == 1 and g.op[node] in _SIGNLESS:
             (rate,) = tangent(g, [g.a[node]], {x: g.one})
             if rate != g.zero and not g.depends(rate, g.deps[x]):

@@ -92,8 +92,8 @@ def find_integrals(
 def find_closed(system: System, place: Mapping[Node, float]) -> tuple[Node, ...]:
     """Integrals f(q, t) of the constraints, those that are declared and those that are found; nothing for large systems.
 
-    Those without a value at the ``place`` where a motion starts are left out: x' = x*y' holds at x <= 0 too, and its integral
-    y - log(x) tells of the motions at the other side only.  Along a motion that starts where it has a value it stays what it is.
+    Those without a value at the ``place`` where a motion starts are left out: x' = x*y' holds at x = 0 too, of which its integral
+    y - log(abs(x)) does not tell.  Along a motion that starts where it has a value it stays what it is.
     """
     if not system.constraints or system.n > MOST_COORDINATES:
         return tuple(form.equation for form in system.constraints if form.equation is not None)

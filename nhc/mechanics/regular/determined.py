@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.modular import are_zero, rank
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag, quote
+from nhc.diagnostics import Bag, Span, quote
 from nhc.mechanics.system import System
+from nhc.mechanics.turning import moving
 
 
 def check_determined(system: System, mass: Sequence[Sequence[Node]], *, bordered: bool) -> None:
@@ -24,19 +25,42 @@ def check_determined(system: System, mass: Sequence[Sequence[Node]], *, bordered
         rows += [[*c.coefficients, *([zero] * system.l)] for c in system.constraints]
     if rank(g, rows) == len(rows):
         return
-    momenta = gradient(g, system.T, system.v)
-    bare = [f"{system.q_names[i]}'" for i, p in enumerate(momenta) if all(are_zero(g, gradient(g, p, system.v)))]
-    for rotation in system.spec.rotations:
-        parts = [f"{name}'" for name in rotation.coordinates]
-        if set(parts) <= set(bare):
-            bare = [name for name in bare if name not in parts] + list(rotation.velocities)
+    bare = _without_inertia(system)
     what = quote(bare)
     bag = Bag(system.spec.origin)
     bag.error(
         "E0404",
         f"`T` has no second-order part in {what}" if bare else "the mass matrix is singular for every state",
-        system.spec.kinetic.span,
+        _place(system, bare),
         notes=("the accelerations would not be determined by the forces",),
         help=("give each coordinate an inertia, or remove the coordinate",),
     )
     bag.raise_if_errors()
+
+
+def _without_inertia(system: System) -> list[str]:
+    """The velocities, and the components of angular velocities, in which T has no second-order part."""
+    g = system.graph
+
+    def is_bare(momentum: Node) -> bool:
+        return all(are_zero(g, gradient(g, momentum, system.v)))
+
+    turning = {i for rotation in system.rotations for i in rotation.places}
+    momenta = gradient(g, system.T, system.v)
+    bare = [f"{system.q_names[i]}'" for i, p in enumerate(momenta) if i not in turning and is_bare(p)]
+    for rotation, declared in zip(system.rotations, system.spec.rotations, strict=True):
+        for k, name in enumerate(declared.velocities):
+            a, b, c = (g.one if j == k else g.zero for j in range(3))
+            rates = rotation.velocities(g, (g.zero, a, b, c))
+            x = dict(zip(rotation.places, rates, strict=True))
+            turn = moving(system, [x.get(i, g.zero) for i in range(system.n)])
+            if is_bare(tangent(g, [system.T], turn)[0]):
+                bare.append(name)
+    return bare
+
+
+def _place(system: System, bare: Sequence[str]) -> Span:
+    """T; where bodies make it, the coordinate that none of them moves with."""
+    spec = system.spec
+    lone = [entry.span for entry in spec.coordinates if bare == [f"{entry.name}'"]]
+    return lone[0] if lone and spec.bodies else spec.kinetic.span

@@ -56,9 +56,12 @@ def list_roots(drafts: Iterable[DraftSheet]) -> list[Node]:
 
 
 def find_owners(graph: Graph) -> set[Node]:
-    """The first node that bears each of the user's names: what follows from it by substitution is no longer it."""
+    """The node that got each of the user's names first: what follows from it by substitution is no longer it.
+
+    It need not be the first node: what is left of y' + a*c' where y' is zero was there before the sum.
+    """
     first: dict[str, Node] = {}
-    for node, label in sorted(graph.labels.items()):
+    for node, label in graph.labels.items():
         first.setdefault(label, node)
     return set(first.values())
 
