@@ -21,7 +21,10 @@ _ROUNDING = 1e-12
 
 
 def independence(system: System, made: Sequence[Form], points: Sequence[dict[Node, float]]) -> float:
-    """How long the free velocities, of forms of length 1, are at least on what the constraints and those before them leave."""
+    """How long the free velocities, of forms of length 1, are at least on what the constraints and those before them leave.
+
+    A point at which the constraints have no full rank says nothing: all coordinates zero are no position of a chain of rods.
+    """
     least = 1.0
     for matrix in sampled_rows(system, [*system.constraints, *made], points):
         across: list[list[tuple[int, float]]] = []
@@ -29,8 +32,11 @@ def independence(system: System, made: Sequence[Form], points: Sequence[dict[Nod
             rest = _unit(row)
             for known in (*across, *across):  # twice is enough (Kahan and Parlett), once is not
                 _leave_across(rest, known)
+            length = math.hypot(*rest)
+            if k < system.l and length <= _ROUNDING:
+                break
             if k >= system.l:
-                least = min(least, math.hypot(*rest))
+                least = min(least, length)
             across.append(list_entries(_unit(rest)))
     return least
 
