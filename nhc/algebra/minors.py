@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from operator import mul
 
 _PASSES = 20  # of the means of rows and columns
 
@@ -37,7 +38,7 @@ def relative_minors(matrix: Sequence[Sequence[float]], subsets: Sequence[Sequenc
 
 def row_size(matrix: Sequence[Sequence[float]]) -> float:
     """The product of the norms of the rows."""
-    return math.prod(math.sqrt(sum(x * x for x in row)) for row in matrix)
+    return math.prod(math.sqrt(sum(map(mul, row, row))) for row in matrix)
 
 
 def _reduce(matrix: Sequence[Sequence[float]]) -> tuple[list[int], list[list[float]], float]:

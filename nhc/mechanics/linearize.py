@@ -21,7 +21,7 @@ from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build
 from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
-from nhc.mechanics.properties.flag import growth_vector
+from nhc.mechanics.properties.flag import terminal_rank
 from nhc.mechanics.properties.integrability import is_integrable, lie_bracket
 from nhc.mechanics.system import System
 from nhc.mechanics.turning import moving
@@ -108,7 +108,7 @@ def leaf_of(system: System, frame: Frame) -> Leaf:
         g.depends(x, g.deps[system.t]) for e in frame.free_vectors for x in e
     )
     base = [*free, (*frame.drift, g.one)] if moving else free
-    dimension = growth_vector(g, variables if moving else system.q, base if moving else frame.free_vectors)[-1] - moving
+    dimension = terminal_rank(g, variables if moving else system.q, base if moving else frame.free_vectors) - moving
     if dimension == n:
         return Leaf(n)
     closed = [form.coefficients for form in system.constraints if is_integrable(system, form)]

@@ -8,7 +8,7 @@ a reaction enters as Q_i + lambda_alpha a_alpha_i.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 
 from nhc.algebra.calculus import derivative
 from nhc.algebra.graph import Graph, Node
@@ -125,7 +125,7 @@ class System:
             known = self.graph.memory["units"] = derive_units(self.spec)
         return known
 
-    @property
+    @cached_property
     def q_names(self) -> tuple[str, ...]:
         return tuple(self.symbol_name(node) for node in self.q)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from itertools import product
@@ -31,6 +32,7 @@ from nhc.mechanics.properties.sampling import Sampler
 from nhc.mechanics.properties.singular import find_rank_loss
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
+from nhc.pipeline import check
 from tests.support import GALLERY, spec_path
 
 # growth vector of ker A and number of holonomic constraints in disguise
@@ -109,6 +111,24 @@ def test_one_letter_decides() -> None:
     assert (classify(bad).growth, classify(bad).hidden, classify(bad).closed) == ((4,), 1, ("c",))
     (integral,) = find_position_integrals(bad, frame_of(bad), 1, ("c",))
     assert integral.text in ("u^2 + 2*x + z^2", "2*x + z^2 + u^2", "z^2 + 2*x + u^2", "u^2 + z^2 + 2*x")
+
+
+@pytest.mark.parametrize("name", sorted(GROWTH))
+def test_what_is_hidden_is_known_without_the_growth_vector(name: str) -> None:
+    found, whole = classify(system_of(name), levels=False), classify(system_of(name))
+    assert found.growth in ((), whole.growth)
+    assert replace(found, growth=whole.growth) == whole
+
+
+@pytest.mark.parametrize("roots", [19, 60])
+def test_many_roots_are_no_reason_to_fail(roots: int) -> None:
+    """Their radicands are all squares at one point in 2**roots: nothing is decided there, and thousands are not drawn."""
+    terms = " + ".join(f"sqrt(1 + (x - {k})^2)" for k in range(roots))
+    text = f"nhc: 1\nsystem: rooted\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nconstraints: [\"z' = ({terms})*y'\"]\n"
+    report = check(Source("rooted.yaml", text))
+    assert not report.diagnostics
+    assert "integrability: not decided (too many nested roots for the exact test)" in report.facts
+    assert not check(Source("rooted.yaml", text), explain=False).diagnostics
 
 
 @pytest.mark.parametrize("name", sorted(INTEGRALS))

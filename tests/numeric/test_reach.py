@@ -7,7 +7,7 @@ import math
 import pytest
 
 from nhc.diagnostics import Source
-from nhc.pipeline import emit, model
+from nhc.pipeline import Options, emit, model
 from tests.support import python_model
 
 HEAD = "nhc: 1\nsystem: s\n"
@@ -68,3 +68,33 @@ def test_the_emitted_double_pendulum_hangs_straight() -> None:
     y = module.state(0.0, [0, -1, 0, -2], [u, 0, w, 0])
     assert module.accelerations(0.0, y) == pytest.approx([0, u**2, 0, u**2 + (w - u) ** 2], abs=1e-12)
     assert all(map(math.isfinite, module.rhs(0.0, y)))
+
+
+@pytest.mark.parametrize("count", [5, 9, 12])
+@pytest.mark.parametrize("axes", ["xy", "xyz"])
+def test_long_chains_of_rods_between_points_hang_at_rest(count: int, axes: str) -> None:
+    """Too many coordinates for a walk, and for multipliers: the velocities across each rod are free, and no y' alone."""
+    names = [[f"{axis}{k}" for axis in axes] for k in range(count)]
+    before = [["0"] * len(axes), *names]
+    rods = [
+        " + ".join(f"({a} - {b})^2" for a, b in zip(own, last, strict=True))
+        for own, last in zip(names, before, strict=False)
+    ]
+    text = HEAD + "\n".join(
+        [
+            f"coordinates: [{', '.join(x for own in names for x in own)}]",
+            "T: (" + " + ".join(f"{x}'^2" for own in names for x in own) + ")/2",
+            f"V: 9.81*({' + '.join(own[1] for own in names)})",
+            "holonomic:",
+            *(f"  - {rod} = 1" for rod in rods),
+            f"scenes: {{a: {{initial: {{{', '.join(f'x{k}: {k + 1}' for k in range(count))}}}, time: [0, 1]}}}}",
+            "",
+        ]
+    )
+    source = Source("s.yaml", text)
+    free = model(source).formulation.frame
+    assert free is not None
+    written = python_model(emit(source, "python", Options(only=("rhs",)))["s.py"], "rods")
+    hanging = [float(-k - 1) if axis == "y" else 0.0 for k in range(count) for axis in axes]
+    rates = written.rhs(0.0, [*hanging, *[0.0] * len(free.free)])
+    assert max(map(abs, rates)) == 0.0

@@ -12,7 +12,8 @@ from nhc.algebra.graph import Graph
 from nhc.algebra.probe import Probe
 from nhc.algebra.rewriting.digits import _Points
 from nhc.diagnostics import Source
-from nhc.pipeline import Options, emit
+from nhc.mechanics.properties import integrability
+from nhc.pipeline import Options, check, emit
 from nhc.program import build
 from tests.support import ROOT
 
@@ -31,6 +32,24 @@ def test_emitting_everything_lowers_each_function_once(name: str, monkeypatch: p
     assert lowered["rhs"] == lowered["energy"] == 1
     assert lowered["positions"] == (name == "holonomic_pendulum")
     assert set(lowered.values()) == {1}
+
+
+def test_a_check_that_is_not_explained_looks_for_warnings_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The growth vector of 20 trailers takes longer than all the rest."""
+    asked, growth_vector = list[int](), integrability.growth_vector
+
+    def counted(graph, variables, *others):  # type: ignore[no-untyped-def]
+        asked.append(len(variables))
+        return growth_vector(graph, variables, *others)
+
+    monkeypatch.setattr(integrability, "growth_vector", counted)
+    source = Source("trailers3.yaml", (ROOT / "specs" / "n_trailer3.yaml").read_text(encoding="utf-8"))
+    short = check(source, explain=False)
+    assert not asked
+    whole = check(source)
+    assert asked
+    assert short.diagnostics == whole.diagnostics
+    assert {"growth", "cyclic", "applicable", "chaplygin"} <= whole.data.keys()
 
 
 def test_a_walk_that_is_remembered_belongs_to_its_caller() -> None:

@@ -11,6 +11,9 @@ from nhc.algebra.graph import Graph, Node
 MOST_DRAWS = 20_000
 _EXPONENT = 65537
 ROOTS = ("sqrt", "powf")
+_MOST_INDEPENDENT = 17
+"""Radicands that are squares independently of each other: all of 18 are so at one point in 262144, and drawing is of no use."""
+_CHARACTERS = 2 * _MOST_INDEPENDENT  # points at which it is seen how independent they are
 
 
 def draw_points(
@@ -28,7 +31,7 @@ def draw_points(
     ``fixed`` gives symbols a value; roots of what contains a symbol of the mask ``later`` are not looked at; ``settle`` gives
     symbols their values at a point before, and raises Unlucky where there are none.  Each point is
     prepared for the nodes, so that they may be evaluated in several calls.  Roots for which thousands of seeds had no point are
-    not drawn for again.
+    not drawn for again, and not at all where they are too many that have nothing to do with each other.
     """
     radicals = [n for n in reachable(graph, roots) if graph.op[n] in ROOTS and not graph.deps[n] & later]
     hopeless: list[frozenset[Node]] = graph.memory.setdefault("roots without points", [])
@@ -37,15 +40,24 @@ def draw_points(
         return
     known, announced = dict(fixed or {}), kind(graph, 0, prime)
     announced.prepare(roots)
-    tried, found = 0, False
-    for seed in seeds:
-        tried += 1
+
+    def draw(seed: int) -> FieldPoint:
         point = kind(graph, seed, prime)
         point.prepare_like(announced)
         point.evaluate([], known)
+        if settle is not None:
+            settle(point)
+        return point
+
+    if _are_too_many(graph, radicals, draw):
+        if free:
+            hopeless.append(frozenset(radicals))
+        return
+    tried, found = 0, False
+    for seed in seeds:
+        tried += 1
         try:
-            if settle is not None:
-                settle(point)
+            point = draw(seed)
             for node in radicals:
                 point.evaluate([node])
         except Unlucky:
@@ -54,6 +66,41 @@ def draw_points(
         yield seed, point
     if radicals and free and not found and tried >= MOST_DRAWS:
         hopeless.append(frozenset(radicals))
+
+
+def _are_too_many(graph: Graph, radicals: Sequence[Node], draw: Callable[[int], FieldPoint]) -> bool:
+    """Whether more of the radicands than one may hope for are squares independently of each other (see :mod:`.signs`).
+
+    Those that hold no other root are looked at: their quadratic characters as rows of bits, by elimination modulo 2.
+    """
+    nested = _holding(graph, radicals)
+    radicands = list(dict.fromkeys(graph.a[n] for n in radicals if graph.op[n] == "sqrt" and graph.a[n] not in nested))
+    if len(radicands) <= _MOST_INDEPENDENT:
+        return False
+    characters, seen = [0] * len(radicands), 0
+    for seed in range(_CHARACTERS):
+        try:
+            point = draw(seed)
+            values = point.evaluate(radicands)
+        except Unlucky:
+            continue
+        for k, x in enumerate(values):
+            characters[k] |= (x != 0 and pow(x, (point.prime - 1) // 2, point.prime) != 1) << seen
+        seen += 1
+    pivots: dict[int, int] = {}
+    for row in characters:
+        while row and (pivot := pivots.setdefault(row.bit_length(), row)) != row:
+            row ^= pivot
+    return len(pivots) > _MOST_INDEPENDENT
+
+
+def _holding(graph: Graph, radicals: Sequence[Node]) -> set[Node]:
+    """What is made of the roots, and they themselves."""
+    found = set(radicals)
+    for node in reachable(graph, radicals):
+        if not found.isdisjoint(graph.kids[node]):
+            found.add(node)
+    return found
 
 
 class QuickPoint(FieldPoint):

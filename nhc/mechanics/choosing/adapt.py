@@ -19,6 +19,7 @@ from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
+from nhc.mechanics.choosing.reach import MOST_WALKED
 from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import (
@@ -248,12 +249,18 @@ def _along_rows(
 def _pools(system: System) -> list[list[Form]]:
     """Forms to complete with, the preferred ones first: what the spec's dependent velocities leave free, what nhc's
     own choice of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
+
+    Where all constraints are equations of positions, that of the constraints in turn takes the place of an adapted one: the minors
+    of a row vanish together only where its equation has no slope, as for rods between points.  Small mechanisms are walked
+    instead, and multipliers are shorter for them.
     """
     every = [coordinate_form(system, j) for j in range(system.n)]
     choices = [system.dependent] if system.dependent else []
     choices.append(choose_dependent(system).dependent)
     pools = [[every[j] for j in range(system.n) if j not in dependent] + every for dependent in choices]
     adapted = adapted_forms(system)
+    if adapted is None and system.n > MOST_WALKED and all(form.equation is not None for form in system.constraints):
+        adapted = stepwise_forms(system)
     if adapted is not None:
         pools.append([*adapted, *every])
     return pools

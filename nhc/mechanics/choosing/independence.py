@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-import operator
 from collections.abc import Sequence
 
 from nhc.algebra.graph import Node
+from nhc.algebra.minors import list_entries, subtract
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
 from nhc.mechanics.system import Form, System
@@ -21,18 +21,23 @@ _ROUNDING = 1e-12
 
 
 def independence(system: System, made: Sequence[Form], points: Sequence[dict[Node, float]]) -> float:
-    """How long the free velocities, of forms of length 1, are at least on what the constraints and those before them leave."""
+    """How long the free velocities, of forms of length 1, are at least on what the constraints and those before them leave.
+
+    A point at which the constraints have no full rank says nothing: all coordinates zero are no position of a chain of rods.
+    """
     least = 1.0
     for matrix in sampled_rows(system, [*system.constraints, *made], points):
-        across: list[list[float]] = []
+        across: list[list[tuple[int, float]]] = []
         for k, row in enumerate(matrix):
             rest = _unit(row)
             for known in (*across, *across):  # twice is enough (Kahan and Parlett), once is not
-                along = sum(map(operator.mul, rest, known))
-                rest = [x - along * y for x, y in zip(rest, known, strict=True)]
+                _leave_across(rest, known)
+            length = math.hypot(*rest)
+            if k < system.l and length <= _ROUNDING:
+                break
             if k >= system.l:
-                least = min(least, math.hypot(*rest))
-            across.append(_unit(rest))
+                least = min(least, length)
+            across.append(list_entries(_unit(rest)))
     return least
 
 
@@ -62,10 +67,9 @@ def strongest(
     def leave(k: int) -> None:
         """Only what of the rows is across the k-th one stays."""
         for rows in left:
-            own = _unit(rows[k])
-            for i, row in enumerate(rows):
-                along = sum(map(operator.mul, row, own))
-                rows[i] = [x - along * y for x, y in zip(row, own, strict=True)]
+            own = list_entries(_unit(rows[k]))
+            for row in rows:
+                _leave_across(row, own)
 
     for k in range(len(before)):
         leave(k)
@@ -81,6 +85,15 @@ def strongest(
             chosen.append(offered[best - len(before)])
             leave(best)
     return chosen
+
+
+def _leave_across(row: list[float], known: Sequence[tuple[int, float]]) -> None:
+    """Only what of the row is across another one of length 1 stays; ``known`` are its entries that are not zero."""
+    along = 0.0
+    for j, y in known:
+        along += row[j] * y
+    if along:
+        subtract(row, known, along)
 
 
 def _unit(row: Sequence[float]) -> list[float]:

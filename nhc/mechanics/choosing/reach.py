@@ -19,7 +19,7 @@ from nhc.mechanics.regular.given_rank import given_states
 from nhc.mechanics.regular.trials import sampled_rows, velocity_units
 from nhc.mechanics.system import Form, System
 
-_MOST = 8
+MOST_WALKED = 8
 _WALKS, _STEPS = 2, 30
 _TURN = 0.3  # radians by which a step may turn the rows of the constraints
 _PROBE = 1e-5
@@ -33,10 +33,10 @@ def becomes_singular(system: System, forms: Sequence[Form]) -> bool:
     """Whether a walk from positions that ``holonomic:`` allows leads through a place where n forms, those of the constraints
     first, are no coframe although the constraints have full rank on both sides; False where there are no such equations.
 
-    Mechanisms with more than _MOST coordinates are not walked: multipliers would cost them a multiple (2 for 9 links, 5 for 20),
-    and a run changes its choice on the way anyway.
+    Mechanisms with more than MOST_WALKED coordinates are not walked: multipliers would cost them a multiple (2 for 9 links, 5 for
+    20), and a run changes its choice on the way anyway.
     """
-    if system.n > _MOST or not any(form.equation is not None for form in system.constraints):
+    if system.n > MOST_WALKED or not any(form.equation is not None for form in system.constraints):
         return False
     rng = random.Random(13)
     return any(_changes_sign(system, forms, start, rng) for start in given_states(system)[:_WALKS])

@@ -104,6 +104,8 @@ def _contains(system: System, nodes: Sequence[Node], i: int) -> bool:
     """Whether one of the nodes depends on q_i (exactly; a sign does, though its slope is zero)."""
     g, q = system.graph, system.q[i]
     seen = [node for node in nodes if g.depends(node, g.deps[q])]
+    if not seen:
+        return False
     return not all(are_zero(g, tangent(g, seen, {q: g.one}))) or steps_with(g, seen, q)
 
 

@@ -20,9 +20,11 @@ from nhc.mechanics.properties.integrals import PositionIntegral, find_position_i
 from nhc.mechanics.properties.named import named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
-from nhc.mechanics.regular.regularity import choose_dependent
+from nhc.mechanics.regular.regularity import Choice, choose_dependent
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
+
+_UNDECIDED = "not decided (too many nested roots for the exact test)"
 
 
 @dataclass
@@ -46,7 +48,7 @@ class Facts:
 
 
 def describe(system: System, formulation: Formulation, bag: Bag, *, explain: bool = True) -> Facts:
-    """Facts of the system; warnings go to the bag.  Without ``explain`` what is conserved is not searched for."""
+    """Facts of the system; warnings go to the bag.  Without ``explain`` little more is looked at than what may be warned of."""
     facts = Facts()
     n, lower = system.n, system.l
     parts = ((n, "coordinate", "coordinates"), (lower, "constraint", "constraints"))
@@ -56,20 +58,21 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     integrals: tuple[PositionIntegral, ...] = ()
     torn = list_torn(system)
     if lower:
-        integrals = _constraints(system, formulation, facts, torn, bag)
-        _dependent(system, formulation, facts, bag)
+        integrals = _constraints(system, formulation, facts, torn, bag, explain)
+        choice = formulation.dependent or checked_dependent(system)
+        _dependent(system, formulation, choice, facts, bag)
+        if explain:
+            _hypotheses(system, choice, facts)
     warn_of_quasi_velocities(system, formulation, bag)
-    cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
-    facts.say("cyclic", cyclic, f"cyclic coordinates: {_list_marked(cyclic) or 'none'}")
     if explain:
+        cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
+        facts.say("cyclic", cyclic, f"cyclic coordinates: {_list_marked(cyclic) or 'none'}")
         try:
             _conserved(system, formulation, integrals, facts)
         except Unlucky:
-            facts.say(
-                "conserved", [], "constants of the motion: not decided (too many nested roots for the exact test)"
-            )
-    names = [f.name for f in applicable(system)]
-    facts.say("applicable", names, f"formulations that apply: {', '.join(names)}")
+            facts.say("conserved", [], f"constants of the motion: {_UNDECIDED}")
+        names = [f.name for f in applicable(system)]
+        facts.say("applicable", names, f"formulations that apply: {', '.join(names)}")
     added = describe_added(system, formulation.frame)
     data = {"name": formulation.name, "number": formulation.number, "reason": formulation.reason, "added": added}
     line = f"formulation: {formulation.name} ({formulation.number}), {formulation.reason}"
@@ -103,9 +106,13 @@ def _is_homogeneous(system: System) -> bool:
 
 
 def _constraints(
-    system: System, formulation: Formulation, facts: Facts, torn: Collection[str], bag: Bag
+    system: System, formulation: Formulation, facts: Facts, torn: Collection[str], bag: Bag, explain: bool
 ) -> tuple[PositionIntegral, ...]:
-    found = classify(system, formulation.frame)
+    try:
+        found = classify(system, formulation.frame, levels=explain)
+    except Unlucky:
+        facts.say("hidden", None, f"integrability: {_UNDECIDED}")
+        return ()
     kinds = [word for word, holds in (("affine", found.affine), ("time-dependent", found.rheonomic)) if holds]
     kind = ", ".join(kinds) or "homogeneous, scleronomic"
     growth = ", ".join(str(r) for r in found.growth)
@@ -113,7 +120,7 @@ def _constraints(
         "growth", list(found.growth), f"constraints: {kind}; growth vector of the allowed directions: $({growth})$"
     )
     facts.data.update({"affine": found.affine, "time_dependent": found.rheonomic, "kinds": _kinds(system, found)})
-    special = classify_as_given(system, found)
+    special = classify_as_given(system, found, levels=explain)
     text = _count_hidden(system, found)
     if special:
         text += f" (for arbitrary parameters; with their values in the spec: {_count_hidden(*special)})"
@@ -128,7 +135,8 @@ def _constraints(
         _warn_integrable(special[0], special[1], own, torn, bag, " with the values under `parameters:`")
     else:
         _warn_integrable(system, found, integrals, torn, bag)
-    _rank_loss(system, facts)
+    if explain:
+        _rank_loss(system, facts)
     return integrals
 
 
@@ -275,8 +283,7 @@ def _spell(integral: Integral) -> str:
     return f"{kind}${integral.text}${where}"
 
 
-def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag) -> None:
-    choice = formulation.dependent or checked_dependent(system)
+def _dependent(system: System, formulation: Formulation, choice: Choice, facts: Facts, bag: Bag) -> None:
     names = [f"{system.q_names[i]}'" for i in choice.dependent]
     who = "given" if system.dependent else "chosen"
     if choice.determinant is None:
@@ -301,6 +308,10 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
             notes=() if own else ("nhc chose them; no choice is known to be regular everywhere",),
             help=(f"{advice}, or use quasi-velocities that stay regular",),
         )
+
+
+def _hypotheses(system: System, choice: Choice, facts: Facts) -> None:
+    """Those of Čaplygin's equations, and for which dependent velocities."""
     try:
         other, _, found = chaplygin_dependent(system, choice)
     except ArithmeticError:

@@ -17,6 +17,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Sequence
 from functools import cache
+from itertools import islice
 from operator import mul
 
 from nhc.algebra.calculus import tangent
@@ -69,6 +70,25 @@ def growth_vector(
     return tuple(max(ranks[min(k, len(ranks) - 1)] for ranks in found) for k in range(length))
 
 
+def terminal_rank(
+    graph: Graph,
+    variables: Sequence[Node],
+    fields: Sequence[Field],
+    settle: Callable[[FieldPoint], object] | None = None,
+    combination: Combination | None = None,
+) -> int:
+    """The last rank of the growth vector; the others are not asked for where the brackets of one path fill the space."""
+    flag = _Flag(graph, variables, fields, combination)
+    seeds = range(_FIRST_SEED, _FIRST_SEED + MOST_DRAWS)
+    for _, point in islice(draw_points(graph, flag.plan.nodes, primes_of(graph)[0], seeds, settle=settle), 1):
+        try:
+            if flag.fills(point):
+                return len(variables)
+        except Unlucky:
+            continue
+    return growth_vector(graph, variables, fields, settle, combination)[-1]
+
+
 @cache
 def most_brackets(letters: int, length: int) -> int:
     """Independent brackets of ``length`` letters in the free Lie algebra (Witt 1937): letters^n = sum of d times those of d | n."""
@@ -111,6 +131,21 @@ class _Flag:
                 return found
             missing = self._more(found, missing)
         raise Unlucky
+
+    def fills(self, point: FieldPoint) -> bool:
+        """Whether brackets with the field that leads along a path fill the space; if not, other brackets may.
+
+        Raises:
+            Unlucky: the point lies on a pole.
+        """
+        path, rows, before = _Path(self, point, 0, probed=False), list[tuple[int, Vector]](), -1
+        while before < len(rows) < len(self.variables):
+            if before >= 0:
+                path.extend()
+            before = len(rows)
+            for vector in path.vectors():
+                extend_echelon(rows, vector, path.prime)
+        return len(rows) == len(self.variables)
 
     def _seems_free(self, ranks: Sequence[int], missing: int) -> bool:
         """Whether all brackets were independent for long, and the path is too poor to show more of them."""

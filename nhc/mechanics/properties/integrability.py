@@ -18,7 +18,7 @@ from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.linear import depends
 from nhc.mechanics.frame import Frame, coordinate_frame
-from nhc.mechanics.properties.flag import Field, growth_vector
+from nhc.mechanics.properties.flag import Field, growth_vector, terminal_rank
 from nhc.mechanics.properties.leaf import leaf_of
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
@@ -41,8 +41,11 @@ class Integrability:
     rheonomic: bool
 
 
-def classify(system: System, frame: Frame | None = None) -> Integrability:
-    """The constraints' integrability (``growth`` is (n,) without constraints); ``frame``: whose free vectors are short."""
+def classify(system: System, frame: Frame | None = None, *, levels: bool = True) -> Integrability:
+    """The constraints' integrability (``growth`` is (n,) without constraints); ``frame``: whose free vectors are short.
+
+    Without ``levels`` the growth vector is found only where something is integrable, and empty else.
+    """
     g, n = system.graph, system.n
     if not system.constraints:
         return Integrability((n,), 0, (), False, False)
@@ -52,12 +55,15 @@ def classify(system: System, frame: Frame | None = None) -> Integrability:
     rheonomic = any(g.depends(x, g.deps[system.t]) for x in entries)
     settle = leaf_of(system, [x for e in (*frame.free_vectors, frame.drift) for x in e]).settle
     whole = None if affine else (frame.kinematics, frame.free)
-    growth = growth_vector(g, system.q, frame.free_vectors, settle, whole)
-    hidden = n - growth[-1]
-    if affine or rheonomic:
-        fields = [(*e, g.zero) for e in frame.free_vectors] + [(*frame.drift, g.one)]
-        hidden = n + 1 - growth_vector(g, (*system.q, system.t), fields, settle)[-1]
     closed = tuple(form.name for form in system.constraints if is_integrable(system, form))
+    timed = affine or rheonomic
+    fields = [(*e, g.zero) for e in frame.free_vectors] + [(*frame.drift, g.one)] if timed else frame.free_vectors
+    if not levels and not closed:
+        variables = (*system.q, system.t) if timed else system.q
+        if terminal_rank(g, variables, fields, settle, None if timed else whole) == len(variables):
+            return Integrability((), 0, (), affine, rheonomic)
+    growth = growth_vector(g, system.q, frame.free_vectors, settle, whole)
+    hidden = n + 1 - terminal_rank(g, (*system.q, system.t), fields, settle) if timed else n - growth[-1]
     return Integrability(growth, hidden, closed, affine, rheonomic)
 
 
@@ -78,7 +84,9 @@ def as_given(system: System) -> System | None:
     return replace(system, constraints=tuple(forms)) if changed else None
 
 
-def classify_as_given(system: System, generic: Integrability) -> tuple[System, Integrability] | None:
+def classify_as_given(
+    system: System, generic: Integrability, *, levels: bool = True
+) -> tuple[System, Integrability] | None:
     """What :func:`classify` finds for the parameters' values in the spec, where more is integrable then.
 
     Parameters whose values are no rational numbers stay as they are; long constraints are not looked at a second time.
@@ -89,7 +97,7 @@ def classify_as_given(system: System, generic: Integrability) -> tuple[System, I
     dependent = choose_dependent(system).dependent  # for arbitrary parameters: what is chosen is kept for the graph
     try:
         given = as_given(system)
-        found = classify(given, coordinate_frame(given, dependent)) if given else generic
+        found = classify(given, coordinate_frame(given, dependent), levels=levels) if given else generic
     except (ArithmeticError, Singular, Unlucky):
         return None  # a division by zero, or dependent rows, which are told apart from this
     return (given, found) if given and found.hidden > generic.hidden else None
@@ -112,8 +120,10 @@ def is_integrable(system: System, form: Form) -> bool:
     r = next((v for v, x in a.items() if not is_zero(g, x)), None)
     if r is None:
         return True
-    active = [v for v in a if v != r and (a[v] != g.zero or any(g.depends(x, g.deps[v]) for x in a.values()))]
-    slopes = {v: dict(zip(a, gradient(g, a[v], tuple(a)), strict=True)) for v in (r, *active)}
+    held = g.mask(a.values())
+    active = [v for v in a if v != r and (a[v] != g.zero or g.deps[v] & held)]
+    near = (r, *active)
+    slopes = {v: dict(zip(near, gradient(g, a[v], near), strict=True)) for v in near}
     terms = []
     for number, j in enumerate(active):
         for k in active[number + 1 :]:

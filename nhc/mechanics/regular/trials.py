@@ -94,6 +94,8 @@ def sampled_rows(
     """
     chosen = _kept_points(system, ordinary=ordinary) if points is None else points
     own = velocity_units(system) if units is None else units
+    if all(u == 1.0 for u in own):
+        return _rows(system, forms, chosen)
     return [[[a * u for a, u in zip(row, own, strict=True)] for row in rows] for rows in _rows(system, forms, chosen)]
 
 
