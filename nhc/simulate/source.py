@@ -54,6 +54,7 @@ class ExplicitText:
     dense: tuple[Line, ...]
     exponent: int
     trust: float
+    turn: float
     waiting: Waiting
     paced: bool = True
 
@@ -73,6 +74,7 @@ class CollocationText:
     stiff: bool
     exponent: int
     trust: float
+    turn: float
     paced: bool = False
 
 
@@ -119,6 +121,7 @@ def describe_explicit(method: Explicit, kernel: Kernel | None) -> ExplicitText:
         dense=tuple(Line(CUBIC + j, print_sum(row)) for j, row in enumerate(method.dense)),
         exponent=max(method.exponent, 1),
         trust=method.trust,
+        turn=method.turn,
         waiting=plan_waiting(method, kernel) if kernel else Waiting(),
     )
 
@@ -137,6 +140,7 @@ def describe_collocation(method: Collocation) -> CollocationText:
         stiff=method.adaptive,
         exponent=max(method.exponent, 1),
         trust=method.trust,
+        turn=method.turn,
     )
 
 
@@ -168,10 +172,17 @@ def write_source(
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
     implicit = [method for method in methods if isinstance(method, Collocation)]
     explicit = [method for method in methods if isinstance(method, Explicit)]
-    parts, watch = list_parts(program), functions.get("watch")
+    parts, watch, beats = list_parts(program), functions.get("watch"), program.beats
     kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
     watching = print_kernel(program, watch) if watch is not None and lanes else None
-    lanes = lanes and kernel is not None and not holds and not parts and (watch is None or watching is not None)
+    lanes = (
+        lanes
+        and kernel is not None
+        and not holds
+        and not parts
+        and (beats is None or beats.steady)
+        and (watch is None or watching is not None)
+    )
     known = [one for one in (kernel, watching if lanes else None) if one is not None]
     context: dict[str, object] = {
         **_name(program),
@@ -193,6 +204,8 @@ def write_source(
         "dips": dips is not None and dips < size(watch),
         "first_dip": dips,
         "parts": parts,
+        "beats": size(functions.get("beats")),
+        "steady": beats is not None and beats.steady,
         "holds": tuple(holds),
         "needed": size(functions["needed"]),
         **_HOLD_STATUSES,
