@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
 from nhc.program.hold import SINGULAR_HOLD, TORN_HOLD
-from nhc.program.ir import Function, Load, Program
+from nhc.program.ir import Beats, Function, Load, Program
 from nhc.program.stepping import LIMITS
 from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
@@ -175,14 +175,8 @@ def write_source(
     parts, watch, beats = list_parts(program), functions.get("watch"), program.beats
     kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
     watching = print_kernel(program, watch) if watch is not None and lanes else None
-    lanes = (
-        lanes
-        and kernel is not None
-        and not holds
-        and not parts
-        and (beats is None or beats.steady)
-        and (watch is None or watching is not None)
-    )
+    side = kernel is not None and not holds and not parts and (beats is None or beats.steady)
+    lanes = lanes and side and (watch is None or watching is not None)
     known = [one for one in (kernel, watching if lanes else None) if one is not None]
     context: dict[str, object] = {
         **_name(program),
@@ -204,8 +198,7 @@ def write_source(
         "dips": dips is not None and dips < size(watch),
         "first_dip": dips,
         "parts": parts,
-        "beats": size(functions.get("beats")),
-        "steady": beats is not None and beats.steady,
+        **_describe_beats(beats, functions),
         "holds": tuple(holds),
         "needed": size(functions["needed"]),
         **_HOLD_STATUSES,
@@ -219,6 +212,11 @@ def write_source(
         "limits": LIMITS,
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
+
+
+def _describe_beats(beats: Beats | None, functions: Mapping[str, Function]) -> dict[str, object]:
+    """How many clocks are asked, and whether their rates stay what they are."""
+    return {"beats": size(functions.get("beats")), "steady": beats is not None and beats.steady}
 
 
 def _describe_split(kernel: Kernel | None) -> dict[str, object]:
