@@ -198,7 +198,7 @@ def write_source(
         "dips": dips is not None and dips < size(watch),
         "first_dip": dips,
         "parts": parts,
-        **_describe_beats(beats, functions),
+        **_describe_beats(beats, functions, methods),
         "holds": tuple(holds),
         "needed": size(functions["needed"]),
         **_HOLD_STATUSES,
@@ -214,9 +214,12 @@ def write_source(
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
 
 
-def _describe_beats(beats: Beats | None, functions: Mapping[str, Function]) -> dict[str, object]:
-    """How many clocks are asked, and whether their rates stay what they are."""
-    return {"beats": size(functions.get("beats")), "steady": beats is not None and beats.steady}
+def _describe_beats(
+    beats: Beats | None, functions: Mapping[str, Function], methods: Sequence[Tableau]
+) -> dict[str, object]:
+    """How many clocks are asked, by adaptive steps only, and whether their rates stay what they are."""
+    asked = any(method.adaptive for method in methods)
+    return {"beats": size(functions.get("beats")) if asked else 0, "steady": beats is not None and beats.steady}
 
 
 def _describe_split(kernel: Kernel | None) -> dict[str, object]:
