@@ -85,6 +85,11 @@ def _normalise(parts: Sequence[Syntax], span: Span, what: str, shapes: Shapes) -
             return None
         if sum(number * number for number in known) == 1:
             return tuple(parts)
+    return scaled(parts, span)
+
+
+def scaled(parts: Sequence[Syntax], span: Span) -> Quaternion:
+    """The parts over their length."""
     squares = [_binary("^", part, _number(2, span), span) for part in parts]
     total = squares[0]
     for square in squares[1:]:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from fractions import Fraction
 
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
-from nhc.language import Initial, Name, Override, Prime, Scene, Spec, Syntax, walk
+from nhc.language import Initial, Name, Number, Override, Prime, Scene, Spec, Syntax, walk
 from nhc.language.expressions.names import fold_typed
 from nhc.language.expressions.parser import parse_expression
+from nhc.language.orientation import scaled
 from nhc.mechanics.expressions import Resolver
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, kept_forms
@@ -85,6 +87,7 @@ def scene_about(spec: Spec, about: str, settings: Sequence[str] = ()) -> Scene:
         report_scene(bag, Span(0, len(about)), about.strip(), spec, help)
         bag.raise_if_errors()
     texts = [*([("--about", about)] if chosen is None else []), *(("--set", text) for text in settings)]
+    given = set[str]()
     for option, text in texts:
         source, pairs = read_pairs(text, option)
         bag = Bag(source)
@@ -97,7 +100,29 @@ def scene_about(spec: Spec, about: str, settings: Sequence[str] = ()) -> Scene:
         for pair in pairs:
             probe.node(pair.value)
         bag.raise_if_errors()
-    return base
+        given |= {pair.name for pair in pairs}
+    return _scaled(spec, base, given)
+
+
+def _scaled(spec: Spec, scene: Scene, given: AbstractSet[str]) -> Scene:
+    """The scene with the quaternions of which some part was given scaled to length 1: any other length says the same."""
+    for rotation in spec.rotations:
+        if given.isdisjoint(rotation.coordinates):
+            continue
+        place = spec.key_span("coordinates")
+        parts: dict[str, Syntax] = {
+            c.name: Number(c.start, place) for c in spec.coordinates if c.name in rotation.coordinates
+        }
+        parts |= {entry.name: entry.value for entry in scene.initial if entry.name in parts}
+        values = scaled([parts[name] for name in rotation.coordinates], place)
+        others = [
+            entry for entry in scene.initial if (entry.kind, entry.name) not in {("coordinate", c) for c in parts}
+        ]
+        own = [
+            Initial("coordinate", name, value, place) for name, value in zip(rotation.coordinates, values, strict=True)
+        ]
+        scene = replace(scene, initial=(*others, *own))
+    return scene
 
 
 def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:

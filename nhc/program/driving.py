@@ -9,10 +9,11 @@ from collections.abc import Sequence
 
 from nhc.mechanics.scenes import Start
 from nhc.mechanics.system import System
+from nhc.program.beats import find_beats
 from nhc.program.build import Planner
 from nhc.program.clock import find_stops
 from nhc.program.hold import make_hold
-from nhc.program.ir import Hold, Leaps, Lookout, Needed, SceneData, Stop
+from nhc.program.ir import Beats, Hold, Leaps, Lookout, Needed, SceneData, Stop
 from nhc.program.leaps import find_leaps
 from nhc.program.needed import list_columns, needed_function
 from nhc.program.watch import known_values, look_out
@@ -26,6 +27,7 @@ class Driving:
     lookout: Lookout | None = None
     hold: Hold | None = None
     leaps: Leaps | None = None
+    beats: Beats | None = None
     needed: Needed | None = None
 
 
@@ -38,6 +40,7 @@ def make_driving(planner: Planner, scenes: Sequence[SceneData]) -> Driving:
         lookout=look_out(planner, parameters),
         hold=make_hold(planner),
         leaps=find_leaps(planner, known_values(planner.system, parameters)),
+        beats=find_beats(planner),
         needed=_needed(planner, scenes),
     )
 

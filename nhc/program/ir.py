@@ -272,6 +272,16 @@ class Leaps:
 
 
 @record
+class Beats:
+    """How fast what is periodic in time goes (:mod:`nhc.program.beats`): ``function`` gives rates, which are ``steady`` where they
+    do not depend on the time.
+    """
+
+    function: Function
+    steady: bool
+
+
+@record
 class Hold:
     """What brings a driver's state back to its constraints: after each step ``calls`` in their order, in each the first name, and
     the next one where that returns ``status``.  ``torn``: what it means that a short step is moved far.
@@ -313,3 +323,4 @@ class Program:
     hold: Hold | None = None
     needed: Needed | None = None
     leaps: Leaps | None = None
+    beats: Beats | None = None

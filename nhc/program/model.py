@@ -62,6 +62,7 @@ def build_program(
         lookout=driving.lookout if driving else None,
         hold=driving.hold if driving else None,
         leaps=driving.leaps if driving else None,
+        beats=driving.beats if driving else None,
         needed=driving.needed if driving else None,
     )
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from nhc.mechanics.reduction.reduce import keep_everything
 from nhc.mechanics.scenes import kept_velocities
+from nhc.program.beats import find_beats
 from nhc.program.build import rewrite
 from nhc.program.clock import find_stops
 from nhc.program.hold import make_hold, must_hold
@@ -59,6 +60,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         lookout=look_out(planner, [model.start.p]) if driver else None,
         hold=make_hold(planner) if held else None,
         leaps=find_leaps(planner, known_values(system, [model.start.p])) if driver else None,
+        beats=find_beats(planner) if driver else None,
     )
 
 

@@ -27,7 +27,8 @@ class Limits:
     time, with which a state may grow in a step that tells this; dop853 sees none above 22, for the end has 1/22 of the weight.
     ``faint``: the part of the largest entry below which another one may be made by rounding. ``opening``: the first step's part
     of a run from rest, of explicit methods; about a tenth, and sin(18 deg)^2, for round parts of a run may be whole numbers of a
-    force's periods.
+    force's periods. ``turn``: the radians of a clock, of what is periodic in time, in a step up to which the estimate of its
+    error tells what the clock does; ``far``: those of dop853.
     """
 
     stride: int = 20_000
@@ -38,6 +39,8 @@ class Limits:
     power: float = 24.0
     faint: float = 1e-10
     opening: float = 0.09549150281252627
+    turn: float = 2.0
+    far: float = 3.0
     safety: float = SAFETY
     least_tolerance: float = LEAST_TOLERANCE
 

@@ -81,6 +81,7 @@ class InterpretedModel(TextModel):
         self.dips = sys.maxsize if dips is None else dips
         names = {function.name for function in program.functions}
         self.watched = "watch" in names
+        self.beating = "beats" in names
         self.parts = program.leaps.parts if program.leaps is not None and "places" in names else ()
 
     # --- the model as the methods see it
@@ -99,6 +100,10 @@ class InterpretedModel(TextModel):
 
     def places(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
         values: list[float] = self.module.places(t, y, p)
+        return values
+
+    def beats(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
+        values: list[float] = self.module.beats(t, y, p) if self.beating else []
         return values
 
     def hold(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:

@@ -13,10 +13,11 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.drawing import Sketch
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System
+from nhc.program.beats import find_beats
 from nhc.program.build import Planner, build_functions
 from nhc.program.clock import find_stops
 from nhc.program.hold import TORN_HOLD, hold_functions, tell_torn
-from nhc.program.ir import Function, Leaps, Program, Stop
+from nhc.program.ir import Beats, Function, Leaps, Program, Stop
 from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program
 from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch
@@ -117,15 +118,15 @@ def prepare(
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
     watch, watched = watch_function(planner, event, weak, known if fixed else {})
     structure = structure_of(planner) if natural else Structure()
-    leaps, calls, more = (None, (), structure.functions) if natural else _beside_steps(planner, known, hold)
+    beside = _Beside(structure.functions) if natural else _beside_steps(planner, known, hold)
     functions = (
         *build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",)),
         needed_function(planner, [*columns, *checked, *drawn]),
         *(() if watch is None else (watch,)),
-        *(more if not natural else (*more, *build_functions(planner, ("velocities", "state")))),
+        *(beside.functions if not natural else (*beside.functions, *build_functions(planner, ("velocities", "state")))),
     )
     frame = build_program(system, formulation, equations, only=("residuals",), scenes=False)
-    program = replace(frame, functions=functions, scenes=(), leaps=leaps)
+    program = replace(frame, functions=functions, scenes=(), leaps=beside.leaps, beats=beside.beats)
     meanings = {status.code: status.what for status in list_statuses(program)}
     return Job(
         program=program,
@@ -139,10 +140,10 @@ def prepare(
         tolerance=float(scene.tolerance),
         columns=tuple(columns),
         checks=tuple(checked),
-        meanings=meanings | ({TORN_HOLD: tell_torn(system)} if calls else {}),
+        meanings=meanings | ({TORN_HOLD: tell_torn(system)} if beside.calls else {}),
         watch=watched,
         structure=structure,
-        holds=calls,
+        holds=beside.calls,
         stops=find_stops(system, start.p, start.time),
         symbols=planner.y_nodes,
         kept=tuple(planner.kept_forms()),
@@ -151,13 +152,23 @@ def prepare(
     )
 
 
-def _beside_steps(
-    planner: Planner, known: dict[Node, tuple[float, float]], hold: bool
-) -> tuple[Leaps | None, tuple[tuple[str, ...], ...], tuple[Function, ...]]:
-    """(what a step must not leap over, the calls that bring its end back to the constraints, the functions of both)."""
-    leaps = find_leaps(planner, known)
+@record
+class _Beside:
+    """What steps need beside the right-hand side: ``functions``, what they must not leap over, the clocks, and the ``calls`` that
+    bring their ends back to the constraints.
+    """
+
+    functions: tuple[Function, ...]
+    leaps: Leaps | None = None
+    beats: Beats | None = None
+    calls: tuple[tuple[str, ...], ...] = ()
+
+
+def _beside_steps(planner: Planner, known: dict[Node, tuple[float, float]], hold: bool) -> _Beside:
+    leaps, beats = find_leaps(planner, known), find_beats(planner)
     held, calls = hold_functions(planner) if hold else ((), ())
-    return leaps, calls, (*(() if leaps is None else (leaps.function,)), *held)
+    own = [found.function for found in (leaps, beats) if found is not None]
+    return _Beside((*own, *held), leaps, beats, calls)
 
 
 def move_start(job: Job, start: Start) -> Job:

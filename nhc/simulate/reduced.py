@@ -9,6 +9,7 @@ from nhc.emit.statements import list_statuses
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.program.beats import find_beats
 from nhc.program.clock import find_stops
 from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program
@@ -48,12 +49,13 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
     checks = list_energy(planner) if energy else []
     known = {x: (v, v) for x, v in zip(system.p, start.p, strict=True)}
     watch, watched = watch_function(planner, None, weak, known)
-    leaps = find_leaps(planner, known)
+    leaps, beats = find_leaps(planner, known), find_beats(planner)
     functions = lower_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (
         needed_function(planner, [*columns, *checks]),
         *(() if watch is None else (watch,)),
         *(() if leaps is None else (leaps.function,)),
+        *(() if beats is None else (beats.function,)),
     )
     whole = planner.state_quantities()
     constants = planner.list_constants(start)
@@ -63,6 +65,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         functions=functions,
         scenes=(),
         leaps=leaps,
+        beats=beats,
         state=tuple(whole[i] for i in made.kept),
         parameters=(*frame.parameters, *constants),
     )

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
 from nhc.program.hold import SINGULAR_HOLD, TORN_HOLD
-from nhc.program.ir import Function, Load, Program
+from nhc.program.ir import Beats, Function, Load, Program
 from nhc.program.stepping import LIMITS
 from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
@@ -54,6 +54,7 @@ class ExplicitText:
     dense: tuple[Line, ...]
     exponent: int
     trust: float
+    turn: float
     waiting: Waiting
     paced: bool = True
 
@@ -73,6 +74,7 @@ class CollocationText:
     stiff: bool
     exponent: int
     trust: float
+    turn: float
     paced: bool = False
 
 
@@ -119,6 +121,7 @@ def describe_explicit(method: Explicit, kernel: Kernel | None) -> ExplicitText:
         dense=tuple(Line(CUBIC + j, print_sum(row)) for j, row in enumerate(method.dense)),
         exponent=max(method.exponent, 1),
         trust=method.trust,
+        turn=method.turn,
         waiting=plan_waiting(method, kernel) if kernel else Waiting(),
     )
 
@@ -137,6 +140,7 @@ def describe_collocation(method: Collocation) -> CollocationText:
         stiff=method.adaptive,
         exponent=max(method.exponent, 1),
         trust=method.trust,
+        turn=method.turn,
     )
 
 
@@ -168,10 +172,11 @@ def write_source(
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
     implicit = [method for method in methods if isinstance(method, Collocation)]
     explicit = [method for method in methods if isinstance(method, Explicit)]
-    parts, watch = list_parts(program), functions.get("watch")
+    parts, watch, beats = list_parts(program), functions.get("watch"), program.beats
     kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
     watching = print_kernel(program, watch) if watch is not None and lanes else None
-    lanes = lanes and kernel is not None and not holds and not parts and (watch is None or watching is not None)
+    side = kernel is not None and not holds and not parts and (beats is None or beats.steady)
+    lanes = lanes and side and (watch is None or watching is not None)
     known = [one for one in (kernel, watching if lanes else None) if one is not None]
     context: dict[str, object] = {
         **_name(program),
@@ -193,6 +198,7 @@ def write_source(
         "dips": dips is not None and dips < size(watch),
         "first_dip": dips,
         "parts": parts,
+        **_describe_beats(beats, functions, methods),
         "holds": tuple(holds),
         "needed": size(functions["needed"]),
         **_HOLD_STATUSES,
@@ -206,6 +212,14 @@ def write_source(
         "limits": LIMITS,
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
+
+
+def _describe_beats(
+    beats: Beats | None, functions: Mapping[str, Function], methods: Sequence[Tableau]
+) -> dict[str, object]:
+    """How many clocks are asked, by adaptive steps only, and whether their rates stay what they are."""
+    asked = any(method.adaptive for method in methods)
+    return {"beats": size(functions.get("beats")) if asked else 0, "steady": beats is not None and beats.steady}
 
 
 def _describe_split(kernel: Kernel | None) -> dict[str, object]:

@@ -20,6 +20,7 @@ from nhc.study.units import Matrix, Vector, beside, is_steady, trials
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
 _WEAKEST = 1e-13  # singular values below this part of the largest one are rounding
+_FAR = 3.0  # as far from the start as that: no longer near it
 _LEAST_FRAME = 0.01  # of the coframe's relative determinant, per constraint
 
 
@@ -32,9 +33,10 @@ class NotSteady(ArithmeticError):
     def __init__(self, message: str, residual: float, place: Sequence[float] | Vector = (), advice: str = "") -> None:
         super().__init__(message)
         self.residual, self.place = residual, tuple(float(x) for x in place)
-        self.advice = advice or "let `--about` name another state, or give the parameters other values with `--set`"
+        usual = "let `--about` name another state, or give the parameters other values with `--set`"
         if math.isfinite(residual):
-            self.advice = "start nearer to a steady motion, or fix more of it with `--hold`"
+            usual = "start nearer to a steady motion, or fix more of it with `--hold`; there may be none near"
+        self.advice = advice or usual
 
 
 class SingularFrame(NotSteady):
@@ -115,7 +117,7 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
         except ArithmeticError as error:
             # only the guess itself can have no equations: steps keep to where there are some
             told = NotSteady(f"the model is singular on the way: {error}", float("inf"), own.outside(y))
-            failed.append(error if isinstance(error, NotSteady) else told)
+            failed.append(_tell_way(own, y, error) if isinstance(error, NotSteady) else told)
             continue
         found.append((round(float(np.linalg.norm(np.array(own.inside(made.y)) - y)), 6), made))
     if not found:
@@ -125,6 +127,20 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
     check_frame(model, best.y, "at the steady motion")
     check_coordinates(model, best, guess)
     return best
+
+
+def _tell_way(model: SteadyModel, y: Vector, error: NotSteady) -> NotSteady:
+    """What it means where a search from y ended: with the motion far away the rates may fall for ever and never vanish."""
+    if not math.isfinite(error.residual) or not error.place:
+        return error
+    way = np.abs(np.array(model.inside(error.place)) - y)
+    k = int(np.argmax(way))
+    if way[k] <= _FAR * (1.0 + float(np.max(np.abs(y)))):
+        return error
+    gone = f"{model.flow.names[k]} = {error.place[k]:.3g}"
+    what = f"the search for a steady motion runs off, to {gone}: rates get smaller on its way, but do not vanish"
+    advice = "start elsewhere, as beyond the place where the rates are largest, or fix values with `--hold`; there may be none"
+    return NotSteady(what, error.residual, error.place, advice)
 
 
 def check_frame(model: SteadyModel, y: Sequence[float], where: str) -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -114,6 +115,110 @@ def test_a_reference_in_long_doubles() -> None:
     job = open_scene(write(PAIR), "go", checks=True)
     rows = LongModel(compile_long(job, ("dop853",)), job).integrate("dop853", (0.0, END), 1e-14, 0.0, 10_000).rows
     assert_struck(tuple(rows[-1][:2]), *PULSES[PAIR], 1e-12)
+
+
+# --- clocks that go many times round in a step -------------------------------------------------------------------
+
+
+def write_clocks(force: str, y: float = 0.0, tolerance: str = "1e-6") -> Source:
+    return Source(
+        "clocks.yaml",
+        f"""nhc: 1
+system: clocks
+coordinates: [y]
+parameters: {{w: 400}}
+T: y'^2/2
+forces: {{y: "{force}"}}
+scenes: {{go: {{initial: {{y: {y}, y': 0}}, time: [0, 20], need: [y, y'], tolerance: {tolerance}}}}}
+""",
+    )
+
+
+WEAK = "cos(t) + 1e-3*cos(w*t)"
+
+
+def error_of(rows: Sequence[Sequence[float]], w: float = 400.0, weak: float = 1e-3) -> float:
+    """Of y and y' at 0, 1, ..., 20, relative to their sizes, which are 2 and 1."""
+    exact = [
+        (1 - math.cos(t) + weak / w**2 * (1 - math.cos(w * t)), math.sin(t) + weak / w * math.sin(w * t))
+        for t in range(21)
+    ]
+    pairs = [pair for row, true in zip(rows, exact, strict=True) for pair in zip(row, true, (2, 1), strict=True)]
+    return max(abs(a - b) / size for a, b, size in pairs)
+
+
+@pytest.mark.parametrize("method", ["dop853", "dopri5", "radau5"])
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-5, 1e-6])
+def test_a_fast_force_beside_a_slow_one(method: str, tolerance: float) -> None:
+    """The stages of a step that spans its periods meet phases by chance: the error was up to a hundred tolerances."""
+    found = run(open_scene(write_clocks(WEAK), "go", method=method), Settings(method, tolerance, points=21))
+    assert error_of(found.rows) < tolerance
+
+
+@pytest.mark.parametrize("method", ["dop853", "dopri5"])
+def test_the_interpreted_run_asks_the_clocks_too(method: str) -> None:
+    source = write_clocks(WEAK.replace("w*t", "40*t - y"))
+    one, other = (
+        run(open_scene(source, "go", method=method), Settings(method, 1e-3, points=2, compiled=compiled))
+        for compiled in (True, False)
+    )
+    assert one.rows[-1] == pytest.approx(other.rows[-1], rel=1e-9)
+    assert (one.outcome.steps, one.outcome.calls) == (other.outcome.steps, other.outcome.calls)
+
+
+@pytest.mark.parametrize(
+    ("force", "same"),
+    [
+        ("cos(t) + 1e-3*sin(w*t)^2", "cos(t) + 5e-4 - 5e-4*cos(2*w*t)"),
+        ("cos(t) + 1e-3*cos(5*t^2)", "cos(t) + 1e-3*cos(5*t^2)"),
+    ],
+)
+def test_powers_of_clocks_and_clocks_that_are_not_steady(force: str, same: str) -> None:
+    """They agree with a much smaller tolerance, of the same force written otherwise."""
+    found = run(open_scene(write_clocks(force), "go"), Settings(tolerance=1e-5, points=21))
+    sharp = run(open_scene(write_clocks(same), "go"), Settings(tolerance=1e-11, points=21))
+    for row, true in zip(found.rows, sharp.rows, strict=True):
+        assert row == pytest.approx(true, abs=1e-5)
+
+
+def test_a_fast_force_that_moves_nothing_costs_nothing() -> None:
+    """All of it, for as long as a step, is below what a step may err by."""
+    found = run(open_scene(write_clocks("cos(t) + 1e-9*cos(w*t)"), "go"), Settings(points=21))
+    plain = run(open_scene(write_clocks("cos(t)"), "go"), Settings(points=21))
+    assert error_of(found.rows, weak=1e-9) < 1e-6
+    assert found.outcome.steps <= plain.outcome.steps + 5 and found.outcome.calls <= 1.5 * plain.outcome.calls
+
+
+def test_steps_of_half_a_radian_are_asked_nothing() -> None:
+    """What a force makes of the motion decides, where it is not weak: nothing is asked, in a single run or in lanes."""
+    source = write_clocks("-400*y + cos(w*t)", 1.0)
+    job = open_scene(source, "go", whole=True)
+    single = run(job, Settings(tolerance=1e-9))
+    tried = single.outcome.steps + single.outcome.rejected
+    assert single.outcome.calls <= 12 * tried + 3 * single.outcome.steps + 20
+    table = "w\n" + "\n".join(str(20 + k) for k in range(9))
+    found = run_ensemble(job, list_starts(job.system, job.scene, read_starts(table, decode(source))), Settings())
+    for k, member in enumerate(found.members):
+        w = 20.0 + k
+        far = (math.cos(w * 20) - math.cos(400.0)) / (400 - w * w) if k else 20 * math.sin(400.0) / 40
+        assert member.rows[-1][0] == pytest.approx(math.cos(400.0) + far, abs=3e-6)
+
+
+def test_starts_whose_clocks_are_fast_leave_their_lanes() -> None:
+    source = write_clocks(WEAK)
+    job = open_scene(source, "go", whole=True)
+    speeds = [300.0 + 20 * k for k in range(9)]
+    starts = list_starts(job.system, job.scene, read_starts("w\n" + "\n".join(map(str, speeds)), decode(source)))
+    members = run_ensemble(job, starts, Settings(points=21)).members
+    for w, member in zip(speeds, members, strict=True):
+        assert error_of(member.rows, w) < 1e-6
+
+
+def test_the_emitted_driver_asks_the_clocks(tmp_path: Path) -> None:
+    program = compile_c(emit(write_clocks(WEAK), "c", Options(driver=True)), tmp_path, "clocks", library=False)
+    done = subprocess.run([program, "go", "21", "1e-5"], capture_output=True, text=True, timeout=60)
+    rows = [tuple(map(float, line.split(",")))[1:] for line in done.stdout.splitlines()[1:]]
+    assert done.returncode == 0 and error_of(rows) < 1e-5
 
 
 # --- where the stops are ----------------------------------------------------------------------------------------

@@ -19,7 +19,9 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph
 from nhc.cli import main
 from nhc.diagnostics import SpecError
-from nhc.language import Source, read
+from nhc.language import Source, decode, read
+from nhc.mechanics.about import scene_about
+from nhc.mechanics.values import constant_value
 from nhc.pipeline import Options, linearize, model
 from nhc.study.field import Hold, SteadyModel
 from nhc.study.linearize import eigenvalues, verdict
@@ -439,6 +441,37 @@ def test_the_field_is_the_emitted_one() -> None:
         rates, slopes = numbers.field(y)
         assert error(rates, emitted.rhs(0.0, y)) < 1e-12
         assert error(slopes.ravel(), [x for row in emitted.jacobian(0.0, y) for x in row]) < 1e-11
+
+
+LEAF = """nhc: 1
+system: s
+coordinates: [x, y, z]
+T: (x'^2 + y'^2 + z'^2)/2
+V: z
+constraints: [level: z' = 2*x*x' + 2*y*y']
+"""
+
+
+def test_a_search_that_runs_off_says_so() -> None:
+    """On a leaf z = x^2 + y^2 + c rates grow up to x = 1/2 and fall beyond: from there they fall away from the equilibrium."""
+    with pytest.raises(NotSteady, match=r"runs off, to z = .*but do not vanish") as caught:
+        linearize(Source("s.yaml", LEAF), Request(about="x=1, y=0.5"))
+    assert "there may be none" in caught.value.advice and 0.0 < caught.value.residual < 0.1
+    found = linearize(Source("s.yaml", LEAF), Request(about="x=0.3, y=0.1")).linearisation
+    assert found.steady.y[:2] == pytest.approx((0.0, 0.0), abs=1e-12)
+
+
+def test_a_quaternion_may_be_given_in_part_and_of_any_length() -> None:
+    """As in a scene; it had been refused as off a constraint `R_norm` that no spec declares."""
+    top = read(spec_path("heavy_top_quaternion"))
+    one, other = (linearize(top, Request(about=f"{given}, w3=3")) for given in ("R_1=0.1", "R_0=10, R_1=1"))
+    assert one.linearisation.steady.y == pytest.approx(other.linearisation.steady.y, abs=1e-9)
+    start = scene_about(decode(top), "R_1=0.1", ("R_2=0.2",))
+    values = {entry.name: constant_value(entry.value, {}) for entry in start.initial}
+    length = math.sqrt(1.05)
+    assert values == pytest.approx({"R_0": 1 / length, "R_1": 0.1 / length, "R_2": 0.2 / length, "R_3": 0.0})
+    with pytest.raises(SpecError, match=r"(?s)E0313|must not be zero"):
+        linearize(top, Request(about="R_0=0"))
 
 
 def test_steps_keep_to_the_leaf() -> None:

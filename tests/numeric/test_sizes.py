@@ -13,7 +13,7 @@ import pytest
 from mpmath import mp
 
 from nhc.diagnostics import Source
-from nhc.language import decode
+from nhc.language import decode, read
 from nhc.pipeline import Options, emit
 from nhc.simulate.ensemble import run_ensemble
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
@@ -21,7 +21,7 @@ from nhc.simulate.opening import open_scene
 from nhc.simulate.peers import SCIPY
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.starts import list_starts, read_starts
-from tests.support import compile_c
+from tests.support import compile_c, spec_path
 
 ADAPTIVE = [method for method in RUNGE_KUTTA if is_adaptive(method)]
 
@@ -137,3 +137,22 @@ def test_what_is_zero_but_for_rounding_holds_no_step_up(method: str, compiled: b
     )
     assert found.outcome.steps < 1.2 * there.outcome.steps + 20
     assert all(abs(row[0]) < 1e-12 and math.isfinite(row[1]) for row in found.rows)
+
+
+@pytest.mark.parametrize("method", ADAPTIVE)
+def test_terms_that_cancel_hold_no_step_up(method: str) -> None:
+    """A bicycle next to straight on pitches by 1e-13, out of terms of 1e13 times that, and no move of its small angles tells their
+    rounding: steps of 1e-7 s were taken for ever.
+    """
+    source = read(spec_path("bicycle"))
+    nudged = Source(
+        "bicycle.yaml",
+        source.text
+        + "  nudged: {initial: {z: -0.3, roll': 1e-5, thR': -35/3}, time: [0, 1], need: [x, y, roll, steer, pitch]}\n",
+    )
+    found = run(open_scene(nudged, "nudged", formulation="voronec", method=method), Settings(method, 1e-9, points=2))
+    assert found.ended == "done" and found.outcome.rejected < 20 and found.outcome.steps < 1500
+    sharp = run(
+        open_scene(nudged, "nudged", formulation="voronec", method="gauss6"), Settings("gauss6", step=1e-3, points=2)
+    )
+    assert found.rows[-1] == pytest.approx(sharp.rows[-1], rel=1e-7, abs=1e-15)

@@ -93,6 +93,9 @@ class Oscillator:
     def watch(self, t: float, y: list[float], p: list[float]) -> list[float]:
         return [y[0] - 1.0] if self.watched else []
 
+    def beats(self, t: float, y: list[float], p: list[float]) -> list[float]:
+        return []
+
     def hold(self, t: float, y: list[float], p: list[float]) -> list[float]:
         return y
 

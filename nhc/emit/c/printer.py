@@ -97,10 +97,13 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
     context["own"] = (
         *([context["watch"]] if program.lookout else []),
         *([print_function(program, program.leaps.function, own)] if program.leaps else []),
+        *([print_function(program, program.beats.function, own)] if program.beats else []),
         *held,
         *([print_function(program, needed, own)] if needed else []),
     )
     context["parts"] = program.leaps.parts if program.leaps else ()
+    context["beats"] = program.beats.function.output.size if program.beats and program.beats.function.output else 0
+    context["steady"] = program.beats is not None and program.beats.steady
     context["helpers"] = tuple(sorted(own))
     return header, source, File(f"{name}_main.c", "c/model_main.c.jinja", context)
 

@@ -11,6 +11,7 @@ from typing import Protocol
 
 from nhc.program.stepping import LIMITS
 from nhc.simulate.methods import collocation, explicit
+from nhc.simulate.methods.beating import Beating, find_turn
 from nhc.simulate.methods.holding import Held, hold_end
 from nhc.simulate.methods.hoping import count_on_hopes, find_hollow, go_back, look_on
 from nhc.simulate.methods.leaping import Placed, find_most
@@ -39,7 +40,7 @@ _EPSILON = sys.float_info.epsilon
 _LEAST_ERROR = 1e-8  # explicit methods give the error's square
 
 
-class Watched(Placed, Held, Protocol):
+class Watched(Placed, Beating, Held, Protocol):
     """A model with values to watch."""
 
     @property
@@ -195,7 +196,7 @@ def _attempt(run: _Run, reach: float) -> tuple[float, int]:
     if not all(map(math.isfinite, s.reached)):
         return math.nan, UNDERFLOW
     if 0.0 <= error <= 1.0:
-        run.most = find_most(s, run.model, run.task)
+        run.most = min(find_most(s, run.model, run.task), find_turn(s, run.model, run.task, run.method.turn))
         if run.most == 0.0:
             return math.nan, UNDERFLOW
     if 0.0 <= error <= 1.0 and run.model.holds and not hold_end(s, run.model, reach, run.steps == 0):

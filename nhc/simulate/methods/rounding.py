@@ -17,14 +17,17 @@ def measure_noise(s: Step, t: float, y: Vector, slope: Vector) -> None:
     """What rounding may make of the slopes, sixteen times: how far the slope at (t, y), which is known, goes with the state.
 
     Each entry moves by some 2^-40 of itself, there and back; the lesser of both counts, for a jump lies on one side.  And it moves
-    by what the slopes that went so make of it in a step of length h, for they are slopes of others.
+    by what the slopes that went so make of it in a step of length h, for they are slopes of others.  Terms that cancel have
+    rounding that no small move of the state tells: it is what the sums of the slopes there and back differ by, of which each has a
+    way of its own; but not more than four times as far as the slope goes, for it may jump.
     """
     parts = [(_GOLDEN * (i + 1)) % 1.0 for i in range(len(y))]  # no two entries alike, for what they do must not cancel
     parts = [-0.5 - part if part < 0.5 else part for part in parts]
     moment, moved = _PART * abs(t), [0.0] * len(y)
-    for _ in range(3):
-        ways = [(_PART * x + s.h * m) * part for x, m, part in zip(y, moved, parts, strict=True)]
-        least = [math.inf] * len(y)
+    sums = list[Vector]()
+    for share in (8.0, 9.0, 10.0):
+        ways = [0.1 * share * (_PART * x + s.h * m) * part for x, m, part in zip(y, moved, parts, strict=True)]
+        least, both = [math.inf] * len(y), [0.0] * len(y)
         for sign in (1.0, -1.0):
             try:
                 at = s.rhs(
@@ -33,8 +36,12 @@ def measure_noise(s: Step, t: float, y: Vector, slope: Vector) -> None:
             except ArithmeticError:
                 at = slope
             least = [min(a, abs(b - c)) for a, b, c in zip(least, at, slope, strict=True)]
+            both = [b - c + a for a, b, c in zip(both, at, slope, strict=True)]
         moved = least
-    s.noise = [16.0 / _PART * sys.float_info.epsilon * gone for gone in moved]
+        sums.append(both)
+    rounded = [min(max(each) - min(each), 4.0 * gone) for gone, *each in zip(moved, *sums, strict=True)]
+    usual = [16.0 / _PART * sys.float_info.epsilon * gone for gone in moved]
+    s.noise = [max(a, 16.0 * b) for a, b in zip(usual, rounded, strict=True)]
 
 
 def is_noisy(s: Step) -> bool:

@@ -65,6 +65,8 @@ class Step:
     status: int = 0
     calls: int = 0
     jacobians: int = 0
+    push: dict[int, float] = field(default_factory=dict)
+    asked: dict[int, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.size = [abs(x) for x in self.y]

@@ -19,6 +19,7 @@ class Explicit:
     ...))))) with D the rows of ``dense``. ``exponent``: a step is scaled by error^(-1/exponent).
     ``trust``: the largest estimated error, relative to a refused step's end, with which that end still has the right size; beyond
     its stability a method ends anywhere.
+    ``turn``: radians of a clock in a step up to which an estimate tells what the clock does (:mod:`nhc.program.beats`).
     """
 
     name: str
@@ -31,6 +32,7 @@ class Explicit:
     dense: tuple[Row, ...]
     exponent: int
     trust: float = LIMITS.trust
+    turn: float = LIMITS.turn
 
     @property
     def adaptive(self) -> bool:
@@ -57,6 +59,7 @@ class Collocation:
     pole: float
     exponent: int
     trust: float = 1.0
+    turn: float = LIMITS.turn
 
     @property
     def adaptive(self) -> bool:
