@@ -6,10 +6,10 @@ which a compiler can move work.  No value changes: a guard only says whether the
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from nhc.emit.statements import collect_refs, drop_empty, split_hoisted
-from nhc.program.ir import Call, Evaluate, Expr, Guard, Let, Load, Result, Section, Solve, Statement, Store, Sweep
+from nhc.program.ir import Call, Evaluate, Expr, Guard, Let, Load, Result, Section, Solve, Statement, Sweep
 
 TURNED = ("sin", "cos")
 
@@ -27,18 +27,24 @@ def arrange(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
     moved = {id(s) for s in (*heads, *first)}
     rest = [s for s in body if id(s) not in moved]
     last = [s for s in rest if isinstance(s, Guard)] + [s for s in rest if isinstance(s, Result | Sweep)]
-    middle = read_late([s for s in rest if not isinstance(s, Guard | Result | Sweep)], last)
+    middle = [s for s in rest if not isinstance(s, Guard | Result | Sweep)]
     title = [Section("sines and cosines")] if turns else []
-    return drop_empty((*heads, *loads, *title, *turns, *middle, *last))
+    made = drop_empty((*heads, *loads, *title, *turns, *middle, *last))
+    return made if turns else read_late(made)  # behind the sines the others are read late enough
 
 
-def read_late(middle: Sequence[Statement], last: Sequence[Statement]) -> list[Statement]:
-    """What only results read (a velocity that is a rate) is read before the first of them: till then it need not be kept."""
-    used = {name for s in (*middle, *last) if not isinstance(s, Store) for name in collect_refs(s)}
-    late = [s for s in middle if isinstance(s, Load) and s.name not in used]
-    rest = [s for s in middle if not isinstance(s, Load) or s.name in used]
-    place = next((k for k, s in enumerate(rest) if isinstance(s, Store)), len(rest))
-    return rest[:place] + late + rest[place:]
+def read_late(body: Iterable[Statement]) -> tuple[Statement, ...]:
+    """Each number is read just before what needs it, so that it need not be kept till then."""
+    waiting = {s.name: s for s in body if isinstance(s, Load)}
+    places = {name: place for place, name in enumerate(waiting)}
+    made: list[Statement] = []
+    for statement in body:
+        if isinstance(statement, Load):
+            continue
+        for name in sorted(collect_refs(statement) & waiting.keys(), key=places.__getitem__):
+            made.append(waiting.pop(name))
+        made.append(statement)
+    return tuple(made)
 
 
 def find_early(body: tuple[Statement, ...]) -> list[str]:

@@ -98,9 +98,10 @@ def print_finish(
     total = " + ".join(f"{output}[{index}]" for index in finish.entries)
     tests = print_tests(printer, finish, total) + [near[0]] * bool(near[0])
     if tests:
-        printer.add_comment(
-            "an infinity, a NaN or a division by zero anywhere above stays in this sum" if finish.entries else ""
-        )
+        if finish.entries:
+            printer.add_comment("an infinity, a NaN or a division by zero anywhere above stays in this sum")
+        if finish.entries and finish.factors:
+            printer.add_comment("(0 times it is NaN then, and nothing is larger)")
         printer.open_unless(tests)
         if near[0]:
             printer.print_exit(near[0], near[1])
