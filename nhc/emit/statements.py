@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from nhc.program.ir import (
@@ -107,13 +108,14 @@ def list_used_names(body: tuple[Statement, ...]) -> set[str]:
 def drop_unused(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
     """The body without loads and lets that nothing uses: compilers and linters complain of them."""
     used = list_used_names(body)
-    kept = [s for s in body if not isinstance(s, _BOUND) or s.name in used]
+    return drop_empty([s for s in body if not isinstance(s, _BOUND) or s.name in used])
+
+
+def drop_empty(body: Sequence[Statement]) -> tuple[Statement, ...]:
+    """The body without sections in which nothing is done."""
+    ends = (*body[1:], Section("")) if body else ()
     return tuple(
-        statement
-        for position, statement in enumerate(kept)
-        if not (
-            isinstance(statement, Section) and (position + 1 == len(kept) or isinstance(kept[position + 1], Section))
-        )
+        s for s, after in zip(body, ends, strict=True) if not (isinstance(s, Section) and isinstance(after, Section))
     )
 
 

@@ -13,7 +13,7 @@ import pytest
 from nhc.diagnostics import Source
 from nhc.emit.c.finish import Finish, choose_finish
 from nhc.pipeline import Options, emit
-from nhc.program.ir import Binary, Call, Expr, Guard, Let, Load, Number, Power, Ref, Section, Statement, Store
+from nhc.program.ir import Binary, Call, Expr, Guard, Let, Load, Negate, Number, Power, Ref, Section, Statement, Store
 from tests.support import GALLERY, CModel, compile_c, emitted, emitted_python, error, python_model
 
 ZERO, ONE = Number(Fraction(0)), Number(Fraction(1))
@@ -52,6 +52,29 @@ def _stores(*values: Expr) -> tuple[Store, ...]:
 def test_what_is_proved_is_not_tested(body: tuple[Statement, ...], entries: tuple[int, ...], guards: int) -> None:
     found = choose_finish((*LOADS, Section("state"), *body))
     assert isinstance(found, Finish) and (found.entries, len(found.guards)) == (entries, guards)
+
+
+@pytest.mark.parametrize(
+    ("body", "factors"),
+    [
+        # x divides a finite rate: k alone may still be zero, in a named product as in one without a name
+        ((Let("d", Binary("*", K, X)), _guard(D), *_stores(V, Binary("/", V, X))), (K,)),
+        ((_guard(Binary("*", Binary("*", K, X), X)), *_stores(V, Binary("/", V, X))), (K,)),
+        # each factor once, though two blocks have it
+        ((_guard(K), _guard(Binary("*", Negate(K), Power(V, 2))), *_stores(V, X)), (K, V)),
+        # a product that is there already costs less than its factors
+        ((Let("d", Binary("*", K, X)), _guard(D), *_stores(V, D)), (D,)),
+        # neither a sum nor a root nor a quotient says anything about its parts
+        ((Let("d", Binary("+", K, X)), _guard(D), *_stores(V, Binary("/", V, X))), (D,)),
+        ((_guard(Call("sqrt", (X,))), *_stores(V)), (Call("sqrt", (X,)),)),
+        ((_guard(Binary("/", K, X)), *_stores(V)), (Binary("/", K, X),)),
+        # what must be large enough beside something else is compared with that
+        ((_guard(K, ONE), _guard(X), *_stores(V)), (X,)),
+    ],
+)
+def test_blocks_are_tested_by_one_product(body: tuple[Statement, ...], factors: tuple[Expr, ...]) -> None:
+    found = choose_finish((*LOADS, Section("state"), *body))
+    assert isinstance(found, Finish) and found.factors == factors
 
 
 def test_long_outputs_are_summed_in_a_loop() -> None:

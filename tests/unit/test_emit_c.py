@@ -14,9 +14,12 @@ from pathlib import Path
 import numpy
 import pytest
 
+from nhc.diagnostics import Source
 from nhc.emit import EmitError, EmitOptions, render
 from nhc.emit.c.literals import PI, print_comment, print_double, print_float, print_string
+from nhc.pipeline import Options, emit
 from nhc.program.ir import Program, SceneData
+from tests.support import CModel, compile_c
 from tests.unit.emit_cases import (
     CASES,
     Fraction,
@@ -143,6 +146,27 @@ def test_a_value_outside_of_a_domain_is_a_status(tmp_path: Path) -> None:
     library = load(program, tmp_path)
     for y in ([1.5, 0.2], [-0.5, 0.2], [0.5, 0.0], [math.nan, 1.0], [0.5, math.nan], [math.inf, 1.0]):
         assert call(library.calculator_outputs, [y, []], len(program.outputs))[0] == 1
+
+
+def test_the_root_of_rhs_is_that_of_libm(tmp_path: Path) -> None:
+    """Where the machine's is taken, and where the compiler is told that nobody asks for errno."""
+    text = (
+        "nhc: 1\nsystem: far\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nV: sqrt(x^2 + y^2 + 1)\nforces: {x: sqrt(y)}\n"
+    )
+    files = emit(Source("far.yaml", text), "c", Options(only=("rhs", "energy")))
+    source = files["far.c"]
+    assert source.count("far_root(") == 3 and source.count(" sqrt(") == 2
+    found = []
+    for flags in ((), ("-fno-math-errno",)):
+        folder = tmp_path / str(len(flags))
+        folder.mkdir()
+        model = CModel("far", ctypes.CDLL(str(compile_c(files, folder, "far", ("-O2", *flags)))), {})
+        found.append([model("rhs", 4, 0.0, [0.1 * k, 0.3 * k, 0.0, 0.0], []) for k in range(1, 9)])
+        with pytest.raises(ArithmeticError):
+            model("rhs", 4, 0.0, [0.1, -0.3, 0.0, 0.0], [])
+    assert found[0] == found[1]
+    for k, slope in enumerate(found[0], 1):
+        assert slope[2] == pytest.approx(math.sqrt(0.3 * k) - 0.1 * k / math.sqrt(0.1 * k * k + 1), rel=1e-14)
 
 
 def test_guards_leave_with_their_own_status(tmp_path: Path) -> None:

@@ -178,9 +178,20 @@ def test_sines_come_first_in_pairs_and_guards_last() -> None:
     body = (*read, lets["a"], guard, lets["s"], lets["late"], lets["d"], lets["cd"], lets["c"], lets["scaled"], end)
     found = arrange(body)
     assert sorted(map(repr, found)) == sorted(map(repr, (*body, Section("sines and cosines"))))
-    assert [s.name for s in found if isinstance(s, Let)] == ["d", "s", "c", "cd", "a", "late", "scaled"]
-    assert found[-2:] == (end, guard)
-    assert [s.name for s in found[:2]] == ["x", "z"] and found.index(read[2]) > found.index(lets["cd"])
+    assert [s.name for s in found if isinstance(s, Let)] == ["a", "d", "s", "c", "cd", "scaled", "late"]
+    assert found[-2:] == (end, guard) and found[:3] == read
+
+
+def test_work_waits_for_the_sines_and_numbers_are_read_when_they_are_needed() -> None:
+    x, v, k, g = Load("x", "y", 0), Load("v", "y", 1), Load("k", "p", 0), Load("g", "p", 1)
+    fixed, head = (let("sk", call("sin", ref("k"))),), Section("from the state")
+    sine, rate = let("sx", call("sin", ref("x"))), let("a", ref("sx") * ref("sk") * ref("g"))
+    ends = (store("dydt", 0, ref("v")), store("dydt", 1, ref("a")))
+    found = arrange((x, v, k, g, Section("from the parameters alone"), *fixed, head, sine, rate, *ends))
+    assert found == (x, k, Section("sines and cosines"), *fixed, sine, v, g, head, rate, *ends)
+    assert arrange((x, v, head, sine, ends[0])) == (x, Section("sines and cosines"), sine, v, head, ends[0])
+    other = let("a", ref("x") * ref("g"))
+    assert arrange((x, v, k, g, head, other, *ends)) == (head, x, g, other, v, *ends)
 
 
 def test_angles_are_paired_with_the_next_that_is_known_in_time() -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nhc.emit.statements import collect_refs, split_hoisted
+from nhc.emit.statements import collect_refs, drop_empty, split_hoisted
 from nhc.program.ir import Call, Evaluate, Expr, Guard, Let, Load, Result, Section, Solve, Statement, Sweep
 
 TURNED = ("sin", "cos")
@@ -23,40 +23,55 @@ def arrange(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
     heads = [s for s in body if isinstance(s, Evaluate)]
     first = [s for s in body if isinstance(s, Load | Let) and s.name in wanted]
     loads = [s for s in first if isinstance(s, Load)]
-    turns = pair([s for s in first if isinstance(s, Let)], set(early))
+    turns = pair([s for s in first if isinstance(s, Let)], early)
     moved = {id(s) for s in (*heads, *first)}
     rest = [s for s in body if id(s) not in moved]
     last = [s for s in rest if isinstance(s, Guard)] + [s for s in rest if isinstance(s, Result | Sweep)]
     middle = [s for s in rest if not isinstance(s, Guard | Result | Sweep)]
     title = [Section("sines and cosines")] if turns else []
-    return (*heads, *loads, *title, *turns, *middle, *last)
+    made = drop_empty((*heads, *loads, *title, *turns, *middle, *last))
+    return made if turns else read_late(made)  # behind the sines the others are read late enough
+
+
+def read_late(body: Iterable[Statement]) -> tuple[Statement, ...]:
+    """Each number is read just before what needs it, so that it need not be kept till then."""
+    waiting = {s.name: s for s in body if isinstance(s, Load)}
+    places = {name: place for place, name in enumerate(waiting)}
+    made: list[Statement] = []
+    for statement in body:
+        if isinstance(statement, Load):
+            continue
+        for name in sorted(collect_refs(statement) & waiting.keys(), key=places.__getitem__):
+            made.append(waiting.pop(name))
+        made.append(statement)
+    return tuple(made)
 
 
 def find_early(body: tuple[Statement, ...]) -> list[str]:
-    """The names of sines and cosines whose angles need neither another of them nor work on parameters; none if there is but one."""
-    outside, _ = split_hoisted(body)
-    late = {s.name for s in outside if isinstance(s, Let)}
+    """The names of sines and cosines whose angles need none of them, those of angles that are parameters first."""
+    fixed = {s.name for s in split_hoisted(body)[0] if isinstance(s, Let)}
+    late = set[str]()
     found = []
     for statement in body:
         if not isinstance(statement, Let):
             continue
         turned = isinstance(statement.value, Call) and statement.value.function in TURNED
-        if collect_refs(statement) & late or statement.name in late:
+        if collect_refs(statement) & late:
             late.add(statement.name)
         elif turned:
             found.append(statement.name)
             late.add(statement.name)
-    return found if len(found) > 1 else []
+    return sorted(found, key=lambda name: name not in fixed)
 
 
-def pair(lets: list[Let], turned: set[str]) -> list[Let]:
+def pair(lets: list[Let], turned: list[str]) -> list[Let]:
     """The angles, then sine and cosine of each angle beside each other: compilers compute what they share once."""
+    values = {s.name: s for s in lets}
     places: dict[Expr, int] = {}
-    for statement in lets:
-        if statement.name in turned:
-            places.setdefault(angle_of(statement), len(places))
+    for name in turned:
+        places.setdefault(angle_of(values[name]), len(places))
     angles = [s for s in lets if s.name not in turned]
-    return angles + sorted((s for s in lets if s.name in turned), key=lambda s: places[angle_of(s)])
+    return angles + sorted((values[name] for name in turned), key=lambda s: places[angle_of(s)])
 
 
 def angle_of(statement: Let) -> Expr:

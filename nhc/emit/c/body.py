@@ -28,8 +28,10 @@ class BodyPrinter(CodePrinter):
 
     def fork(self) -> BodyPrinter:
         """A printer for another part of the same function."""
-        made = BodyPrinter(self.prefix, self.scope, self.helpers, self.element, self.used, self.trig, self.scalar)
-        made.kept, made.blocks, made.arguments, made.quick = self.kept, self.blocks, self.arguments, self.quick
+        made = BodyPrinter(
+            self.prefix, self.scope, self.helpers, self.element, self.used, self.trig, self.scalar, self.quick
+        )
+        made.kept, made.blocks, made.arguments = self.kept, self.blocks, self.arguments
         return made
 
     def mark_origin(self, origin: Origin) -> None:

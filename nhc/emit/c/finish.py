@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import reduce
 
 from nhc.emit.c.body import BodyPrinter
+from nhc.emit.statements import walk
 from nhc.program.ir import (
     Binary,
     Call,
@@ -40,10 +42,14 @@ _ZERO = Number(Fraction(0))
 
 @record
 class Finish:
-    """Entries of the output whose sum is tested, and the guards that it does not decide."""
+    """Entries of the output whose sum is tested, and the guards that it does not decide.
+
+    ``factors``: values that are not zero if and only if the same holds for all of these guards without a scale.
+    """
 
     entries: tuple[int, ...]
     guards: tuple[Guard, ...]
+    factors: tuple[Expr, ...] = ()
 
 
 def choose_finish(body: Sequence[Statement]) -> Finish | None:
@@ -60,13 +66,15 @@ def choose_finish(body: Sequence[Statement]) -> Finish | None:
             proof.assume_finite(store.value)
     if len(entries) > MOST:
         return None
-    guards: list[Guard] = []
+    found, guards = proof.copy(), list[Guard]()
     for guard in reversed([s for s in body if isinstance(s, Guard)]):  # the last depend on most
         if not (guard.scale == _ZERO and proof.excludes_zero(guard.value)):
             guards.insert(0, guard)
             if guard.scale == _ZERO:  # others may be negative, with a negative mass
                 proof.assume_nonzero(guard.value)
-    return Finish(tuple(sorted(entries)), tuple(guards))
+    return Finish(
+        tuple(sorted(entries)), tuple(guards), found.choose_factors([g.value for g in guards if g.scale == _ZERO])
+    )
 
 
 def _is_simple(value: Expr) -> bool:
@@ -87,14 +95,13 @@ def print_finish(
 
     ``near``: what holds besides where the inlined sine and cosine may be taken, and how to leave where it does not.
     """
-    tests = [printer.print_good(guard) for guard in finish.guards] + [near[0]] * bool(near[0])
-    if finish.entries:
-        total = " + ".join(f"{output}[{index}]" for index in finish.entries)
-        tests.insert(0, f"fabs({total}) <= DBL_MAX")
+    total = " + ".join(f"{output}[{index}]" for index in finish.entries)
+    tests = print_tests(printer, finish, total) + [near[0]] * bool(near[0])
     if tests:
-        printer.add_comment(
-            "an infinity, a NaN or a division by zero anywhere above stays in this sum" if finish.entries else ""
-        )
+        if finish.entries:
+            printer.add_comment("an infinity, a NaN or a division by zero anywhere above stays in this sum")
+        if finish.entries and finish.factors:
+            printer.add_comment("(0 times it is NaN then, and nothing is larger)")
         printer.open_unless(tests)
         if near[0]:
             printer.print_exit(near[0], near[1])
@@ -107,6 +114,33 @@ def print_finish(
     printer.add(f"return {printer.prefix.upper()}_OK;")
 
 
+def print_tests(printer: BodyPrinter, finish: Finish, total: str) -> list[str]:
+    """The conditions under which all is good; 0 times the sum is NaN where it is not finite, and no product is larger than that."""
+    tests = [printer.print_good(guard) for guard in finish.guards if guard.scale != _ZERO]
+    if not finish.factors:
+        return [f"fabs({total}) <= DBL_MAX"] * bool(total) + tests
+    product = printer.printer.print(
+        Call("abs", (reduce(lambda left, right: Binary("*", left, right), finish.factors),))
+    )
+    if not total:
+        return [f"{product} > 0.0", *tests]
+    return [f"{product} > 0.0 * {total}" if len(finish.entries) == 1 else f"{product} > 0.0 * ({total})", *tests]
+
+
+def _is_product(value: Expr) -> bool:
+    match value:
+        case Ref() | Negate() | Binary(op="*"):
+            return True
+        case Power():
+            return value.exponent > 0
+    return False
+
+
+def _count_products(factors: Sequence[Expr]) -> int:
+    """The operations of a product of these."""
+    return max(len(factors) - 1, 0) + sum(not isinstance(part, Ref) for factor in factors for part in walk(factor))
+
+
 class _Proof:
     """Names that are known to be finite, and names that are known to be neither zero nor NaN."""
 
@@ -115,6 +149,50 @@ class _Proof:
         self._finite: set[str] = set()
         self._nonzero: set[str] = set()
         self._inputs = {s.name for s in body if isinstance(s, Load)}
+
+    def copy(self) -> _Proof:
+        """The same, which does not learn what this one will."""
+        made = _Proof(())
+        made._values, made._inputs = self._values, self._inputs
+        made._finite, made._nonzero = set(self._finite), set(self._nonzero)
+        return made
+
+    def choose_factors(self, values: Sequence[Expr]) -> tuple[Expr, ...]:
+        """What may still be zero where one of the values is: products as they stand, or all their factors, whichever are fewer."""
+        whole, apart = (
+            tuple(dict.fromkeys(factor for value in values for factor in self._list_factors(value, opened)))
+            for opened in (False, True)
+        )
+        return apart if _count_products(apart) <= _count_products(whole) else whole
+
+    def _list_factors(self, value: Expr, opened: bool) -> list[Expr]:
+        """The factors that are not known to be neither zero nor NaN; ``opened``: those of named products too."""
+        found: list[Expr] = []
+        stack = [value]
+        while stack:
+            part = stack.pop()
+            match part:
+                case Ref():
+                    inner = self._values.get(part.name) if opened else None
+                    if part.name in self._nonzero:
+                        continue
+                    if inner is not None and _is_product(inner):
+                        stack.append(inner)
+                    else:
+                        found.append(part)
+                case Binary(op="*"):
+                    stack += (part.right, part.left)
+                case Negate():
+                    stack.append(part.operand)
+                case Power() if part.exponent > 0:
+                    stack.append(part.base)
+                case Call(function="abs"):
+                    stack += part.arguments
+                case Number() if part.value:
+                    continue
+                case _:
+                    found.append(part)
+        return found
 
     def assume_finite(self, expression: Expr) -> None:
         """Draw what follows from a finite value."""

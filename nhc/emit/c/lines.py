@@ -34,13 +34,14 @@ class Block:
 class CDialect:
     """C's leaves; ``helpers`` collects the static functions that the file needs, ``prefix`` is the system's name.
 
-    ``turned``: (function, angle) -> where that sine or cosine is already.
+    ``turned``: (function, angle) -> where that sine or cosine is already.  ``quick``: the machine's root in place of libm's.
     """
 
     prefix: str
     helpers: set[str]
     trig: str  # what follows the name of this file's own sine or cosine, {} for the angle; empty: libm's
     turned: dict[tuple[str, str], str]
+    quick: bool
 
     def print_number(self, value: Fraction) -> str:
         return print_double(value)
@@ -58,6 +59,9 @@ class CDialect:
                 return known
             self.helpers.update(("trig", "one", function + self.trig.partition("(")[0]))
             return f"{self.prefix}_{function}{self.trig.format(arguments[0])}"
+        if function == "sqrt" and self.quick:
+            self.helpers.add("root")
+            return f"{self.prefix}_root({arguments[0]})"
         if function not in HELPERS:
             return f"{FUNCTIONS.get(function, function)}({', '.join(arguments)})"
         helper = HELPERS[function]
@@ -101,7 +105,8 @@ class CodePrinter:
     """Collects the ``lines`` of one C function.
 
     ``element(array, index)`` is how the function reaches an entry of an array, ``scalar`` whether it returns a number, NaN from
-    a singular block, in place of a status, ``used`` the names that something reads, ``helpers`` collects the static functions
+    a singular block, in place of a status, ``quick`` whether speed counts above all: short dense solves are written out, and roots
+    are the machine's; ``used`` the names that something reads, ``helpers`` collects the static functions
     that are needed.
     """
 
@@ -114,6 +119,7 @@ class CodePrinter:
         used: frozenset[str],
         trig: str = "",
         scalar: bool = False,
+        quick: bool = False,
     ) -> None:
         self.prefix = prefix
         self.scope = scope
@@ -125,12 +131,12 @@ class CodePrinter:
         self.trig = trig
         self.scalar = scalar
         self.turned: dict[tuple[str, str], str] = {}
-        self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig, self.turned), scope.spellings)
+        self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig, self.turned, quick), scope.spellings)
         self.kept: dict[str, int] = {}  # names that parts of the function find in the array `kept`, and where
         self.blocks: Blocks = {}  # dense solves that parts have filled
         self.arguments: tuple[str, ...] = ()  # what other functions are called with
         self.paired = False  # whether angles are turned two at a time
-        self.quick = False  # whether dense solves are written out where they are short
+        self.quick = quick
         self._origin = ""
         self._last_origin = Origin()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.emit.c.arrange import arrange
@@ -226,11 +227,14 @@ def print_default(quantity: Quantity) -> str:
         raise EmitError(message, "choose other units") from None
 
 
-def print_argument(argument: Argument, written: bool) -> str:
-    """One argument of a prototype."""
-    if argument.size < 0:
-        return f"double {argument.name}"
-    return f"{'double' if written else 'const double'} *{argument.name}"
+def print_arguments(arguments: Sequence[Argument], output: Argument | None, *, promised: bool = False) -> str:
+    """Those of a prototype; ``promised``: the output overlaps no input, as the header asks of the caller."""
+    texts = []
+    for argument in arguments:
+        kind = "double *restrict " if promised else "double *"
+        kind = "double " if argument.size < 0 else kind if argument is output else "const double *"
+        texts.append(kind + argument.name)
+    return ", ".join(texts)
 
 
 def print_function(program: Program, function: Function, helpers: set[str], *, inline: bool = False) -> PrintedFunction:
@@ -255,9 +259,10 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         frozenset(list_used_names(body)),
         AT if angles else ANY if inline else "",
         scalar=output is None,
+        quick=function.name == "rhs",
     )
     printer.arguments, printer.kept = tuple(argument.name for argument in function.inputs), layout.kept
-    printer.blocks, printer.quick = layout.blocks, function.name == "rhs"
+    printer.blocks = layout.blocks
     printer.paired = inline and function.name == "rhs"
     parts = print_statements(printer, function, body, layout, guarded=finish is None)
     if finish is not None and output is not None:
@@ -268,12 +273,13 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         printer.lines.append(f"    return {prefix}_finish({output.size}, {output.name});")
     elif output is not None:
         printer.lines += [f"    (void){output.name};", f"    return {capitals}_OK;"]
-    texts = ", ".join(print_argument(argument, argument is output) for argument in arguments)
+    texts = print_arguments(arguments, output, promised=printer.quick)
     if angles:
         parts, printer.lines = print_twice(prefix, function, texts, printer.lines)
-    prototype = wrap_prototype(f"{'double' if output is None else 'int'} {prefix}_{function.name}({texts})")
+    head = f"{'double' if output is None else 'int'} {prefix}_{function.name}"
+    prototype, definition = (wrap_prototype(f"{head}({text})") for text in (print_arguments(arguments, output), texts))
     slow = print_slow(printer, function).rstrip() if is_long(function, body) else ""
-    definition = f"{slow}\n{prototype}" if slow else prototype
+    definition = f"{slow}\n{definition}" if slow else definition
     comment = print_function_comment(program, function)
     return PrintedFunction(comment, prototype, definition, tuple(printer.lines), tuple(parts))
 

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:5f2077093d29bd45)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:3abcadc25dc4860b)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -201,7 +201,7 @@ static inline void affine_voronec_turn_lanes(affine_voronec_lanes x, affine_voro
 }
 #endif
 
-int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
+int affine_voronec_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)p;
     const double z = y[2];
@@ -403,17 +403,17 @@ int affine_voronec_state(double t, const double *q, const double *qdot, const do
 {
     (void)t;
     (void)p;
-    const double x = q[0];
-    const double y_2 = q[1];
-    const double z = q[2];
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
 
     /* from the state */
+    const double x = q[0];
     y[0] = x;
+    const double y_2 = q[1];
     y[1] = y_2;
+    const double z = q[2];
     y[2] = z;
+    const double x_dot = qdot[0];
     y[3] = x_dot;
+    const double y_dot = qdot[1];
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {

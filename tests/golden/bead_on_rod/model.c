@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:2d7a1115f1020cbf)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:9f1a2d8b474824d0)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -160,24 +160,25 @@ static inline void bead_on_rod_pour(size_t left, size_t count, const double *slo
 }
 #endif
 
-int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt)
+int bead_on_rod_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
-    const double r = y[0]; /* distance from the axis [m] */
-    const double r_dot = y[1];
-    const double m = p[0]; /* mass of the bead [kg] */
-    const double Omega = p[1]; /* rate of the rod [rad/s] */
 
     /* from the parameters alone */
+    const double Omega = p[1]; /* rate of the rod [rad/s] */
     const double k1 = Omega * Omega;
 
     /* from the state */
+    const double r_dot = y[1];
     /* (II.3) */
     dydt[0] = r_dot; /* r' */
+    const double r = y[0]; /* distance from the axis [m] */
     /* (II.3) 14:4 */
     dydt[1] = r * k1; /* r'' */
+    const double m = p[0]; /* mass of the bead [kg] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1]) <= DBL_MAX && fabs(m) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * (dydt[0] + dydt[1]))) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
@@ -191,9 +192,9 @@ int bead_on_rod_velocities(double t, const double *y, const double *p, double *q
 {
     (void)t;
     (void)p;
-    const double r_dot = y[1];
 
     /* from the state */
+    const double r_dot = y[1];
     /* (I.2.4) */
     qdot[0] = r_dot; /* r' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -206,18 +207,19 @@ int bead_on_rod_velocities(double t, const double *y, const double *p, double *q
 int bead_on_rod_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    const double r = y[0]; /* distance from the axis [m] */
-    const double m = p[0]; /* mass of the bead [kg] */
-    const double Omega = p[1]; /* rate of the rod [rad/s] */
 
     /* from the parameters alone */
+    const double Omega = p[1]; /* rate of the rod [rad/s] */
     const double k1 = Omega * Omega;
 
     /* from the state */
+    const double r = y[0]; /* distance from the axis [m] */
     /* (II.3) */
     qddot[0] = r * k1; /* r'' */
+    const double m = p[0]; /* mass of the bead [kg] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0]) <= DBL_MAX && fabs(m) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * qddot[0])) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
@@ -231,11 +233,11 @@ int bead_on_rod_state(double t, const double *q, const double *qdot, const doubl
 {
     (void)t;
     (void)p;
-    const double r = q[0]; /* distance from the axis [m] */
-    const double r_dot = qdot[0];
 
     /* from the state */
+    const double r = q[0]; /* distance from the axis [m] */
     y[0] = r;
+    const double r_dot = qdot[0];
     y[1] = r_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
@@ -258,9 +260,9 @@ int bead_on_rod_reactions(double t, const double *y, const double *p, double *la
 {
     (void)t;
     (void)y;
-    const double m = p[0]; /* mass of the bead [kg] */
 
     /* from the state */
+    const double m = p[0]; /* mass of the bead [kg] */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
@@ -272,15 +274,15 @@ int bead_on_rod_reactions(double t, const double *y, const double *p, double *la
 double bead_on_rod_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double r = y[0]; /* distance from the axis [m] */
-    const double r_dot = y[1];
-    const double m = p[0]; /* mass of the bead [kg] */
-    const double Omega = p[1]; /* rate of the rod [rad/s] */
 
     /* from the parameters alone */
+    const double Omega = p[1]; /* rate of the rod [rad/s] */
     const double k1 = Omega * Omega;
 
     /* from the state */
+    const double r = y[0]; /* distance from the axis [m] */
+    const double r_dot = y[1];
+    const double m = p[0]; /* mass of the bead [kg] */
     return 0.5 * (m * (r_dot * r_dot + k1 * (r * r)));
 }
 
@@ -290,15 +292,16 @@ int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J)
     J[3] = 0.0;
     (void)t;
     (void)y;
-    const double m = p[0]; /* mass of the bead [kg] */
-    const double Omega = p[1]; /* rate of the rod [rad/s] */
 
     /* from the state */
     /* (II.3) */
     J[1] = 1.0;
+    const double Omega = p[1]; /* rate of the rod [rad/s] */
     J[2] = Omega * Omega;
+    const double m = p[0]; /* mass of the bead [kg] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2]) <= DBL_MAX && fabs(m) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * J[2])) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
@@ -311,16 +314,16 @@ int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J)
 int bead_on_rod_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
-    const double r = y[0]; /* distance from the axis [m] */
-    const double r_dot = y[1];
-    const double m = p[0]; /* mass of the bead [kg] */
-    const double Omega = p[1]; /* rate of the rod [rad/s] */
 
     /* from the parameters alone */
+    const double Omega = p[1]; /* rate of the rod [rad/s] */
     const double k1 = Omega * Omega;
+    const double m = p[0]; /* mass of the bead [kg] */
     const double k2 = m * Omega;
 
     /* from the state */
+    const double r = y[0]; /* distance from the axis [m] */
+    const double r_dot = y[1];
     /* 16:11 */
     out[0] = 0.5 * (m * (r_dot * r_dot - k1 * (r * r))); /* jacobi */
     /* 17:11 */

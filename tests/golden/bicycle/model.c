@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:8e40bd25b3643e0b)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:6789898be5bfe9d6)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,6 +12,11 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
+
+#if defined(__SSE2__) && !defined(__NO_MATH_ERRNO__)
+#include <emmintrin.h>
+#define BICYCLE_SSE2
+#endif
 
 const char *const bicycle_coordinate_names[] = {
     "x",
@@ -101,6 +106,17 @@ const double bicycle_parameter_defaults[] = {
 #else
 #define BICYCLE_SLOW
 #endif
+
+/* the machine's own root: it sets no errno, so that no call of libm's stands behind it, which would cost its caller registers */
+static inline double bicycle_root(double x)
+{
+#ifdef BICYCLE_SSE2
+    const __m128d v = _mm_set_sd(x);
+    return _mm_cvtsd_f64(_mm_sqrt_sd(v, v));
+#else
+    return sqrt(x);
+#endif
+}
 
 #if defined(__GNUC__)
 __attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
@@ -292,7 +308,7 @@ static inline bicycle_lanes bicycle_each_sqrt(bicycle_lanes a)
 }
 #endif
 
-int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
+int bicycle_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double yaw = y[3]; /* first turn of the rear frame, about z [rad] */
@@ -303,6 +319,8 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* sines and cosines */
     const double z2 = pitch + lam;
+    const double s_lam = sin(lam);
+    const double c_lam = cos(lam);
     const double c_roll = cos(roll);
     const double e2z = sin(roll);
     const double s1 = sin(z2);
@@ -341,8 +359,6 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
 
     /* from the parameters alone */
-    const double s_lam = sin(lam);
-    const double c_lam = cos(lam);
     const double k1 = r_R + z_B;
     const double k2 = w + c;
     const double k3 = r_F * s_lam - c * c_lam;
@@ -415,7 +431,7 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z6 = k9 - z5;
     const double z7 = c_roll * c1;
     const double z8 = e2z * s_steer - c_steer * z3;
-    const double z9 = 1.0 / sqrt(z7 * z7 + z8 * z8);
+    const double z9 = 1.0 / bicycle_root(z7 * z7 + z8 * z8);
     const double z10 = r_F * z8;
     const double z11 = z9 * z10;
     const double z12 = k3 + z11;
@@ -736,6 +752,8 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
 
     /* sines and cosines */
     const double z1 = pitch + lam;
+    const double s_lam = sin(lam);
+    const double c_lam = cos(lam);
     const double c_roll = cos(roll);
     const double e2z = sin(roll);
     const double s1 = sin(z1);
@@ -753,8 +771,6 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double r_F = p[22]; /* radius of the front wheel [m] */
 
     /* from the parameters alone */
-    const double s_lam = sin(lam);
-    const double c_lam = cos(lam);
     const double k1 = w + c;
     const double k2 = r_F * s_lam - c * c_lam;
     const double k3 = r_R * s_lam - c_lam * k1;
@@ -855,6 +871,8 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
 
     /* sines and cosines */
     const double z2 = pitch + lam;
+    const double s_lam = sin(lam);
+    const double c_lam = cos(lam);
     const double s_yaw = sin(yaw);
     const double c_yaw = cos(yaw);
     const double c_roll = cos(roll);
@@ -875,8 +893,6 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double thF_ddot = dydt[11]; /* thF'' */
 
     /* from the parameters alone */
-    const double s_lam = sin(lam);
-    const double c_lam = cos(lam);
     const double k1 = w + c;
     const double k2 = r_F * s_lam - c * c_lam;
     const double k3 = r_R * s_lam - c_lam * k1;
@@ -1018,31 +1034,31 @@ int bicycle_state(double t, const double *q, const double *qdot, const double *p
 {
     (void)t;
     (void)p;
-    const double x = q[0]; /* centre of the rear wheel [m] */
-    const double y_2 = q[1]; /* centre of the rear wheel [m] */
-    const double z = q[2]; /* centre of the rear wheel, downwards [m] */
-    const double yaw = q[3]; /* first turn of the rear frame, about z [rad] */
-    const double roll = q[4]; /* second turn, about x [rad] */
-    const double pitch = q[5]; /* third turn, about y [rad] */
-    const double steer = q[6]; /* front frame against rear frame [rad] */
-    const double thR = q[7]; /* rear wheel against rear frame [rad] */
-    const double thF = q[8]; /* front wheel against front frame [rad] */
-    const double roll_dot = qdot[4];
-    const double steer_dot = qdot[6];
-    const double thF_dot = qdot[8];
 
     /* from the state */
+    const double x = q[0]; /* centre of the rear wheel [m] */
     y[0] = x;
+    const double y_2 = q[1]; /* centre of the rear wheel [m] */
     y[1] = y_2;
+    const double z = q[2]; /* centre of the rear wheel, downwards [m] */
     y[2] = z;
+    const double yaw = q[3]; /* first turn of the rear frame, about z [rad] */
     y[3] = yaw;
+    const double roll = q[4]; /* second turn, about x [rad] */
     y[4] = roll;
+    const double pitch = q[5]; /* third turn, about y [rad] */
     y[5] = pitch;
+    const double steer = q[6]; /* front frame against rear frame [rad] */
     y[6] = steer;
+    const double thR = q[7]; /* rear wheel against rear frame [rad] */
     y[7] = thR;
+    const double thF = q[8]; /* front wheel against front frame [rad] */
     y[8] = thF;
+    const double roll_dot = qdot[4];
     y[9] = roll_dot;
+    const double steer_dot = qdot[6];
     y[10] = steer_dot;
+    const double thF_dot = qdot[8];
     y[11] = thF_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11]) <= DBL_MAX)) {
@@ -1059,8 +1075,11 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
     const double roll = q[4]; /* second turn, about x [rad] */
     const double pitch = q[5]; /* third turn, about y [rad] */
     const double steer = q[6]; /* front frame against rear frame [rad] */
+    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
 
     /* sines and cosines */
+    const double s_lam = sin(lam);
+    const double c_lam = cos(lam);
     const double c_yaw = cos(yaw);
     const double s_yaw = sin(yaw);
     const double c_pitch = cos(pitch);
@@ -1080,13 +1099,10 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
     const double thF_dot = qdot[8];
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
-    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double r_F = p[22]; /* radius of the front wheel [m] */
 
     /* from the parameters alone */
-    const double s_lam = sin(lam);
-    const double c_lam = cos(lam);
     const double k1 = w + c;
 
     /* from the state */
@@ -1197,6 +1213,8 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double pitch = y[5]; /* third turn, about y [rad] */
     const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
     const double z1 = pitch + lam;
+    const double s_lam = sin(lam);
+    const double c_lam = cos(lam);
     const double yaw = y[3]; /* first turn of the rear frame, about z [rad] */
     const double s_yaw = sin(yaw);
     kept[0] = s_yaw;
@@ -1218,8 +1236,6 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[7] = s_steer;
 
     /* from the parameters alone */
-    const double s_lam = sin(lam);
-    const double c_lam = cos(lam);
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double z_B = p[9]; /* [m] */
     const double k1 = r_R + z_B;
@@ -1790,8 +1806,11 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double roll = y[4]; /* second turn, about x [rad] */
     const double pitch = y[5]; /* third turn, about y [rad] */
     const double steer = y[6]; /* front frame against rear frame [rad] */
+    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
 
     /* sines and cosines */
+    const double s_lam = sin(lam);
+    const double c_lam = cos(lam);
     const double s_pitch = sin(pitch);
     const double c_pitch = cos(pitch);
     const double c_roll = cos(roll);
@@ -1804,7 +1823,6 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double thF_dot = y[11];
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
-    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
     const double g = p[3]; /* acceleration of gravity [m/s^2] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double m_R = p[5]; /* mass of the rear wheel [kg] */
@@ -1830,8 +1848,6 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
 
     /* from the parameters alone */
-    const double s_lam = sin(lam);
-    const double c_lam = cos(lam);
     const double k1 = r_R + z_B;
     const double k2 = w + c;
     const double k3 = r_F * s_lam - c * c_lam;
@@ -1945,6 +1961,8 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     const double pitch = y[5]; /* third turn, about y [rad] */
     const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
     const double z1 = pitch + lam;
+    const double s_lam = sin(lam);
+    const double c_lam = cos(lam);
     const double roll = y[4]; /* second turn, about x [rad] */
     const double c_roll = cos(roll);
     kept[0] = c_roll;
@@ -1966,8 +1984,6 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[7] = c_yaw;
 
     /* from the parameters alone */
-    const double s_lam = sin(lam);
-    const double c_lam = cos(lam);
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double z_B = p[9]; /* [m] */
     const double k1 = r_R + z_B;
@@ -4356,8 +4372,11 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double roll = y[4]; /* second turn, about x [rad] */
     const double pitch = y[5]; /* third turn, about y [rad] */
     const double steer = y[6]; /* front frame against rear frame [rad] */
+    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
 
     /* sines and cosines */
+    const double s_lam = sin(lam);
+    const double c_lam = cos(lam);
     const double c_roll = cos(roll);
     const double e2z = sin(roll);
     const double s_pitch = sin(pitch);
@@ -4370,13 +4389,10 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double thF_dot = y[11];
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
-    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double r_F = p[22]; /* radius of the front wheel [m] */
 
     /* from the parameters alone */
-    const double s_lam = sin(lam);
-    const double c_lam = cos(lam);
     const double k1 = w + c;
     const double k2 = r_F * s_lam - c * c_lam;
     const double k3 = r_R * s_lam - c_lam * k1;

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:18d37def9e49210a)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:5596139d0512b1f2)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -175,29 +175,28 @@ static inline void cartesian_pendulum_pour(size_t left, size_t count, const doub
 }
 #endif
 
-int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *dydt)
+int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
-    const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
-    const double v = y[2];
-    const double m = p[0]; /* mass of the bob [kg] */
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
     /* from the state */
+    const double x = y[0]; /* across [m] */
+    const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = 1.0 / z1;
+    const double v = y[2];
     const double z4 = v * z3;
     /* (I.2.15) */
     dydt[0] = y_2 * z4; /* x' */
     dydt[1] = -x * z4; /* y' */
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
     /* (I.2.15) 12:4 */
     dydt[2] = x * g; /* v' */
+    const double m = p[0]; /* mass of the bob [kg] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[2]) <= DBL_MAX
-        && fabs(z1) > 1e-12 * (z2 * z2)
-        && fabs(m * z3) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * z3) > 0.0 * (dydt[0] + dydt[1] + dydt[2]) && fabs(z1) > 1e-12 * (z2 * z2))) {
         /* the coframe is singular */
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
             return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
@@ -215,13 +214,13 @@ int cartesian_pendulum_velocities(double t, const double *y, const double *p, do
 {
     (void)t;
     (void)p;
-    const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
-    const double v = y[2];
 
     /* from the state */
+    const double x = y[0]; /* across [m] */
+    const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
+    const double v = y[2];
     const double z3 = v / z1;
     /* (I.2.4) */
     qdot[0] = y_2 * z3; /* x' */
@@ -240,23 +239,24 @@ int cartesian_pendulum_velocities(double t, const double *y, const double *p, do
 int cartesian_pendulum_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
-    const double v = y[2];
-    const double m = p[0]; /* mass of the bob [kg] */
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
     /* from the state */
+    const double x = y[0]; /* across [m] */
     const double z1 = x * x;
+    const double y_2 = y[1]; /* up [m] */
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
     const double z4 = 1.0 / z2;
+    const double v = y[2];
     const double z5 = z4 * v * v;
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
     /* (I.2.15) */
     qddot[0] = x * z4 * (y_2 * g - z5); /* x'' */
     qddot[1] = -z4 * (g * z1 + y_2 * z5); /* y'' */
+    const double m = p[0]; /* mass of the bob [kg] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(m * z4) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * z4) > 0.0 * (qddot[0] + qddot[1]) && fabs(z2) > 1e-12 * (z3 * z3))) {
         /* the coframe is singular */
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
             return cartesian_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), CARTESIAN_PENDULUM_SINGULAR_1);
@@ -274,14 +274,14 @@ int cartesian_pendulum_state(double t, const double *q, const double *qdot, cons
 {
     (void)t;
     (void)p;
-    const double x = q[0]; /* across [m] */
-    const double y_2 = q[1]; /* up [m] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
 
     /* from the state */
+    const double x = q[0]; /* across [m] */
     y[0] = x;
+    const double y_2 = q[1]; /* up [m] */
     y[1] = y_2;
+    const double x_dot = qdot[0];
+    const double y_dot = qdot[1];
     y[2] = y_2 * x_dot - x * y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[2]) <= DBL_MAX)) {
@@ -294,12 +294,12 @@ int cartesian_pendulum_residuals(double t, const double *q, const double *qdot, 
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double x = q[0]; /* across [m] */
     const double y = q[1]; /* up [m] */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
-
-    /* from the state */
     /* (I.1.1) 15:5 */
     r[0] = x * x_dot + y * y_dot; /* rod = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -312,23 +312,24 @@ int cartesian_pendulum_residuals(double t, const double *q, const double *qdot, 
 int cartesian_pendulum_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
-    const double v = y[2];
-    const double m = p[0]; /* mass of the bob [kg] */
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
     /* from the state */
+    const double x = y[0]; /* across [m] */
     const double z1 = x * x;
+    const double y_2 = y[1]; /* up [m] */
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
     const double z4 = 1.0 / z2;
+    const double m = p[0]; /* mass of the bob [kg] */
     const double z5 = m * z4;
+    const double v = y[2];
     const double z6 = z4 * z4 * v * v;
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
     /* (I.4.1) 15:5 */
     lambda[0] = z5 * (y_2 * (g - y_2 * z6) - z1 * z6); /* reaction of rod: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(z5) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(z5) > 0.0 * lambda[0] && fabs(z2) > 1e-12 * (z3 * z3))) {
         /* the coframe is singular */
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
             return cartesian_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), CARTESIAN_PENDULUM_SINGULAR_1);
@@ -345,16 +346,16 @@ int cartesian_pendulum_reactions(double t, const double *y, const double *p, dou
 double cartesian_pendulum_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
-    const double v = y[2];
-    const double m = p[0]; /* mass of the bob [kg] */
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
     /* from the parameters alone */
+    const double m = p[0]; /* mass of the bob [kg] */
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
     const double k1 = m * g;
 
     /* from the state */
+    const double x = y[0]; /* across [m] */
+    const double y_2 = y[1]; /* up [m] */
+    const double v = y[2];
     const double z1 = v / (x * x + y_2 * y_2);
     const double z2 = y_2 * z1;
     const double z3 = x * z1;
@@ -366,16 +367,14 @@ int cartesian_pendulum_jacobian(double t, const double *y, const double *p, doub
     J[7] = 0.0;
     J[8] = 0.0;
     (void)t;
-    const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
-    const double v = y[2];
-    const double m = p[0]; /* mass of the bob [kg] */
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
     /* from the state */
+    const double x = y[0]; /* across [m] */
+    const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = 1.0 / z1;
+    const double v = y[2];
     const double z4 = v * (x * (z3 * z3));
     const double z5 = 2.0 * (y_2 * z4);
     const double z6 = v * z3 - 2.0 * (x * z4);
@@ -386,11 +385,12 @@ int cartesian_pendulum_jacobian(double t, const double *y, const double *p, doub
     J[3] = -z6;
     J[4] = z5;
     J[5] = -x * z3;
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
     J[6] = g;
+    const double m = p[0]; /* mass of the bob [kg] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[0] + J[2] + J[3] + J[5] + J[6]) <= DBL_MAX
-        && fabs(z1) > 1e-12 * (z2 * z2)
-        && fabs(m * z3) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * z3) > 0.0 * (J[0] + J[2] + J[3] + J[5] + J[6]) && fabs(z1) > 1e-12 * (z2 * z2))) {
         /* the coframe is singular */
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
             return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
@@ -408,10 +408,10 @@ int cartesian_pendulum_outputs(double t, const double *y, const double *p, doubl
 {
     (void)t;
     (void)p;
-    const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
 
     /* from the state */
+    const double x = y[0]; /* across [m] */
+    const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     /* 17:11 */

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:cb6d721e652fc7e9)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:c407040e33d1a74a)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -186,34 +186,34 @@ static inline void chaotic_pour(size_t left, size_t count, const double *slope, 
 }
 #endif
 
-int chaotic_rhs(double t, const double *y, const double *p, double *dydt)
+int chaotic_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     (void)p;
-    const double x = y[0];
+
+    /* from the state */
     const double y1_ = y[1];
+    const double z4 = 1.0 + y1_ * y1_;
     const double y2 = y[2];
+    const double z5 = y2 * y2;
     const double y3 = y[3];
+    const double z6 = y3 * y3;
+    const double z7 = z4 + (z5 + z6);
     const double z1 = y[4];
+    const double z8 = 1.0 + z1 * z1;
     const double z2 = y[5];
+    const double z9 = z2 * z2;
+    const double z10 = z1 * (z9 + z4);
     const double z3 = y[6];
+    const double z11 = z3 * (1.0 + z6);
+    const double z12 = z2 * (z5 + z8);
+    const double x = y[0];
     const double y1_dot = y[7];
     const double y2_dot = y[8];
     const double y3_dot = y[9];
     const double z1_dot = y[10];
     const double z2_dot = y[11];
     const double z3_dot = y[12];
-
-    /* from the state */
-    const double z4 = 1.0 + y1_ * y1_;
-    const double z5 = y2 * y2;
-    const double z6 = y3 * y3;
-    const double z7 = z4 + (z5 + z6);
-    const double z8 = 1.0 + z1 * z1;
-    const double z9 = z2 * z2;
-    const double z10 = z1 * (z9 + z4);
-    const double z11 = z3 * (1.0 + z6);
-    const double z12 = z2 * (z5 + z8);
     const double z13 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * z11 + (y2 * z12 + (x +
         y1_ * z10)));
     const double z14 = z13 / z7;
@@ -247,21 +247,21 @@ int chaotic_velocities(double t, const double *y, const double *p, double *qdot)
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double y1_ = y[1];
     const double y2 = y[2];
     const double y3 = y[3];
-    const double y1_dot = y[7];
-    const double y2_dot = y[8];
-    const double y3_dot = y[9];
     const double z1_dot = y[10];
     const double z2_dot = y[11];
     const double z3_dot = y[12];
-
-    /* from the state */
     /* (I.2.4) */
     qdot[0] = -(y3 * z3_dot + (y1_ * z1_dot + y2 * z2_dot)); /* x' */
+    const double y1_dot = y[7];
     qdot[1] = y1_dot; /* y1' */
+    const double y2_dot = y[8];
     qdot[2] = y2_dot; /* y2' */
+    const double y3_dot = y[9];
     qdot[3] = y3_dot; /* y3' */
     qdot[4] = z1_dot; /* z1' */
     qdot[5] = z2_dot; /* z2' */
@@ -277,31 +277,31 @@ int chaotic_accelerations(double t, const double *y, const double *p, double *qd
 {
     (void)t;
     (void)p;
-    const double x = y[0];
+
+    /* from the state */
     const double y1_ = y[1];
+    const double z4 = 1.0 + y1_ * y1_;
     const double y2 = y[2];
+    const double z5 = y2 * y2;
     const double y3 = y[3];
-    const double z1 = y[4];
-    const double z2 = y[5];
-    const double z3 = y[6];
+    const double z6 = y3 * y3;
+    const double z7 = z4 + (z5 + z6);
     const double y1_dot = y[7];
     const double y2_dot = y[8];
     const double y3_dot = y[9];
     const double z1_dot = y[10];
     const double z2_dot = y[11];
     const double z3_dot = y[12];
-
-    /* from the state */
-    const double z4 = 1.0 + y1_ * y1_;
-    const double z5 = y2 * y2;
-    const double z6 = y3 * y3;
-    const double z7 = z4 + (z5 + z6);
     const double z8 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot);
+    const double z1 = y[4];
     const double z9 = 1.0 + z1 * z1;
+    const double z2 = y[5];
     const double z10 = z2 * (z5 + z9);
     const double z11 = z2 * z2;
     const double z12 = z1 * (z11 + z4);
+    const double z3 = y[6];
     const double z13 = z3 * (1.0 + z6);
+    const double x = y[0];
     const double z14 = (z8 - (y1_ * z12 + (x + (y3 * z13 + y2 * z10)))) / z7;
     const double z15 = z10 + y2 * z14;
     const double z16 = z12 + y1_ * z14;
@@ -329,33 +329,33 @@ int chaotic_state(double t, const double *q, const double *qdot, const double *p
 {
     (void)t;
     (void)p;
-    const double x = q[0];
-    const double y1_ = q[1];
-    const double y2 = q[2];
-    const double y3 = q[3];
-    const double z1 = q[4];
-    const double z2 = q[5];
-    const double z3 = q[6];
-    const double y1_dot = qdot[1];
-    const double y2_dot = qdot[2];
-    const double y3_dot = qdot[3];
-    const double z1_dot = qdot[4];
-    const double z2_dot = qdot[5];
-    const double z3_dot = qdot[6];
 
     /* from the state */
+    const double x = q[0];
     y[0] = x;
+    const double y1_ = q[1];
     y[1] = y1_;
+    const double y2 = q[2];
     y[2] = y2;
+    const double y3 = q[3];
     y[3] = y3;
+    const double z1 = q[4];
     y[4] = z1;
+    const double z2 = q[5];
     y[5] = z2;
+    const double z3 = q[6];
     y[6] = z3;
+    const double y1_dot = qdot[1];
     y[7] = y1_dot;
+    const double y2_dot = qdot[2];
     y[8] = y2_dot;
+    const double y3_dot = qdot[3];
     y[9] = y3_dot;
+    const double z1_dot = qdot[4];
     y[10] = z1_dot;
+    const double z2_dot = qdot[5];
     y[11] = z2_dot;
+    const double z3_dot = qdot[6];
     y[12] = z3_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11] + y[12])
@@ -369,6 +369,8 @@ int chaotic_residuals(double t, const double *q, const double *qdot, const doubl
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double y1_ = q[1];
     const double y2 = q[2];
     const double y3 = q[3];
@@ -376,8 +378,6 @@ int chaotic_residuals(double t, const double *q, const double *qdot, const doubl
     const double z1_dot = qdot[4];
     const double z2_dot = qdot[5];
     const double z3_dot = qdot[6];
-
-    /* from the state */
     /* (I.1.1) 13:5 */
     r[0] = x_dot + y1_ * z1_dot + y2 * z2_dot + y3 * z3_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -391,12 +391,19 @@ int chaotic_reactions(double t, const double *y, const double *p, double *lambda
 {
     (void)t;
     (void)p;
-    const double x = y[0];
+
+    /* from the state */
     const double y1_ = y[1];
+    const double z4 = 1.0 + y1_ * y1_;
     const double y2 = y[2];
+    const double z5 = y2 * y2;
     const double y3 = y[3];
+    const double z6 = y3 * y3;
+    const double z7 = z4 + (z5 + z6);
+    const double x = y[0];
     const double z1 = y[4];
     const double z2 = y[5];
+    const double z8 = y2 * (z2 * (1.0 + (z5 + z1 * z1))) + (x + y1_ * (z1 * (z2 * z2 + z4)));
     const double z3 = y[6];
     const double y1_dot = y[7];
     const double y2_dot = y[8];
@@ -404,13 +411,6 @@ int chaotic_reactions(double t, const double *y, const double *p, double *lambda
     const double z1_dot = y[10];
     const double z2_dot = y[11];
     const double z3_dot = y[12];
-
-    /* from the state */
-    const double z4 = 1.0 + y1_ * y1_;
-    const double z5 = y2 * y2;
-    const double z6 = y3 * y3;
-    const double z7 = z4 + (z5 + z6);
-    const double z8 = y2 * (z2 * (1.0 + (z5 + z1 * z1))) + (x + y1_ * (z1 * (z2 * z2 + z4)));
     const double z9 = (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * (z3 * (1.0 + z6)) + z8))
         / z7;
     /* (I.4.1) 13:5 */
@@ -430,29 +430,29 @@ double chaotic_energy(double t, const double *y, const double *p)
 {
     (void)t;
     (void)p;
-    const double x = y[0];
+
+    /* from the state */
     const double y1_ = y[1];
+    const double z4 = y1_ * y1_;
     const double y2 = y[2];
+    const double z5 = y2 * y2;
     const double y3 = y[3];
+    const double z6 = y3 * y3;
     const double z1 = y[4];
+    const double z7 = z1 * z1;
     const double z2 = y[5];
+    const double z8 = z2 * z2;
     const double z3 = y[6];
-    const double y1_dot = y[7];
-    const double y2_dot = y[8];
-    const double y3_dot = y[9];
+    const double z9 = z3 * z3;
+    const double x = y[0];
+    const double z10 = x * x + z4 + z5 + z6 + z7 + z8 + z9 + (z4 * z7 + z5 * z8 + z6 * z9 + z7 * z8);
     const double z1_dot = y[10];
     const double z2_dot = y[11];
     const double z3_dot = y[12];
-
-    /* from the state */
-    const double z4 = y1_ * y1_;
-    const double z5 = y2 * y2;
-    const double z6 = y3 * y3;
-    const double z7 = z1 * z1;
-    const double z8 = z2 * z2;
-    const double z9 = z3 * z3;
-    const double z10 = x * x + z4 + z5 + z6 + z7 + z8 + z9 + (z4 * z7 + z5 * z8 + z6 * z9 + z7 * z8);
     const double z11 = y3 * z3_dot + (y1_ * z1_dot + y2 * z2_dot);
+    const double y1_dot = y[7];
+    const double y2_dot = y[8];
+    const double y3_dot = y[9];
     const double z12 = z2_dot * z2_dot + (z1_dot * z1_dot + (y3_dot * y3_dot + (y2_dot * y2_dot + (y1_dot *
         y1_dot + z11 * z11))));
     return 0.5 * (z10 + (z3_dot * z3_dot + z12));
@@ -464,26 +464,18 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     memset(J, 0, 169 * sizeof *J);
     (void)t;
     (void)p;
-    const double x = y[0];
-    const double y1_ = y[1];
-    const double y2 = y[2];
-    const double y3 = y[3];
-    const double z1 = y[4];
-    const double z2 = y[5];
-    const double z3 = y[6];
-    const double y1_dot = y[7];
-    const double y2_dot = y[8];
-    const double y3_dot = y[9];
-    const double z1_dot = y[10];
-    const double z2_dot = y[11];
-    const double z3_dot = y[12];
 
     /* from the state */
+    const double y3 = y[3];
     const double z4 = y3 * y3;
+    const double y2 = y[2];
     const double z5 = y2 * y2;
+    const double y1_ = y[1];
     const double z6 = 1.0 + y1_ * y1_;
     const double z7 = z4 + (z5 + z6);
+    const double z1 = y[4];
     const double z8 = z1 * z1;
+    const double z2 = y[5];
     const double z9 = z2 * z2;
     const double z10 = 1.0 / z6;
     const double z11 = y1_ * y2;
@@ -501,9 +493,17 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     const double z23 = z14 * z15 - z19 * z22;
     const double z24 = z8 + z13;
     const double z25 = z2 * z24;
+    const double x = y[0];
+    const double y1_dot = y[7];
+    const double y2_dot = y[8];
+    const double y3_dot = y[9];
+    const double z1_dot = y[10];
+    const double z2_dot = y[11];
+    const double z3_dot = y[12];
     const double z26 = x - (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot));
     const double z27 = z9 + z6;
     const double z28 = z1 * z27;
+    const double z3 = y[6];
     const double z29 = z3 * z20;
     const double z30 = (z26 + (y1_ * z28 + (y3 * z29 + y2 * z25))) / z7;
     const double z31 = z25 - y2 * z30;

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:baee4035888a5e88)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:d9724388e824752c)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -212,7 +212,7 @@ static inline void chaplygin_ball_turn_lanes(chaplygin_ball_lanes x, chaplygin_b
 }
 #endif
 
-int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt)
+int chaplygin_ball_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double phi = y[2]; /* precession [rad] */

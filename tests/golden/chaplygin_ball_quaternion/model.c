@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:94c966fe648ad0fb)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:f34fc184608380c1)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -197,32 +197,29 @@ static inline void chaplygin_ball_quaternion_pour(size_t left, size_t count, con
 }
 #endif
 
-int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, double *dydt)
+int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
-    const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
-    const double R_1 = y[3]; /* quaternion of R, along x [1] */
-    const double R_2 = y[4]; /* quaternion of R, along y [1] */
-    const double R_3 = y[5]; /* quaternion of R, along z [1] */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
-    const double m = p[0]; /* mass [kg] */
-    const double a = p[1]; /* radius [m] */
-    const double I1 = p[2]; /* [kg*m^2] */
-    const double I2 = p[3]; /* [kg*m^2] */
-    const double I3 = p[4]; /* [kg*m^2] */
 
     /* from the parameters alone */
+    const double m = p[0]; /* mass [kg] */
+    const double a = p[1]; /* radius [m] */
     const double k1 = m * a * a;
+    const double I2 = p[3]; /* [kg*m^2] */
+    const double I3 = p[4]; /* [kg*m^2] */
     const double k2 = I2 - I3;
+    const double I1 = p[2]; /* [kg*m^2] */
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
 
     /* from the state */
+    const double R_2 = y[4]; /* quaternion of R, along y [1] */
     const double z1 = R_2 * R_2;
+    const double R_1 = y[3]; /* quaternion of R, along x [1] */
     const double z2 = R_1 * R_1 + z1;
+    const double R_3 = y[5]; /* quaternion of R, along z [1] */
     const double z3 = R_3 * R_3;
+    const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
     const double z4 = 1.0 / (z2 + (R_0 * R_0 + z3));
     const double z5 = R_1 * z4;
     const double z6 = R_2 * z5;
@@ -256,7 +253,10 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
     const double z32 = 1.0 / z22;
     const double z33 = z31 * z32;
     const double z34 = z26 - 4.0 * (z29 * z30) - z31 * z33;
+    const double w2 = y[7];
+    const double w3 = y[8];
     const double z35 = w2 * w3 * k2;
+    const double w1 = y[6];
     const double z36 = w1 * w3 * k3 + 4.0 * (z35 * z21);
     const double z37 = (w1 * w2 * k4 - 2.0 * (z35 * z30) + z33 * z36) / z34;
     const double z38 = z32 * z36 + z33 * z37;
@@ -297,16 +297,12 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
 int chaplygin_ball_quaternion_velocities(double t, const double *y, const double *p, double *qdot)
 {
     (void)t;
+
+    /* from the state */
     const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
     const double R_1 = y[3]; /* quaternion of R, along x [1] */
     const double R_2 = y[4]; /* quaternion of R, along y [1] */
     const double R_3 = y[5]; /* quaternion of R, along z [1] */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
-    const double a = p[1]; /* radius [m] */
-
-    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_2 * z1;
     const double z3 = R_0 * z1;
@@ -315,10 +311,14 @@ int chaplygin_ball_quaternion_velocities(double t, const double *y, const double
     const double z6 = R_3 * z5;
     const double z7 = R_2 * z4;
     const double z8 = R_3 * z3;
+    const double w1 = y[6];
+    const double w2 = y[7];
+    const double w3 = y[8];
     const double omega_y = 2.0 * ((R_3 * z2 - R_1 * z3) * w3) + ((1.0 - 2.0 * (R_1 * z4 + z6)) * w2 + 2.0 *
         ((z7 + z8) * w1));
     const double omega_x = 2.0 * ((R_1 * z5 + R_2 * z3) * w3) + (2.0 * ((z7 - z8) * w2) + (1.0 - 2.0 * (R_2 *
         z2 + z6)) * w1);
+    const double a = p[1]; /* radius [m] */
     /* (I.2.4) */
     qdot[0] = a * omega_y; /* x' */
     qdot[1] = -a * omega_x; /* y' */
@@ -337,29 +337,26 @@ CHAPLYGIN_BALL_QUATERNION_SLOW
 int chaplygin_ball_quaternion_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
-    const double R_1 = y[3]; /* quaternion of R, along x [1] */
-    const double R_2 = y[4]; /* quaternion of R, along y [1] */
-    const double R_3 = y[5]; /* quaternion of R, along z [1] */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
-    const double m = p[0]; /* mass [kg] */
-    const double a = p[1]; /* radius [m] */
-    const double I1 = p[2]; /* [kg*m^2] */
-    const double I2 = p[3]; /* [kg*m^2] */
-    const double I3 = p[4]; /* [kg*m^2] */
 
     /* from the parameters alone */
+    const double m = p[0]; /* mass [kg] */
+    const double a = p[1]; /* radius [m] */
     const double k1 = m * a * a;
+    const double I2 = p[3]; /* [kg*m^2] */
+    const double I3 = p[4]; /* [kg*m^2] */
     const double k2 = I2 - I3;
+    const double I1 = p[2]; /* [kg*m^2] */
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
 
     /* from the state */
+    const double R_2 = y[4]; /* quaternion of R, along y [1] */
     const double z1 = R_2 * R_2;
+    const double R_1 = y[3]; /* quaternion of R, along x [1] */
     const double z2 = R_1 * R_1 + z1;
+    const double R_3 = y[5]; /* quaternion of R, along z [1] */
     const double z3 = R_3 * R_3;
+    const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
     const double z4 = 1.0 / (z2 + (R_0 * R_0 + z3));
     const double z5 = R_1 * z4;
     const double z6 = R_2 * z5;
@@ -391,7 +388,10 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
     const double z30 = 1.0 / z21;
     const double z31 = z29 * z30;
     const double z32 = z24 - 4.0 * (z27 * z28) - z29 * z31;
+    const double w2 = y[7];
+    const double w3 = y[8];
     const double z33 = w2 * w3 * k2;
+    const double w1 = y[6];
     const double z34 = w1 * w3 * k3 + 4.0 * (z33 * z20);
     const double z35 = (w1 * w2 * k4 - 2.0 * (z33 * z28) + z31 * z34) / z32;
     const double z36 = z30 * z34 + z31 * z35;
@@ -448,29 +448,29 @@ int chaplygin_ball_quaternion_state(double t, const double *q, const double *qdo
 {
     (void)t;
     (void)p;
-    const double x = q[0]; /* centre [m] */
-    const double y_2 = q[1]; /* centre [m] */
+
+    /* from the state */
     const double R_0 = q[2]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[3]; /* quaternion of R, along x [1] */
     const double R_2 = q[4]; /* quaternion of R, along y [1] */
     const double R_3 = q[5]; /* quaternion of R, along z [1] */
-    const double R_0_dot = qdot[2];
-    const double R_1_dot = qdot[3];
-    const double R_2_dot = qdot[4];
-    const double R_3_dot = qdot[5];
-
-    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_0 * z1;
     const double z3 = R_1 * z1;
     const double z4 = R_3 * z1;
     const double z5 = R_2 * z1;
+    const double x = q[0]; /* centre [m] */
     y[0] = x;
+    const double y_2 = q[1]; /* centre [m] */
     y[1] = y_2;
     y[2] = R_0;
     y[3] = R_1;
     y[4] = R_2;
     y[5] = R_3;
+    const double R_0_dot = qdot[2];
+    const double R_1_dot = qdot[3];
+    const double R_2_dot = qdot[4];
+    const double R_3_dot = qdot[5];
     y[6] = 2.0 * (R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5));
     y[7] = 2.0 * (R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4));
     y[8] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
@@ -485,24 +485,21 @@ int chaplygin_ball_quaternion_residuals(double t, const double *q, const double 
     double *r)
 {
     (void)t;
+
+    /* from the state */
     const double R_0 = q[2]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[3]; /* quaternion of R, along x [1] */
     const double R_2 = q[4]; /* quaternion of R, along y [1] */
     const double R_3 = q[5]; /* quaternion of R, along z [1] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double R_0_dot = qdot[2];
-    const double R_1_dot = qdot[3];
-    const double R_2_dot = qdot[4];
-    const double R_3_dot = qdot[5];
-    const double a = p[1]; /* radius [m] */
-
-    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_0 * z1;
     const double z3 = R_1 * z1;
     const double z4 = R_3 * z1;
     const double z5 = R_2 * z1;
+    const double R_0_dot = qdot[2];
+    const double R_1_dot = qdot[3];
+    const double R_2_dot = qdot[4];
+    const double R_3_dot = qdot[5];
     const double z6 = R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5);
     const double z7 = R_2 * z3;
     const double z8 = R_3 * z2;
@@ -513,8 +510,11 @@ int chaplygin_ball_quaternion_residuals(double t, const double *q, const double 
         * z5 - R_1 * z2) * z11);
     const double omega_x = 2.0 * (z6 * (1.0 - 2.0 * (R_2 * z5 + z10))) + 4.0 * (z9 * (z7 - z8)) + 4.0 * ((R_1
         * z4 + R_2 * z2) * z11);
+    const double x_dot = qdot[0];
+    const double a = p[1]; /* radius [m] */
     /* (I.1.1) 23:5 */
     r[0] = x_dot - a * omega_y; /* roll_x = 0 */
+    const double y_dot = qdot[1];
     /* (I.1.1) 24:5 */
     r[1] = y_dot + a * omega_x; /* roll_y = 0 */
     /* (I.1.1) 10:3 */
@@ -530,12 +530,12 @@ int chaplygin_ball_quaternion_positions(double t, const double *q, const double 
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double R_0 = q[2]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[3]; /* quaternion of R, along x [1] */
     const double R_2 = q[4]; /* quaternion of R, along y [1] */
     const double R_3 = q[5]; /* quaternion of R, along z [1] */
-
-    /* from the state */
     /* 10:3 */
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -549,31 +549,28 @@ CHAPLYGIN_BALL_QUATERNION_SLOW
 int chaplygin_ball_quaternion_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
-    const double R_1 = y[3]; /* quaternion of R, along x [1] */
-    const double R_2 = y[4]; /* quaternion of R, along y [1] */
-    const double R_3 = y[5]; /* quaternion of R, along z [1] */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
-    const double m = p[0]; /* mass [kg] */
-    const double a = p[1]; /* radius [m] */
-    const double I1 = p[2]; /* [kg*m^2] */
-    const double I2 = p[3]; /* [kg*m^2] */
-    const double I3 = p[4]; /* [kg*m^2] */
 
     /* from the parameters alone */
+    const double m = p[0]; /* mass [kg] */
+    const double a = p[1]; /* radius [m] */
     const double k1 = m * a * a;
     const double k2 = m * a;
+    const double I2 = p[3]; /* [kg*m^2] */
+    const double I3 = p[4]; /* [kg*m^2] */
     const double k3 = I2 - I3;
+    const double I1 = p[2]; /* [kg*m^2] */
     const double k4 = I1 - I3;
     const double k5 = I1 - I2;
 
     /* from the state */
+    const double R_1 = y[3]; /* quaternion of R, along x [1] */
     const double z1 = R_1 * R_1;
+    const double R_2 = y[4]; /* quaternion of R, along y [1] */
     const double z2 = R_2 * R_2;
     const double z3 = z1 + z2;
+    const double R_3 = y[5]; /* quaternion of R, along z [1] */
     const double z4 = R_3 * R_3;
+    const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
     const double z5 = 1.0 / (z3 + (R_0 * R_0 + z4));
     const double z6 = R_0 * z5;
     const double z7 = R_3 * z6;
@@ -608,7 +605,10 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     const double z34 = z32 * z33;
     const double z35 = z24 - 4.0 * (z28 * z29) - z32 * z34;
     const double z36 = k2 * z5;
+    const double w2 = y[7];
+    const double w3 = y[8];
     const double z37 = w2 * w3 * k3;
+    const double w1 = y[6];
     const double z38 = w1 * w3 * k4 + 4.0 * (z37 * z20);
     const double z39 = (w1 * w2 * k5 - 2.0 * (z37 * z29) - z34 * z38) / z35;
     const double z40 = z36 * z39;
@@ -647,20 +647,12 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
 double chaplygin_ball_quaternion_energy(double t, const double *y, const double *p)
 {
     (void)t;
+
+    /* from the state */
     const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
     const double R_1 = y[3]; /* quaternion of R, along x [1] */
     const double R_2 = y[4]; /* quaternion of R, along y [1] */
     const double R_3 = y[5]; /* quaternion of R, along z [1] */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
-    const double m = p[0]; /* mass [kg] */
-    const double a = p[1]; /* radius [m] */
-    const double I1 = p[2]; /* [kg*m^2] */
-    const double I2 = p[3]; /* [kg*m^2] */
-    const double I3 = p[4]; /* [kg*m^2] */
-
-    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_2 * z1;
     const double z3 = R_0 * z1;
@@ -669,12 +661,20 @@ double chaplygin_ball_quaternion_energy(double t, const double *y, const double 
     const double z6 = R_3 * z5;
     const double z7 = R_2 * z4;
     const double z8 = R_3 * z3;
+    const double w1 = y[6];
+    const double w2 = y[7];
+    const double w3 = y[8];
     const double omega_y = 2.0 * ((R_3 * z2 - R_1 * z3) * w3) + ((1.0 - 2.0 * (R_1 * z4 + z6)) * w2 + 2.0 *
         ((z7 + z8) * w1));
+    const double a = p[1]; /* radius [m] */
     const double z9 = a * omega_y;
     const double omega_x = 2.0 * ((R_1 * z5 + R_2 * z3) * w3) + (2.0 * ((z7 - z8) * w2) + (1.0 - 2.0 * (R_2 *
         z2 + z6)) * w1);
     const double z10 = a * omega_x;
+    const double m = p[0]; /* mass [kg] */
+    const double I1 = p[2]; /* [kg*m^2] */
+    const double I2 = p[3]; /* [kg*m^2] */
+    const double I3 = p[4]; /* [kg*m^2] */
     const double z11 = m * (z9 * z9 + z10 * z10) + (I1 * (w1 * w1) + I2 * (w2 * w2) + I3 * (w3 * w3));
     return 0.5 * z11;
 }
@@ -1207,28 +1207,28 @@ int chaplygin_ball_quaternion_jacobian(double t, const double *y, const double *
 int chaplygin_ball_quaternion_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
+
+    /* from the parameters alone */
+    const double m = p[0]; /* mass [kg] */
+    const double a = p[1]; /* radius [m] */
+    const double k1 = m * a * a;
+    const double I1 = p[2]; /* [kg*m^2] */
+    const double k2 = I1 + k1;
+    const double I2 = p[3]; /* [kg*m^2] */
+    const double k3 = I2 + k1;
+
+    /* from the state */
     const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
     const double R_1 = y[3]; /* quaternion of R, along x [1] */
     const double R_2 = y[4]; /* quaternion of R, along y [1] */
     const double R_3 = y[5]; /* quaternion of R, along z [1] */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
-    const double m = p[0]; /* mass [kg] */
-    const double a = p[1]; /* radius [m] */
-    const double I1 = p[2]; /* [kg*m^2] */
-    const double I2 = p[3]; /* [kg*m^2] */
-    const double I3 = p[4]; /* [kg*m^2] */
-
-    /* from the parameters alone */
-    const double k1 = m * a * a;
-    const double k2 = I1 + k1;
-    const double k3 = I2 + k1;
-
-    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const double w1 = y[6];
     const double z2 = I1 * w1;
+    const double w3 = y[8];
+    const double I3 = p[4]; /* [kg*m^2] */
     const double z3 = I3 * w3;
+    const double w2 = y[7];
     const double z4 = I2 * w2;
     const double z5 = k1 * (R_2 * w1 - (R_0 * w3 + R_1 * w2)) + (R_2 * z2 - (R_0 * z3 + R_1 * z4));
     const double z6 = R_3 * z2 + (R_0 * z4 - R_1 * z3);

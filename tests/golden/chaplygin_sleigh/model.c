@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:3f0a9b96ceb6c637)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:782fc3b2e2828711)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -184,7 +184,7 @@ static inline void chaplygin_sleigh_turn_lanes(chaplygin_sleigh_lanes x, chaplyg
 }
 #endif
 
-int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
+int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
@@ -212,7 +212,8 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dyd
     dydt[3] = a * w * w; /* v' */
     dydt[4] = v * w * k3; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[3] + dydt[4]) <= DBL_MAX && fabs(m) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * (dydt[0] + dydt[3] + dydt[4]))) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
@@ -277,7 +278,8 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
     qddot[1] = s_theta * z1 + c_theta * z2; /* y'' */
     qddot[2] = z2 * k3; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX && fabs(m) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * (qddot[0] + qddot[1] + qddot[2]))) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
@@ -344,23 +346,24 @@ int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, co
 int chaplygin_sleigh_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double v = y[3];
-    const double w = y[4];
-    const double m = p[0]; /* mass [kg] */
-    const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
-    const double a = p[2]; /* from the edge to the centre of mass [m] */
 
     /* from the parameters alone */
+    const double m = p[0]; /* mass [kg] */
+    const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double k1 = a * (m * a);
+    const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double k2 = J + k1;
     const double k3 = k1 / k2;
 
     /* from the state */
+    const double v = y[3];
+    const double w = y[4];
     const double z1 = v * w;
     /* (I.4.1) 19:5 */
     lambda[0] = m * (z1 - z1 * k3); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * lambda[0])) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
@@ -377,17 +380,17 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
 double chaplygin_sleigh_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double v = y[3];
-    const double w = y[4];
-    const double m = p[0]; /* mass [kg] */
-    const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
-    const double a = p[2]; /* from the edge to the centre of mass [m] */
 
     /* from the parameters alone */
+    const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double k1 = a * a;
 
     /* from the state */
+    const double w = y[4];
     const double z1 = w * w;
+    const double v = y[3];
+    const double m = p[0]; /* mass [kg] */
+    const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     return 0.5 * (J * z1 + m * (z1 * k1 + v * v));
 }
 
@@ -422,7 +425,8 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     J[23] = w * k3;
     J[24] = v * k3;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[19] + J[23] + J[24]) <= DBL_MAX && fabs(m) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * (J[2] + J[19] + J[23] + J[24]))) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);

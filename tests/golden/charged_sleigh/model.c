@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:1a83c31b52241314)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:29eec66dd430a38b)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -186,7 +186,7 @@ static inline void charged_sleigh_turn_lanes(charged_sleigh_lanes x, charged_sle
 }
 #endif
 
-int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
+int charged_sleigh_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
@@ -350,23 +350,24 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
 int charged_sleigh_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double v = y[3];
-    const double w = y[4];
-    const double m = p[0]; /* mass [kg] */
-    const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
-    const double a = p[2]; /* from the edge to the centre of mass [m] */
-    const double B = p[3]; /* charge times field [kg/s] */
 
     /* from the parameters alone */
+    const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double k1 = a * a;
+    const double m = p[0]; /* mass [kg] */
+    const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double k2 = J + m * k1;
     const double k3 = k1 / k2;
 
     /* from the state */
+    const double v = y[3];
+    const double w = y[4];
+    const double B = p[3]; /* charge times field [kg/s] */
     /* (I.4.1) 20:5 */
     lambda[0] = v * (B + m * (w - (B + m * w) * k3)); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * lambda[0])) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
@@ -459,9 +460,9 @@ int charged_sleigh_outputs(double t, const double *y, const double *p, double *o
 {
     (void)t;
     (void)p;
-    const double v = y[3];
 
     /* from the state */
+    const double v = y[3];
     /* 25:10 */
     out[0] = v; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:3ec62106b276dc83)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:761f74db92e1fbd3)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -167,24 +167,24 @@ static inline void contact_oscillator_pour(size_t left, size_t count, const doub
 }
 #endif
 
-int contact_oscillator_rhs(double t, const double *y, const double *p, double *dydt)
+int contact_oscillator_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     (void)p;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = 1.0 + y_2 * y_2;
+    const double z_dot = y[4];
     /* (III.3) */
     dydt[0] = -y_2 * z_dot; /* x' */
+    const double y_dot = y[3];
     dydt[1] = y_dot; /* y' */
     dydt[2] = z_dot; /* z' */
     /* (III.3) 7:4 */
     dydt[3] = -y_2; /* y'' */
+    const double x = y[0];
+    const double z = y[2];
     dydt[4] = (y_2 * (x - y_dot * z_dot) - z) / z1; /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[4]) <= DBL_MAX)) {
@@ -201,13 +201,13 @@ int contact_oscillator_velocities(double t, const double *y, const double *p, do
 {
     (void)t;
     (void)p;
-    const double y_2 = y[1];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
 
     /* from the state */
+    const double y_2 = y[1];
+    const double z_dot = y[4];
     /* (I.2.4) */
     qdot[0] = -y_2 * z_dot; /* x' */
+    const double y_dot = y[3];
     qdot[1] = y_dot; /* y' */
     qdot[2] = z_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -221,15 +221,15 @@ int contact_oscillator_accelerations(double t, const double *y, const double *p,
 {
     (void)t;
     (void)p;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = 1.0 + y_2 * y_2;
+    const double y_dot = y[3];
+    const double z_dot = y[4];
     const double z2 = y_dot * z_dot;
+    const double x = y[0];
+    const double z = y[2];
     const double z3 = (z - y_2 * (x - z2)) / z1;
     /* (III.3) */
     qddot[0] = y_2 * z3 - z2; /* x'' */
@@ -250,17 +250,17 @@ int contact_oscillator_state(double t, const double *q, const double *qdot, cons
 {
     (void)t;
     (void)p;
-    const double x = q[0];
-    const double y_2 = q[1];
-    const double z = q[2];
-    const double y_dot = qdot[1];
-    const double z_dot = qdot[2];
 
     /* from the state */
+    const double x = q[0];
     y[0] = x;
+    const double y_2 = q[1];
     y[1] = y_2;
+    const double z = q[2];
     y[2] = z;
+    const double y_dot = qdot[1];
     y[3] = y_dot;
+    const double z_dot = qdot[2];
     y[4] = z_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -273,11 +273,11 @@ int contact_oscillator_residuals(double t, const double *q, const double *qdot, 
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double y = q[1];
     const double x_dot = qdot[0];
     const double z_dot = qdot[2];
-
-    /* from the state */
     /* (I.1.1) 10:5 */
     r[0] = x_dot + y * z_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -291,15 +291,15 @@ int contact_oscillator_reactions(double t, const double *y, const double *p, dou
 {
     (void)t;
     (void)p;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = 1.0 + y_2 * y_2;
+    const double x = y[0];
+    const double y_dot = y[3];
+    const double z_dot = y[4];
     const double z2 = x - y_dot * z_dot;
+    const double z = y[2];
     /* (I.4.1) 10:5 */
     lambda[0] = z2 + y_2 * ((z - y_2 * z2) / z1); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -317,14 +317,14 @@ double contact_oscillator_energy(double t, const double *y, const double *p)
 {
     (void)t;
     (void)p;
+
+    /* from the state */
+    const double z_dot = y[4];
+    const double z1 = z_dot * z_dot;
     const double x = y[0];
     const double y_2 = y[1];
     const double z = y[2];
     const double y_dot = y[3];
-    const double z_dot = y[4];
-
-    /* from the state */
-    const double z1 = z_dot * z_dot;
     const double z2 = 0.5 * (y_2 * y_2 * (1.0 + z1) + (z1 + (y_dot * y_dot + (x * x + z * z))));
     return z2;
 }
@@ -334,16 +334,15 @@ int contact_oscillator_jacobian(double t, const double *y, const double *p, doub
     memset(J, 0, 25 * sizeof *J);
     (void)t;
     (void)p;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = 1.0 / z1;
     const double z3 = y_2 * z2;
+    const double x = y[0];
+    const double y_dot = y[3];
+    const double z_dot = y[4];
     const double z4 = x - y_dot * z_dot;
     /* (III.3) */
     J[1] = -z_dot;
@@ -352,6 +351,7 @@ int contact_oscillator_jacobian(double t, const double *y, const double *p, doub
     J[14] = 1.0;
     J[16] = -1.0;
     J[20] = z3;
+    const double z = y[2];
     J[21] = z2 * (z4 + 2.0 * ((z - y_2 * z4) * z3));
     J[22] = -z2;
     J[23] = -z_dot * z3;
@@ -371,16 +371,16 @@ int contact_oscillator_outputs(double t, const double *y, const double *p, doubl
 {
     (void)t;
     (void)p;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = y_2 * y_2;
+    const double y_dot = y[3];
     /* 13:8 */
     out[0] = 0.5 * (y_dot * y_dot + z1); /* H_y */
+    const double x = y[0];
+    const double z = y[2];
+    const double z_dot = y[4];
     /* 14:6 */
     out[1] = 0.5 * (x * x + z * z + z_dot * z_dot * (1.0 + z1)); /* R */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

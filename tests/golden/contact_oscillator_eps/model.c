@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:8d9b197c10687f8d)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:7bf68289dc461dc7)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -167,19 +167,19 @@ static inline void contact_oscillator_eps_pour(size_t left, size_t count, const 
 }
 #endif
 
-int contact_oscillator_eps_rhs(double t, const double *y, const double *p, double *dydt)
+int contact_oscillator_eps_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
-    const double eps = p[0]; /* strength of the coupling */
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = 1.0 + y_2 * y_2;
+    const double z_dot = y[4];
     const double z2 = y_2 * z_dot;
+    const double x = y[0];
+    const double z = y[2];
+    const double y_dot = y[3];
+    const double eps = p[0]; /* strength of the coupling */
     const double z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_dot * z2);
     /* (III.3) */
     dydt[0] = -z2; /* x' */
@@ -203,13 +203,13 @@ int contact_oscillator_eps_velocities(double t, const double *y, const double *p
 {
     (void)t;
     (void)p;
-    const double y_2 = y[1];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
 
     /* from the state */
+    const double y_2 = y[1];
+    const double z_dot = y[4];
     /* (I.2.4) */
     qdot[0] = -y_2 * z_dot; /* x' */
+    const double y_dot = y[3];
     qdot[1] = y_dot; /* y' */
     qdot[2] = z_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -222,16 +222,16 @@ int contact_oscillator_eps_velocities(double t, const double *y, const double *p
 int contact_oscillator_eps_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
-    const double eps = p[0]; /* strength of the coupling */
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = 1.0 + y_2 * y_2;
+    const double y_dot = y[3];
+    const double z_dot = y[4];
     const double z2 = y_dot * z_dot;
+    const double x = y[0];
+    const double z = y[2];
+    const double eps = p[0]; /* strength of the coupling */
     const double z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_2 * z2);
     const double z4 = z3 / z1;
     /* (III.3) */
@@ -253,17 +253,17 @@ int contact_oscillator_eps_state(double t, const double *q, const double *qdot, 
 {
     (void)t;
     (void)p;
-    const double x = q[0];
-    const double y_2 = q[1];
-    const double z = q[2];
-    const double y_dot = qdot[1];
-    const double z_dot = qdot[2];
 
     /* from the state */
+    const double x = q[0];
     y[0] = x;
+    const double y_2 = q[1];
     y[1] = y_2;
+    const double z = q[2];
     y[2] = z;
+    const double y_dot = qdot[1];
     y[3] = y_dot;
+    const double z_dot = qdot[2];
     y[4] = z_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -277,11 +277,11 @@ int contact_oscillator_eps_residuals(double t, const double *q, const double *qd
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double y = q[1];
     const double x_dot = qdot[0];
     const double z_dot = qdot[2];
-
-    /* from the state */
     /* (I.1.1) 12:5 */
     r[0] = x_dot + y * z_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -294,18 +294,18 @@ int contact_oscillator_eps_residuals(double t, const double *q, const double *qd
 int contact_oscillator_eps_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
-    const double eps = p[0]; /* strength of the coupling */
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = 1.0 + y_2 * y_2;
+    const double z = y[2];
+    const double eps = p[0]; /* strength of the coupling */
     const double z2 = 1.0 + eps * (z * z);
     const double z3 = y_2 / z1;
+    const double y_dot = y[3];
+    const double z_dot = y[4];
     const double z4 = y_dot * z_dot;
+    const double x = y[0];
     const double z5 = x * (z2 - (y_2 * z2 - eps * (x * z)) * z3) - (z4 - z3 * (z + y_2 * z4));
     /* (I.4.1) 12:5 */
     lambda[0] = z5; /* reaction of contact: Q_i gains lambda_1 a_1i */
@@ -323,16 +323,16 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
 double contact_oscillator_eps_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
-    const double eps = p[0]; /* strength of the coupling */
 
     /* from the state */
+    const double z = y[2];
     const double z1 = z * z;
+    const double z_dot = y[4];
     const double z2 = z_dot * z_dot;
+    const double x = y[0];
+    const double y_2 = y[1];
+    const double y_dot = y[3];
+    const double eps = p[0]; /* strength of the coupling */
     const double z3 = x * x * (1.0 + eps * z1) + (y_2 * y_2 * (1.0 + z2) + (z2 + (y_dot * y_dot + z1)));
     return 0.5 * z3;
 }
@@ -341,21 +341,21 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
 {
     memset(J, 0, 25 * sizeof *J);
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
-    const double eps = p[0]; /* strength of the coupling */
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = 1.0 / z1;
+    const double x = y[0];
+    const double eps = p[0]; /* strength of the coupling */
     const double z3 = x * eps;
+    const double z = y[2];
     const double z4 = z * z3;
     const double z5 = 1.0 + eps * (z * z);
     const double z6 = y_2 * z5;
+    const double y_dot = y[3];
     const double z7 = y_2 * y_dot;
+    const double z_dot = y[4];
     const double z8 = y_dot * z_dot - x * z5 - 2.0 * (z2 * (y_2 * (z + z_dot * z7 + x * (z4 - z6))));
     /* (III.3) */
     J[1] = -z_dot;
@@ -382,18 +382,18 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
 int contact_oscillator_eps_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
-    const double eps = p[0]; /* strength of the coupling */
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = y_2 * y_2;
+    const double x = y[0];
     const double z2 = x * x;
+    const double y_dot = y[3];
     /* 15:8 */
     out[0] = 0.5 * (y_dot * y_dot + z1); /* H_y */
+    const double z = y[2];
+    const double z_dot = y[4];
+    const double eps = p[0]; /* strength of the coupling */
     /* 16:6 */
     out[1] = 0.5 * (z2 + z * z * (1.0 + eps * z2) + z_dot * z_dot * (1.0 + z1)); /* R */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:2ab164307d821016)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:77bd25b6207c6500)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -184,7 +184,7 @@ static inline void cvt_turn_lanes(cvt_lanes x, cvt_lanes *far,
 }
 #endif
 
-int cvt_rhs(double t, const double *y, const double *p, double *dydt)
+int cvt_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     (void)p;
@@ -223,11 +223,13 @@ int cvt_velocities(double t, const double *y, const double *p, double *qdot)
     (void)t;
     (void)p;
     const double xi = y[2];
+
+    /* sines and cosines */
+    const double s_xi = sin(xi);
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
     /* from the state */
-    const double s_xi = sin(xi);
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = -x_dot * s_xi; /* y' */
@@ -276,17 +278,17 @@ int cvt_state(double t, const double *q, const double *qdot, const double *p, do
 {
     (void)t;
     (void)p;
-    const double x = q[0];
-    const double y_2 = q[1];
-    const double xi = q[2];
-    const double x_dot = qdot[0];
-    const double xi_dot = qdot[2];
 
     /* from the state */
+    const double x = q[0];
     y[0] = x;
+    const double y_2 = q[1];
     y[1] = y_2;
+    const double xi = q[2];
     y[2] = xi;
+    const double x_dot = qdot[0];
     y[3] = x_dot;
+    const double xi_dot = qdot[2];
     y[4] = xi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -300,11 +302,13 @@ int cvt_residuals(double t, const double *q, const double *qdot, const double *p
     (void)t;
     (void)p;
     const double xi = q[2];
+
+    /* sines and cosines */
+    const double s_xi = sin(xi);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
     /* from the state */
-    const double s_xi = sin(xi);
     /* (I.1.1) 10:5 */
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

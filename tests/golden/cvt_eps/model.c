@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:b28f4f97a545216e)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:62974670c038a626)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -183,7 +183,7 @@ static inline void cvt_eps_turn_lanes(cvt_eps_lanes x, cvt_eps_lanes *far,
 }
 #endif
 
-int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
+int cvt_eps_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double xi = y[2];
@@ -223,11 +223,13 @@ int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
     (void)t;
     (void)p;
     const double xi = y[2];
+
+    /* sines and cosines */
+    const double s_xi = sin(xi);
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
     /* from the state */
-    const double s_xi = sin(xi);
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = -x_dot * s_xi; /* y' */
@@ -277,17 +279,17 @@ int cvt_eps_state(double t, const double *q, const double *qdot, const double *p
 {
     (void)t;
     (void)p;
-    const double x = q[0];
-    const double y_2 = q[1];
-    const double xi = q[2];
-    const double x_dot = qdot[0];
-    const double xi_dot = qdot[2];
 
     /* from the state */
+    const double x = q[0];
     y[0] = x;
+    const double y_2 = q[1];
     y[1] = y_2;
+    const double xi = q[2];
     y[2] = xi;
+    const double x_dot = qdot[0];
     y[3] = x_dot;
+    const double xi_dot = qdot[2];
     y[4] = xi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -301,11 +303,13 @@ int cvt_eps_residuals(double t, const double *q, const double *qdot, const doubl
     (void)t;
     (void)p;
     const double xi = q[2];
+
+    /* sines and cosines */
+    const double s_xi = sin(xi);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
     /* from the state */
-    const double s_xi = sin(xi);
     /* (I.1.1) 12:5 */
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:4f93b863a26b5ed1)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:8797e616866fecec)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -199,7 +199,7 @@ static inline void diff_drive_turn_lanes(diff_drive_lanes x, diff_drive_lanes *f
 }
 #endif
 
-int diff_drive_rhs(double t, const double *y, const double *p, double *dydt)
+int diff_drive_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
@@ -421,29 +421,29 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
 int diff_drive_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double v = y[5];
-    const double w = y[6];
-    const double m = p[0]; /* mass [kg] */
-    const double I = p[1]; /* of the whole about the vertical through the centre of mass [kg*m^2] */
-    const double J_w = p[2]; /* of a wheel about its axle [kg*m^2] */
-    const double r = p[3]; /* radius of the wheels [m] */
-    const double b = p[4]; /* half the track [m] */
-    const double d = p[5]; /* from the axle to the centre of mass [m] */
-    const double tau_R = p[6]; /* torque on the right wheel [N*m] */
-    const double tau_L = p[7]; /* torque on the left wheel [N*m] */
 
     /* from the parameters alone */
+    const double r = p[3]; /* radius of the wheels [m] */
     const double k1 = 1.0 / r;
+    const double b = p[4]; /* half the track [m] */
     const double k2 = b * k1;
+    const double m = p[0]; /* mass [kg] */
+    const double J_w = p[2]; /* of a wheel about its axle [kg*m^2] */
     const double k3 = m + 2.0 * (k1 * (J_w * k1));
+    const double d = p[5]; /* from the axle to the centre of mass [m] */
     const double k4 = m * d;
+    const double tau_R = p[6]; /* torque on the right wheel [N*m] */
+    const double tau_L = p[7]; /* torque on the left wheel [N*m] */
     const double k5 = k1 * (tau_R + tau_L);
+    const double I = p[1]; /* of the whole about the vertical through the centre of mass [kg*m^2] */
     const double k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
     const double k7 = k2 * (tau_R - tau_L);
     const double k8 = 1.0 / k6;
     const double k9 = k1 / k3;
 
     /* from the state */
+    const double v = y[5];
+    const double w = y[6];
     const double z1 = v * w;
     const double z2 = (z1 * k4 - k7) * k8;
     const double z3 = k2 * z2;
@@ -476,21 +476,21 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
 double diff_drive_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double v = y[5];
-    const double w = y[6];
+
+    /* from the parameters alone */
+    const double r = p[3]; /* radius of the wheels [m] */
+    const double k1 = 1.0 / (r * r);
     const double m = p[0]; /* mass [kg] */
     const double I = p[1]; /* of the whole about the vertical through the centre of mass [kg*m^2] */
     const double J_w = p[2]; /* of a wheel about its axle [kg*m^2] */
-    const double r = p[3]; /* radius of the wheels [m] */
     const double b = p[4]; /* half the track [m] */
     const double d = p[5]; /* from the axle to the centre of mass [m] */
-
-    /* from the parameters alone */
-    const double k1 = 1.0 / (r * r);
     const double k2 = k1 * (J_w * (b * b)) + 0.5 * (I + m * (d * d));
     const double k3 = 0.5 * m + J_w * k1;
 
     /* from the state */
+    const double v = y[5];
+    const double w = y[6];
     return w * w * k2 + v * v * k3;
 }
 
@@ -560,9 +560,9 @@ int diff_drive_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
     (void)y;
-    const double r = p[3]; /* radius of the wheels [m] */
 
     /* from the state */
+    const double r = p[3]; /* radius of the wheels [m] */
     /* the coframe is singular */
     if (!(fabs(r) > 0.0)) {
         return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);

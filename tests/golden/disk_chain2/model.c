@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:901b62e574671818)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:978fec2b786fa68a)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -218,7 +218,7 @@ static inline void disk_chain2_turn_lanes(disk_chain2_lanes x, disk_chain2_lanes
 }
 #endif
 
-int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt)
+int disk_chain2_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double phi1 = y[2]; /* heading [rad] */
@@ -267,7 +267,8 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[10] = 0.0; /* phi2'' */
     dydt[11] = (z1 * c_phi2 + z2 * s_phi2) * k2; /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[2] + dydt[4] + dydt[6] + dydt[9] + dydt[11]) <= DBL_MAX && fabs(J) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J) > 0.0 * (dydt[0] + dydt[2] + dydt[4] + dydt[6] + dydt[9] + dydt[11]))) {
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
             return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
@@ -365,7 +366,8 @@ int disk_chain2_accelerations(double t, const double *y, const double *p, double
     qddot[6] = 0.0; /* phi2'' */
     qddot[7] = z7; /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX && fabs(J) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J) > 0.0 * (qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]))) {
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
             return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
@@ -383,31 +385,31 @@ int disk_chain2_state(double t, const double *q, const double *qdot, const doubl
 {
     (void)t;
     (void)p;
-    const double x1 = q[0]; /* first disk [m] */
-    const double y1_ = q[1]; /* first disk [m] */
-    const double phi1 = q[2]; /* heading [rad] */
-    const double theta1 = q[3]; /* angle rolled [rad] */
-    const double x2 = q[4]; /* second disk [m] */
-    const double y2 = q[5]; /* second disk [m] */
-    const double phi2 = q[6]; /* heading [rad] */
-    const double theta2 = q[7]; /* angle rolled [rad] */
-    const double phi1_dot = qdot[2];
-    const double theta1_dot = qdot[3];
-    const double phi2_dot = qdot[6];
-    const double theta2_dot = qdot[7];
 
     /* from the state */
+    const double x1 = q[0]; /* first disk [m] */
     y[0] = x1;
+    const double y1_ = q[1]; /* first disk [m] */
     y[1] = y1_;
+    const double phi1 = q[2]; /* heading [rad] */
     y[2] = phi1;
+    const double theta1 = q[3]; /* angle rolled [rad] */
     y[3] = theta1;
+    const double x2 = q[4]; /* second disk [m] */
     y[4] = x2;
+    const double y2 = q[5]; /* second disk [m] */
     y[5] = y2;
+    const double phi2 = q[6]; /* heading [rad] */
     y[6] = phi2;
+    const double theta2 = q[7]; /* angle rolled [rad] */
     y[7] = theta2;
+    const double phi1_dot = qdot[2];
     y[8] = phi1_dot;
+    const double theta1_dot = qdot[3];
     y[9] = theta1_dot;
+    const double phi2_dot = qdot[6];
     y[10] = phi2_dot;
+    const double theta2_dot = qdot[7];
     y[11] = theta2_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11]) <= DBL_MAX)) {
@@ -501,7 +503,8 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
     /* (I.4.1) 30:5 */
     lambda[3] = s_phi2 * z8 - (z6 - c_phi2 * z7); /* reaction of roll_y2: Q_i gains lambda_4 a_4i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1] + lambda[2] + lambda[3]) <= DBL_MAX && fabs(J) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J) > 0.0 * (lambda[0] + lambda[1] + lambda[2] + lambda[3]))) {
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
             return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
@@ -518,27 +521,27 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
 double disk_chain2_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double x1 = y[0]; /* first disk [m] */
-    const double y1_ = y[1]; /* first disk [m] */
-    const double x2 = y[4]; /* second disk [m] */
-    const double y2 = y[5]; /* second disk [m] */
-    const double phi1_dot = y[8];
-    const double theta1_dot = y[9];
-    const double phi2_dot = y[10];
-    const double theta2_dot = y[11];
-    const double m = p[0]; /* mass of each [kg] */
-    const double R = p[1]; /* radius [m] */
-    const double I = p[2]; /* about the axle [kg*m^2] */
-    const double J = p[3]; /* about the vertical [kg*m^2] */
-    const double k = p[4]; /* stiffness of the spring [N/m] */
 
     /* from the state */
+    const double x1 = y[0]; /* first disk [m] */
+    const double x2 = y[4]; /* second disk [m] */
     const double z1 = x1 - x2;
+    const double y1_ = y[1]; /* first disk [m] */
+    const double y2 = y[5]; /* second disk [m] */
     const double z2 = y1_ - y2;
+    const double theta1_dot = y[9];
+    const double R = p[1]; /* radius [m] */
     const double v1_x1 = theta1_dot * R;
+    const double theta2_dot = y[11];
     const double v1_x2 = theta2_dot * R;
+    const double phi1_dot = y[8];
+    const double phi2_dot = y[10];
+    const double m = p[0]; /* mass of each [kg] */
+    const double I = p[2]; /* about the axle [kg*m^2] */
+    const double J = p[3]; /* about the vertical [kg*m^2] */
     const double z3 = J * (phi1_dot * phi1_dot) + (I * (theta1_dot * theta1_dot) + m * (v1_x1 * v1_x1)) + (J
         * (phi2_dot * phi2_dot) + (I * (theta2_dot * theta2_dot) + m * (v1_x2 * v1_x2)));
+    const double k = p[4]; /* stiffness of the spring [N/m] */
     return 0.5 * (k * (z1 * z1 + z2 * z2) + z3);
 }
 
@@ -606,7 +609,8 @@ int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
     J[137] = -z10;
     J[138] = k2 * (z7 * c_phi2 - z8 * s_phi2);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[14] + J[54] + J[66] + J[110] + J[138]) <= DBL_MAX && fabs(J_2) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J_2) > 0.0 * (J[2] + J[14] + J[54] + J[66] + J[110] + J[138]))) {
         /* the mass matrix is singular */
         if (!(fabs(J_2) > 0.0)) {
             return disk_chain2_refuse(fabs(J_2), 0.0, DISK_CHAIN2_SINGULAR_2);

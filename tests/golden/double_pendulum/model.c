@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:172af8f0b0378168)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:f9856d3fa9ec5d2e)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -204,7 +204,7 @@ static inline void double_pendulum_turn_lanes(double_pendulum_lanes x, double_pe
 }
 #endif
 
-int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt)
+int double_pendulum_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta1 = y[0]; /* upper rod from the downward vertical [rad] */
@@ -240,7 +240,8 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     dydt[2] = k1 * (g * s_theta1 + z5); /* theta1'' */
     dydt[3] = k2 * (z4 * s1 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-13 * m1)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m2) > 0.0 * (dydt[2] + dydt[3]) && fabs(z3) > 1e-13 * m1)) {
         /* the mass matrix is singular */
         if (!(fabs(m2) > 0.0)) {
             return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
@@ -258,12 +259,12 @@ int double_pendulum_velocities(double t, const double *y, const double *p, doubl
 {
     (void)t;
     (void)p;
-    const double theta1_dot = y[2];
-    const double theta2_dot = y[3];
 
     /* from the state */
+    const double theta1_dot = y[2];
     /* (I.2.4) */
     qdot[0] = theta1_dot; /* theta1' */
+    const double theta2_dot = y[3];
     qdot[1] = theta2_dot; /* theta2' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
@@ -305,7 +306,8 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     qddot[0] = k1 * (g * s_theta1 + z5); /* theta1'' */
     qddot[1] = k2 * (z4 * s1 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-13 * m1)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m2) > 0.0 * (qddot[0] + qddot[1]) && fabs(z3) > 1e-13 * m1)) {
         /* the mass matrix is singular */
         if (!(fabs(m2) > 0.0)) {
             return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
@@ -323,15 +325,15 @@ int double_pendulum_state(double t, const double *q, const double *qdot, const d
 {
     (void)t;
     (void)p;
-    const double theta1 = q[0]; /* upper rod from the downward vertical [rad] */
-    const double theta2 = q[1]; /* lower rod from the downward vertical [rad] */
-    const double theta1_dot = qdot[0];
-    const double theta2_dot = qdot[1];
 
     /* from the state */
+    const double theta1 = q[0]; /* upper rod from the downward vertical [rad] */
     y[0] = theta1;
+    const double theta2 = q[1]; /* lower rod from the downward vertical [rad] */
     y[1] = theta2;
+    const double theta1_dot = qdot[0];
     y[2] = theta1_dot;
+    const double theta2_dot = qdot[1];
     y[3] = theta2_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3]) <= DBL_MAX)) {
@@ -355,11 +357,13 @@ int double_pendulum_reactions(double t, const double *y, const double *p, double
     (void)t;
     const double theta1 = y[0]; /* upper rod from the downward vertical [rad] */
     const double theta2 = y[1]; /* lower rod from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s1 = sin(theta1 - theta2);
     const double m1 = p[0]; /* [kg] */
     const double m2 = p[1]; /* [kg] */
 
     /* from the state */
-    const double s1 = sin(theta1 - theta2);
     /* the mass matrix is singular */
     if (!(fabs(m2) > 0.0)) {
         return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
@@ -466,8 +470,8 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     J[14] = 2.0 * (k2 * (z17 * s1 + c1 * z18));
     J[15] = 2.0 * (k2 * (c1 * z19));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[8] + J[9] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15]) <= DBL_MAX
-        && fabs(m2) > 0.0
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m2) > 0.0 * (J[8] + J[9] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15])
         && fabs(z3) > 1e-13 * m1)) {
         /* the mass matrix is singular */
         if (!(fabs(m2) > 0.0)) {

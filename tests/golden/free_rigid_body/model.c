@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:cf0cf7ce2ebaf3cb)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:03dd2af60f344c68)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -196,7 +196,7 @@ static inline void free_rigid_body_turn_lanes(free_rigid_body_lanes x, free_rigi
 }
 #endif
 
-int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt)
+int free_rigid_body_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
@@ -391,12 +391,14 @@ int free_rigid_body_reactions(double t, const double *y, const double *p, double
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* from the state */
-    const double s_theta = sin(theta);
     /* the mass matrix is singular, or the velocities that are kept are */
     if (!(fabs(I1) > 0.0)) {
         return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
@@ -420,14 +422,14 @@ int free_rigid_body_reactions(double t, const double *y, const double *p, double
 double free_rigid_body_energy(double t, const double *y, const double *p)
 {
     (void)t;
+
+    /* from the state */
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
-
-    /* from the state */
     return 0.5 * (I3 * (w3 * w3) + (I1 * (w1 * w1) + I2 * (w2 * w2)));
 }
 
@@ -509,6 +511,9 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
@@ -522,7 +527,6 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
     const double k3 = I3 * I3;
 
     /* from the state */
-    const double s_theta = sin(theta);
     /* 24:14 */
     out[0] = w3 * w3 * k3 + (w1 * w1 * k1 + w2 * w2 * k2); /* L_squared */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

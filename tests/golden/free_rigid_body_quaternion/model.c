@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:04ae5a00328e2b45)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:c8b1cf1eeccacd91)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -177,28 +177,28 @@ static inline void free_rigid_body_quaternion_pour(size_t left, size_t count, co
 }
 #endif
 
-int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, double *dydt)
+int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+
+    /* from the parameters alone */
+    const double I1 = p[0]; /* [kg*m^2] */
+    const double I2 = p[1]; /* [kg*m^2] */
+    const double I3 = p[2]; /* [kg*m^2] */
+    const double k1 = (I2 - I3) / I1;
+    const double k2 = -(I1 - I3) / I2;
+    const double k3 = (I1 - I2) / I3;
+
+    /* from the state */
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double w1 = y[4];
     const double w2 = y[5];
     const double w3 = y[6];
-    const double I1 = p[0]; /* [kg*m^2] */
-    const double I2 = p[1]; /* [kg*m^2] */
-    const double I3 = p[2]; /* [kg*m^2] */
-
-    /* from the parameters alone */
-    const double k1 = (I2 - I3) / I1;
-    const double k2 = -(I1 - I3) / I2;
-    const double k3 = (I1 - I2) / I3;
-
-    /* from the state */
     /* (I.2.15) */
     dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     dydt[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
     dydt[2] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
     dydt[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
@@ -229,17 +229,17 @@ int free_rigid_body_quaternion_velocities(double t, const double *y, const doubl
 {
     (void)t;
     (void)p;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+
+    /* from the state */
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double w1 = y[4];
     const double w2 = y[5];
     const double w3 = y[6];
-
-    /* from the state */
     /* (I.2.4) */
     qdot[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     qdot[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
     qdot[2] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
     qdot[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
@@ -253,31 +253,31 @@ int free_rigid_body_quaternion_velocities(double t, const double *y, const doubl
 int free_rigid_body_quaternion_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
-    const double R_1 = y[1]; /* quaternion of R, along x [1] */
-    const double R_2 = y[2]; /* quaternion of R, along y [1] */
-    const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
-    const double I1 = p[0]; /* [kg*m^2] */
-    const double I2 = p[1]; /* [kg*m^2] */
-    const double I3 = p[2]; /* [kg*m^2] */
 
     /* from the parameters alone */
+    const double I2 = p[1]; /* [kg*m^2] */
+    const double I3 = p[2]; /* [kg*m^2] */
     const double k1 = I2 - I3;
+    const double I1 = p[0]; /* [kg*m^2] */
     const double k2 = I1 - I3;
     const double k3 = 1.0 / I1;
     const double k4 = 1.0 / I2;
     const double k5 = (I1 - I2) / I3;
 
     /* from the state */
+    const double w1 = y[4];
+    const double w2 = y[5];
+    const double w3 = y[6];
     const double z1 = w3 * w3 + (w1 * w1 + w2 * w2);
     const double z2 = k4 * (w3 * k2);
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double z3 = R_3 * w2;
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double z4 = R_1 * w2;
     const double z5 = k3 * (w3 * k1);
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double z6 = R_2 * w2;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     const double z7 = R_0 * w2;
     /* (I.2.15) */
     qddot[0] = (2.0 * (w1 * (R_2 * z2 - z3 * k5) - z4 * z5) - R_0 * z1) * 0.25; /* R_0'' */
@@ -308,16 +308,12 @@ int free_rigid_body_quaternion_state(double t, const double *q, const double *qd
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
     const double R_3 = q[3]; /* quaternion of R, along z [1] */
-    const double R_0_dot = qdot[0];
-    const double R_1_dot = qdot[1];
-    const double R_2_dot = qdot[2];
-    const double R_3_dot = qdot[3];
-
-    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_0 * z1;
     const double z3 = R_1 * z1;
@@ -327,6 +323,10 @@ int free_rigid_body_quaternion_state(double t, const double *q, const double *qd
     y[1] = R_1;
     y[2] = R_2;
     y[3] = R_3;
+    const double R_0_dot = qdot[0];
+    const double R_1_dot = qdot[1];
+    const double R_2_dot = qdot[2];
+    const double R_3_dot = qdot[3];
     y[4] = 2.0 * (R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5));
     y[5] = 2.0 * (R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4));
     y[6] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
@@ -342,6 +342,8 @@ int free_rigid_body_quaternion_residuals(double t, const double *q, const double
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
@@ -350,8 +352,6 @@ int free_rigid_body_quaternion_residuals(double t, const double *q, const double
     const double R_1_dot = qdot[1];
     const double R_2_dot = qdot[2];
     const double R_3_dot = qdot[3];
-
-    /* from the state */
     /* (I.1.1) 7:3 */
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -365,12 +365,12 @@ int free_rigid_body_quaternion_positions(double t, const double *q, const double
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
     const double R_3 = q[3]; /* quaternion of R, along z [1] */
-
-    /* from the state */
     /* 7:3 */
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -384,14 +384,14 @@ int free_rigid_body_quaternion_reactions(double t, const double *y, const double
 {
     (void)t;
     (void)y;
-    const double I1 = p[0]; /* [kg*m^2] */
-    const double I2 = p[1]; /* [kg*m^2] */
-    const double I3 = p[2]; /* [kg*m^2] */
 
     /* from the state */
     /* (I.4.1) 7:3 */
     lambda[0] = 0.0; /* reaction of R_norm: Q_i gains lambda_1 a_1i */
-    if (!(fabs(I1) > 0.0 && fabs(I2) > 0.0 && fabs(I3) > 0.0)) {
+    const double I1 = p[0]; /* [kg*m^2] */
+    const double I2 = p[1]; /* [kg*m^2] */
+    const double I3 = p[2]; /* [kg*m^2] */
+    if (!(fabs(I1 * I2 * I3) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
@@ -412,14 +412,14 @@ int free_rigid_body_quaternion_reactions(double t, const double *y, const double
 double free_rigid_body_quaternion_energy(double t, const double *y, const double *p)
 {
     (void)t;
+
+    /* from the state */
     const double w1 = y[4];
     const double w2 = y[5];
     const double w3 = y[6];
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
-
-    /* from the state */
     return 0.5 * (I1 * (w1 * w1) + I2 * (w2 * w2) + I3 * (w3 * w3));
 }
 
@@ -428,29 +428,29 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
 {
     memset(J, 0, 49 * sizeof *J);
     (void)t;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
-    const double R_1 = y[1]; /* quaternion of R, along x [1] */
-    const double R_2 = y[2]; /* quaternion of R, along y [1] */
-    const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
+
+    /* from the parameters alone */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
-
-    /* from the parameters alone */
     const double k1 = (I2 - I3) / I1;
     const double k2 = -(I1 - I3) / I2;
     const double k3 = (I1 - I2) / I3;
 
     /* from the state */
+    const double w1 = y[4];
     const double z1 = 0.5 * w1;
+    const double w2 = y[5];
     const double z2 = 0.5 * w2;
+    const double w3 = y[6];
     const double z3 = 0.5 * w3;
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double z4 = 0.5 * R_1;
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double z5 = 0.5 * R_2;
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double z6 = 0.5 * R_3;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     const double z7 = 0.5 * R_0;
     /* (I.2.15) */
     J[1] = -z1;
@@ -506,21 +506,21 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
 int free_rigid_body_quaternion_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
+
+    /* from the state */
+    const double w1 = y[4];
+    const double I1 = p[0]; /* [kg*m^2] */
+    const double z1 = I1 * w1;
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
-    const double I1 = p[0]; /* [kg*m^2] */
-    const double I2 = p[1]; /* [kg*m^2] */
-    const double I3 = p[2]; /* [kg*m^2] */
-
-    /* from the state */
-    const double z1 = I1 * w1;
     const double z2 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const double w3 = y[6];
+    const double I3 = p[2]; /* [kg*m^2] */
     const double z3 = I3 * w3;
+    const double w2 = y[5];
+    const double I2 = p[1]; /* [kg*m^2] */
     const double z4 = I2 * w2;
     const double z5 = R_2 * z1 - (R_0 * z3 + R_1 * z4);
     const double z6 = R_3 * z1 + (R_0 * z4 - R_1 * z3);

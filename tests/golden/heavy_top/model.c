@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:79bc74bde5b869b0)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:d7d7d5778c00e7eb)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -196,7 +196,7 @@ static inline void heavy_top_turn_lanes(heavy_top_lanes x, heavy_top_lanes *far,
 }
 #endif
 
-int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
+int heavy_top_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
@@ -229,7 +229,8 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = s_theta * (k3 + phi_dot * (z1 - z2)); /* theta'' */
     dydt[5] = s_theta * (phi_dot * theta_dot) + c_theta * z3; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[4] + dydt[5]) <= DBL_MAX && fabs(I3) > 0.0 && fabs(I1 * (s_theta * s_theta)) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(I3) > 0.0 * (dydt[4] + dydt[5]))) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
@@ -251,14 +252,14 @@ int heavy_top_velocities(double t, const double *y, const double *p, double *qdo
 {
     (void)t;
     (void)p;
-    const double phi_dot = y[3];
-    const double theta_dot = y[4];
-    const double psi_dot = y[5];
 
     /* from the state */
+    const double phi_dot = y[3];
     /* (I.2.4) */
     qdot[0] = phi_dot; /* phi' */
+    const double theta_dot = y[4];
     qdot[1] = theta_dot; /* theta' */
+    const double psi_dot = y[5];
     qdot[2] = psi_dot; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
@@ -296,7 +297,8 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     qddot[1] = s_theta * (k3 + phi_dot * (z1 - z2)); /* theta'' */
     qddot[2] = s_theta * (phi_dot * theta_dot) + c_theta * z3; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(I3) > 0.0 && fabs(I1 * (s_theta * s_theta)) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(I3) > 0.0 * (qddot[1] + qddot[2]))) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
@@ -318,19 +320,19 @@ int heavy_top_state(double t, const double *q, const double *qdot, const double 
 {
     (void)t;
     (void)p;
-    const double phi = q[0]; /* precession [rad] */
-    const double theta = q[1]; /* nutation [rad] */
-    const double psi = q[2]; /* spin [rad] */
-    const double phi_dot = qdot[0];
-    const double theta_dot = qdot[1];
-    const double psi_dot = qdot[2];
 
     /* from the state */
+    const double phi = q[0]; /* precession [rad] */
     y[0] = phi;
+    const double theta = q[1]; /* nutation [rad] */
     y[1] = theta;
+    const double psi = q[2]; /* spin [rad] */
     y[2] = psi;
+    const double phi_dot = qdot[0];
     y[3] = phi_dot;
+    const double theta_dot = qdot[1];
     y[4] = theta_dot;
+    const double psi_dot = qdot[2];
     y[5] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
@@ -353,11 +355,13 @@ int heavy_top_reactions(double t, const double *y, const double *p, double *lamb
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
     /* from the state */
-    const double s_theta = sin(theta);
     /* the mass matrix is singular */
     if (!(fabs(I1) > 0.0)) {
         return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
@@ -447,9 +451,8 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     J[34] = z6 + c_theta * z9;
     J[35] = -c_theta * z10;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[25] + J[27] + J[29] + J[31] + J[33] + J[34] + J[35]) <= DBL_MAX
-        && fabs(I3) > 0.0
-        && fabs(I1 * (s_theta * s_theta)) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(I3) > 0.0 * (J[25] + J[27] + J[29] + J[31] + J[33] + J[34] + J[35]))) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);

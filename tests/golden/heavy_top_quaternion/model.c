@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:80fff0666adce014)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:e6b029cbeabe8890)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -178,27 +178,27 @@ static inline void heavy_top_quaternion_pour(size_t left, size_t count, const do
 }
 #endif
 
-int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double *dydt)
+int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
-    const double R_1 = y[1]; /* quaternion of R, along x [1] */
-    const double R_2 = y[2]; /* quaternion of R, along y [1] */
-    const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
-    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
-    const double I3 = p[1]; /* about the axis [kg*m^2] */
-    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* from the parameters alone */
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double k1 = I1 - I3;
     const double k2 = 1.0 / I1;
 
     /* from the state */
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
+    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
     const double z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const double w3 = y[6];
     const double z2 = w3 * k1;
+    const double w1 = y[4];
+    const double w2 = y[5];
     /* (I.2.15) */
     dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     dydt[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
@@ -209,7 +209,8 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     dydt[5] = k2 * (2.0 * (z1 * (R_0 * R_2 - R_1 * R_3)) - w1 * z2); /* w2' */
     dydt[6] = 0.0; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(I3) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(I3) > 0.0 * (dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]))) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
@@ -227,17 +228,17 @@ int heavy_top_quaternion_velocities(double t, const double *y, const double *p, 
 {
     (void)t;
     (void)p;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+
+    /* from the state */
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double w1 = y[4];
     const double w2 = y[5];
     const double w3 = y[6];
-
-    /* from the state */
     /* (I.2.4) */
     qdot[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     qdot[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
     qdot[2] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
     qdot[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
@@ -251,25 +252,25 @@ int heavy_top_quaternion_velocities(double t, const double *y, const double *p, 
 int heavy_top_quaternion_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
-    const double R_1 = y[1]; /* quaternion of R, along x [1] */
-    const double R_2 = y[2]; /* quaternion of R, along y [1] */
-    const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
-    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
-    const double I3 = p[1]; /* about the axis [kg*m^2] */
-    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* from the parameters alone */
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double k1 = 1.0 / I1;
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double k2 = 1.0 - I3 * k1;
+    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
     const double k3 = mgl * k1;
 
     /* from the state */
+    const double w1 = y[4];
+    const double w2 = y[5];
+    const double w3 = y[6];
     const double z1 = 0.25 * (w3 * w3 + (w1 * w1 + w2 * w2));
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double z2 = R_1 * R_1 + R_2 * R_2;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double z3 = R_0 * R_0 + R_3 * R_3;
     const double z4 = k3 / (z2 + z3);
     const double z5 = z1 + z2 * z4;
@@ -281,7 +282,8 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
     qddot[2] = -(R_2 * z7 + 0.5 * ((R_0 * w1 - R_3 * w2) * z6)); /* R_2'' */
     qddot[3] = -(R_3 * z5 + 0.5 * ((R_1 * w1 + R_2 * w2) * z6)); /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX && fabs(I3) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(I3) > 0.0 * (qddot[0] + qddot[1] + qddot[2] + qddot[3]))) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
@@ -299,16 +301,12 @@ int heavy_top_quaternion_state(double t, const double *q, const double *qdot, co
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
     const double R_3 = q[3]; /* quaternion of R, along z [1] */
-    const double R_0_dot = qdot[0];
-    const double R_1_dot = qdot[1];
-    const double R_2_dot = qdot[2];
-    const double R_3_dot = qdot[3];
-
-    /* from the state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_0 * z1;
     const double z3 = R_1 * z1;
@@ -318,6 +316,10 @@ int heavy_top_quaternion_state(double t, const double *q, const double *qdot, co
     y[1] = R_1;
     y[2] = R_2;
     y[3] = R_3;
+    const double R_0_dot = qdot[0];
+    const double R_1_dot = qdot[1];
+    const double R_2_dot = qdot[2];
+    const double R_3_dot = qdot[3];
     y[4] = 2.0 * (R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5));
     y[5] = 2.0 * (R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4));
     y[6] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
@@ -332,6 +334,8 @@ int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
@@ -340,8 +344,6 @@ int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot
     const double R_1_dot = qdot[1];
     const double R_2_dot = qdot[2];
     const double R_3_dot = qdot[3];
-
-    /* from the state */
     /* (I.1.1) 7:3 */
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -355,12 +357,12 @@ int heavy_top_quaternion_positions(double t, const double *q, const double *p, d
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
     const double R_3 = q[3]; /* quaternion of R, along z [1] */
-
-    /* from the state */
     /* 7:3 */
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -374,13 +376,13 @@ int heavy_top_quaternion_reactions(double t, const double *y, const double *p, d
 {
     (void)t;
     (void)y;
-    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
-    const double I3 = p[1]; /* about the axis [kg*m^2] */
 
     /* from the state */
     /* (I.4.1) 7:3 */
     lambda[0] = 0.0; /* reaction of R_norm: Q_i gains lambda_1 a_1i */
-    if (!(fabs(I1) > 0.0 && fabs(I3) > 0.0)) {
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
+    if (!(fabs(I1 * I3) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
@@ -397,9 +399,12 @@ int heavy_top_quaternion_reactions(double t, const double *y, const double *p, d
 double heavy_top_quaternion_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+
+    /* from the state */
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
+    const double z1 = R_1 * R_1 + R_2 * R_2;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double w1 = y[4];
     const double w2 = y[5];
@@ -407,9 +412,6 @@ double heavy_top_quaternion_energy(double t, const double *y, const double *p)
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
-
-    /* from the state */
-    const double z1 = R_1 * R_1 + R_2 * R_2;
     const double z2 = 0.5 * (I1 * (w1 * w1 + w2 * w2) + I3 * (w3 * w3)) + mgl * (1.0 - 2.0 * (z1 / (z1 + (R_0
         * R_0 + R_3 * R_3))));
     return z2;
@@ -420,30 +422,30 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
 {
     memset(J, 0, 49 * sizeof *J);
     (void)t;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
-    const double R_1 = y[1]; /* quaternion of R, along x [1] */
-    const double R_2 = y[2]; /* quaternion of R, along y [1] */
-    const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
-    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
-    const double I3 = p[1]; /* about the axis [kg*m^2] */
-    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* from the parameters alone */
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double k1 = 1.0 / I1;
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double k2 = (I1 - I3) * k1;
 
     /* from the state */
+    const double w1 = y[4];
     const double z1 = 0.5 * w1;
+    const double w2 = y[5];
     const double z2 = 0.5 * w2;
+    const double w3 = y[6];
     const double z3 = 0.5 * w3;
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double z4 = 0.5 * R_1;
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double z5 = 0.5 * R_2;
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double z6 = 0.5 * R_3;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     const double z7 = 0.5 * R_0;
     const double z8 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
     const double z9 = mgl * z8;
     const double z10 = 2.0 * (R_1 * z9);
     const double z11 = mgl * (z8 * z8);
@@ -491,9 +493,9 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
     J[39] = -z16;
     J[41] = -w1 * k2;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[10] + J[11] + J[12] + J[15] + J[20] + J[23] + J[25] + J[28] + J[29] + J[30] + J[31] + J[34]
-        + J[35] + J[36] + J[37] + J[38] + J[39] + J[41]) <= DBL_MAX
-        && fabs(I3) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(I3) > 0.0 * (J[10] + J[11] + J[12] + J[15] + J[20] + J[23] + J[25] + J[28] + J[29] + J[30] +
+        J[31] + J[34] + J[35] + J[36] + J[37] + J[38] + J[39] + J[41]))) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
@@ -510,20 +512,20 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
 int heavy_top_quaternion_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
-    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
-    const double R_1 = y[1]; /* quaternion of R, along x [1] */
-    const double R_2 = y[2]; /* quaternion of R, along y [1] */
-    const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
-    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
-    const double I3 = p[1]; /* about the axis [kg*m^2] */
 
     /* from the state */
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double z1 = R_1 * R_1 + R_2 * R_2;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double z2 = 1.0 / (z1 + (R_0 * R_0 + R_3 * R_3));
+    const double w3 = y[6];
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double z3 = I3 * w3;
+    const double w1 = y[4];
+    const double w2 = y[5];
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double z4 = I1 * (R_0 * (R_2 * w1 - R_1 * w2) - R_3 * (R_1 * w1 + R_2 * w2)) + z3 * z1;
     /* 15:11 */
     out[0] = 1.0 - 2.0 * (z1 * z2); /* height */

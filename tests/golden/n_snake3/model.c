@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:e7c689d39724ddeb)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:7801fb8fe482555a)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -208,7 +208,7 @@ static inline void n_snake3_turn_lanes(n_snake3_lanes x, n_snake3_lanes *far,
 }
 #endif
 
-int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
+int n_snake3_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta1 = y[2]; /* first link [rad] */
@@ -843,9 +843,9 @@ int n_snake3_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
     (void)y;
-    const double a = p[2]; /* half the length of a link [m] */
 
     /* from the state */
+    const double a = p[2]; /* half the length of a link [m] */
     /* the coframe is singular */
     if (!(fabs(a) > 0.0)) {
         return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);

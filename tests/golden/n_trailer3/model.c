@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:5c380d0a6f5d2dd4)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:b76142db06c4ad0a)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -201,7 +201,7 @@ static inline void n_trailer3_turn_lanes(n_trailer3_lanes x, n_trailer3_lanes *f
 }
 #endif
 
-int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
+int n_trailer3_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta0 = y[2]; /* heading of the tractor [rad] */
@@ -257,7 +257,8 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[6] = (m * (z15 + (c1 * z13 + z4 * z14)) - k2 * z15) * (v / z8); /* v' */
     dydt[7] = 0.0; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[6]) <= DBL_MAX && fabs(J0) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J0) > 0.0 * dydt[6])) {
         /* the mass matrix is singular */
         if (!(fabs(J0) > 0.0)) {
             return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
@@ -380,7 +381,8 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
     qddot[4] = -(z10 * (s3 * z14 - z4 * z15) + z6 * z20); /* theta2'' */
     qddot[5] = z10 * (z7 * z11 - s1 * z16) - z5 * z20; /* theta3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX && fabs(J0) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J0) > 0.0 * (qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]))) {
         /* the mass matrix is singular */
         if (!(fabs(J0) > 0.0)) {
             return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
@@ -548,7 +550,8 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     /* (I.4.1) 35:5 */
     lambda[3] = z7 * (z24 * z30) - z25; /* reaction of axle3: Q_i gains lambda_4 a_4i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1] + lambda[2] + lambda[3]) <= DBL_MAX && fabs(J0) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J0) > 0.0 * (lambda[0] + lambda[1] + lambda[2] + lambda[3]))) {
         /* the mass matrix is singular */
         if (!(fabs(J0) > 0.0)) {
             return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
@@ -715,9 +718,9 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     J[54] = z17 * (z11 * z26 - (z37 * z30 + (z43 + z33 * z52)));
     J[55] = -z17 * z26;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[34] + J[35] + J[38] + J[42] + J[43] + J[44] + J[46] + J[50] + J[51] + J[52] + J[53] + J[54]
-        + J[55]) <= DBL_MAX
-        && fabs(J0) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J0) > 0.0 * (J[34] + J[35] + J[38] + J[42] + J[43] + J[44] + J[46] + J[50] + J[51] + J[52] +
+        J[53] + J[54] + J[55]))) {
         /* the mass matrix is singular */
         if (!(fabs(J0) > 0.0)) {
             return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
@@ -759,7 +762,8 @@ int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
     /* 41:11 */
     out[1] = y_2 - L * (s_theta3 + (s_theta1 + s_theta2)); /* tail_y */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(out[0] + out[1]) <= DBL_MAX && fabs(L) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(L) > 0.0 * (out[0] + out[1]))) {
         /* the coframe is singular */
         if (!(fabs(L) > 0.0)) {
             return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);

@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:5897e4e7796422d2)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:f5034f2ad1b3804d)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -163,19 +163,19 @@ static inline void nh_particle_pour(size_t left, size_t count, const double *slo
 }
 #endif
 
-int nh_particle_rhs(double t, const double *y, const double *p, double *dydt)
+int nh_particle_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double m = p[0];
 
     /* from the state */
+    const double y_2 = y[1];
+    const double m = p[0];
     const double z1 = m * (1.0 + y_2 * y_2);
+    const double x_dot = y[3];
     const double z2 = y_2 * x_dot;
     /* (III.3) */
     dydt[0] = x_dot; /* x' */
+    const double y_dot = y[4];
     dydt[1] = y_dot; /* y' */
     dydt[2] = z2; /* z' */
     /* (III.3) 9:4 */
@@ -200,14 +200,14 @@ int nh_particle_velocities(double t, const double *y, const double *p, double *q
 {
     (void)t;
     (void)p;
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
 
     /* from the state */
+    const double x_dot = y[3];
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
+    const double y_dot = y[4];
     qdot[1] = y_dot; /* y' */
+    const double y_2 = y[1];
     qdot[2] = y_2 * x_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
@@ -219,13 +219,13 @@ int nh_particle_velocities(double t, const double *y, const double *p, double *q
 int nh_particle_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double m = p[0];
 
     /* from the state */
+    const double y_2 = y[1];
+    const double m = p[0];
     const double z1 = m * (1.0 + y_2 * y_2);
+    const double x_dot = y[3];
+    const double y_dot = y[4];
     const double z2 = x_dot * y_dot;
     const double z3 = m * (y_2 * z2 / z1);
     /* (III.3) */
@@ -251,17 +251,17 @@ int nh_particle_state(double t, const double *q, const double *qdot, const doubl
 {
     (void)t;
     (void)p;
-    const double x = q[0];
-    const double y_2 = q[1];
-    const double z = q[2];
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
 
     /* from the state */
+    const double x = q[0];
     y[0] = x;
+    const double y_2 = q[1];
     y[1] = y_2;
+    const double z = q[2];
     y[2] = z;
+    const double x_dot = qdot[0];
     y[3] = x_dot;
+    const double y_dot = qdot[1];
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -274,11 +274,11 @@ int nh_particle_residuals(double t, const double *q, const double *qdot, const d
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double y = q[1];
     const double x_dot = qdot[0];
     const double z_dot = qdot[2];
-
-    /* from the state */
     /* (I.1.1) 11:5 */
     r[0] = z_dot - y * x_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -291,14 +291,14 @@ int nh_particle_residuals(double t, const double *q, const double *qdot, const d
 int nh_particle_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double m = p[0];
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = y_2 * y_2;
+    const double m = p[0];
     const double z2 = m * (1.0 + z1);
+    const double x_dot = y[3];
+    const double y_dot = y[4];
     /* (I.4.1) 11:5 */
     lambda[0] = m * (x_dot * y_dot) * (1.0 - m * z1 / z2); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -319,13 +319,13 @@ int nh_particle_reactions(double t, const double *y, const double *p, double *la
 double nh_particle_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double m = p[0];
 
     /* from the state */
+    const double y_2 = y[1];
+    const double x_dot = y[3];
     const double z1 = y_2 * x_dot;
+    const double y_dot = y[4];
+    const double m = p[0];
     return 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z1 * z1));
 }
 
@@ -333,21 +333,21 @@ int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
 {
     memset(J, 0, 25 * sizeof *J);
     (void)t;
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double m = p[0];
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = y_2 * y_2;
+    const double m = p[0];
     const double z2 = m * (1.0 + z1);
     const double z3 = m / z2;
     const double z4 = y_2 * z3;
     /* (III.3) */
     J[3] = 1.0;
     J[9] = 1.0;
+    const double x_dot = y[3];
     J[11] = x_dot;
     J[13] = y_2;
+    const double y_dot = y[4];
     J[16] = (2.0 * (z1 * z3) - 1.0) * (y_dot * (x_dot * z3));
     J[18] = -y_dot * z4;
     J[19] = -x_dot * z4;
@@ -369,11 +369,11 @@ int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
 int nh_particle_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
+
+    /* from the state */
     const double y_2 = y[1];
     const double x_dot = y[3];
     const double m = p[0];
-
-    /* from the state */
     /* 14:8 */
     out[0] = m * (x_dot + y_2 * (y_2 * x_dot)); /* p_x */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:f378d6c384f550e2)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:53a542f2d63d51ac)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -165,26 +165,26 @@ static inline void nh_particle_pot_pour(size_t left, size_t count, const double 
 }
 #endif
 
-int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt)
+int nh_particle_pot_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double m = p[0];
-    const double k = p[1];
 
     /* from the parameters alone */
+    const double m = p[0];
+    const double k = p[1];
     const double k1 = -k / m;
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = m * (1.0 + y_2 * y_2);
+    const double x_dot = y[3];
     const double z2 = y_2 * x_dot;
     /* (III.3) */
     dydt[0] = x_dot; /* x' */
+    const double y_dot = y[4];
     dydt[1] = y_dot; /* y' */
     dydt[2] = z2; /* z' */
+    const double x = y[0];
     /* (III.3) 10:4 */
     dydt[3] = -(x * k + m * (y_dot * z2)) / z1; /* x'' */
     dydt[4] = y_2 * k1; /* y'' */
@@ -207,14 +207,14 @@ int nh_particle_pot_velocities(double t, const double *y, const double *p, doubl
 {
     (void)t;
     (void)p;
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
 
     /* from the state */
+    const double x_dot = y[3];
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
+    const double y_dot = y[4];
     qdot[1] = y_dot; /* y' */
+    const double y_2 = y[1];
     qdot[2] = y_2 * x_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
@@ -226,19 +226,19 @@ int nh_particle_pot_velocities(double t, const double *y, const double *p, doubl
 int nh_particle_pot_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double m = p[0];
-    const double k = p[1];
 
     /* from the parameters alone */
+    const double m = p[0];
+    const double k = p[1];
     const double k1 = -k / m;
 
     /* from the state */
+    const double y_2 = y[1];
     const double z1 = m * (1.0 + y_2 * y_2);
+    const double x_dot = y[3];
+    const double y_dot = y[4];
     const double z2 = x_dot * y_dot;
+    const double x = y[0];
     const double z3 = (x * k + m * (y_2 * z2)) / z1;
     /* (III.3) */
     qddot[0] = -z3; /* x'' */
@@ -263,17 +263,17 @@ int nh_particle_pot_state(double t, const double *q, const double *qdot, const d
 {
     (void)t;
     (void)p;
-    const double x = q[0];
-    const double y_2 = q[1];
-    const double z = q[2];
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
 
     /* from the state */
+    const double x = q[0];
     y[0] = x;
+    const double y_2 = q[1];
     y[1] = y_2;
+    const double z = q[2];
     y[2] = z;
+    const double x_dot = qdot[0];
     y[3] = x_dot;
+    const double y_dot = qdot[1];
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -286,11 +286,11 @@ int nh_particle_pot_residuals(double t, const double *q, const double *qdot, con
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double y = q[1];
     const double x_dot = qdot[0];
     const double z_dot = qdot[2];
-
-    /* from the state */
     /* (I.1.1) 13:5 */
     r[0] = z_dot - y * x_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -303,16 +303,16 @@ int nh_particle_pot_residuals(double t, const double *q, const double *qdot, con
 int nh_particle_pot_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double m = p[0];
-    const double k = p[1];
 
     /* from the state */
+    const double y_2 = y[1];
+    const double m = p[0];
     const double z1 = m * (1.0 + y_2 * y_2);
+    const double x_dot = y[3];
+    const double y_dot = y[4];
     const double z2 = x_dot * y_dot;
+    const double x = y[0];
+    const double k = p[1];
     /* (I.4.1) 13:5 */
     /* reaction of contact: Q_i gains lambda_1 a_1i */
     lambda[0] = m * (z2 - y_2 * (x * k + m * (y_2 * z2)) / z1);
@@ -334,15 +334,15 @@ int nh_particle_pot_reactions(double t, const double *y, const double *p, double
 double nh_particle_pot_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double x = y[0];
+
+    /* from the state */
     const double y_2 = y[1];
+    const double z1 = y_2 * y_2;
+    const double x = y[0];
     const double x_dot = y[3];
     const double y_dot = y[4];
     const double m = p[0];
     const double k = p[1];
-
-    /* from the state */
-    const double z1 = y_2 * y_2;
     const double z2 = 0.5 * (k * (x * x + z1) + m * (y_dot * y_dot + x_dot * x_dot * (1.0 + z1)));
     return z2;
 }
@@ -351,25 +351,25 @@ int nh_particle_pot_jacobian(double t, const double *y, const double *p, double 
 {
     memset(J, 0, 25 * sizeof *J);
     (void)t;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double m = p[0];
-    const double k = p[1];
 
     /* from the state */
+    const double y_2 = y[1];
+    const double m = p[0];
     const double z1 = m * (1.0 + y_2 * y_2);
     const double z2 = 1.0 / z1;
+    const double y_dot = y[4];
     const double z3 = y_dot * m;
     const double z4 = y_2 * z2;
+    const double x_dot = y[3];
     const double z5 = y_2 * x_dot;
     /* (III.3) */
     J[3] = 1.0;
     J[9] = 1.0;
     J[11] = x_dot;
     J[13] = y_2;
+    const double k = p[1];
     J[15] = -k * z2;
+    const double x = y[0];
     J[16] = (2.0 * (m * (z4 * (x * k + z5 * z3))) - x_dot * z3) * z2;
     J[18] = -z3 * z4;
     J[19] = -m * (z5 * z2);

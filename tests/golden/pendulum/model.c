@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:28a9ba4dc8826ca7)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:9aa1534fddcb3c50)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -179,10 +179,13 @@ static inline void pendulum_turn_lanes(pendulum_lanes x, pendulum_lanes *far,
 }
 #endif
 
-int pendulum_rhs(double t, const double *y, const double *p, double *dydt)
+int pendulum_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double theta_dot = y[1];
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
@@ -192,13 +195,13 @@ int pendulum_rhs(double t, const double *y, const double *p, double *dydt)
     const double k1 = -g / l;
 
     /* from the state */
-    const double s_theta = sin(theta);
     /* (II.3) */
     dydt[0] = theta_dot; /* theta' */
     /* (II.3) 12:4 */
     dydt[1] = s_theta * k1; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * (dydt[0] + dydt[1]))) {
         /* the mass matrix is singular */
         if (!(fabs(m * (l * l)) > 0.0)) {
             return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
@@ -212,9 +215,9 @@ int pendulum_velocities(double t, const double *y, const double *p, double *qdot
 {
     (void)t;
     (void)p;
-    const double theta_dot = y[1];
 
     /* from the state */
+    const double theta_dot = y[1];
     /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -228,6 +231,9 @@ int pendulum_accelerations(double t, const double *y, const double *p, double *q
 {
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -236,11 +242,11 @@ int pendulum_accelerations(double t, const double *y, const double *p, double *q
     const double k1 = -g / l;
 
     /* from the state */
-    const double s_theta = sin(theta);
     /* (II.3) */
     qddot[0] = s_theta * k1; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * qddot[0])) {
         /* the mass matrix is singular */
         if (!(fabs(m * (l * l)) > 0.0)) {
             return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
@@ -254,11 +260,11 @@ int pendulum_state(double t, const double *q, const double *qdot, const double *
 {
     (void)t;
     (void)p;
-    const double theta = q[0]; /* angle from the downward vertical [rad] */
-    const double theta_dot = qdot[0];
 
     /* from the state */
+    const double theta = q[0]; /* angle from the downward vertical [rad] */
     y[0] = theta;
+    const double theta_dot = qdot[0];
     y[1] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
@@ -281,10 +287,10 @@ int pendulum_reactions(double t, const double *y, const double *p, double *lambd
 {
     (void)t;
     (void)y;
-    const double m = p[0]; /* mass of the bob [kg] */
-    const double l = p[1]; /* length of the rod [m] */
 
     /* from the state */
+    const double m = p[0]; /* mass of the bob [kg] */
+    const double l = p[1]; /* length of the rod [m] */
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
@@ -297,6 +303,9 @@ double pendulum_energy(double t, const double *y, const double *p)
 {
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
     const double theta_dot = y[1];
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
@@ -306,7 +315,6 @@ double pendulum_energy(double t, const double *y, const double *p)
     const double k1 = m * l;
 
     /* from the state */
-    const double c_theta = cos(theta);
     return k1 * (0.5 * (l * (theta_dot * theta_dot)) - g * c_theta);
 }
 
@@ -316,6 +324,9 @@ int pendulum_jacobian(double t, const double *y, const double *p, double *J)
     J[3] = 0.0;
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -324,12 +335,12 @@ int pendulum_jacobian(double t, const double *y, const double *p, double *J)
     const double k1 = -g / l;
 
     /* from the state */
-    const double c_theta = cos(theta);
     /* (II.3) */
     J[1] = 1.0;
     J[2] = c_theta * k1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * J[2])) {
         /* the mass matrix is singular */
         if (!(fabs(m * (l * l)) > 0.0)) {
             return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
@@ -343,9 +354,9 @@ int pendulum_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
     (void)p;
-    const double theta_dot = y[1];
 
     /* from the state */
+    const double theta_dot = y[1];
     /* 15:9 */
     out[0] = theta_dot; /* rate */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

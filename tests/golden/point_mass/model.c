@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:ed31457eacd52733)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:7f27f96ec90d8a21)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -168,27 +168,27 @@ static inline void point_mass_pour(size_t left, size_t count, const double *slop
 }
 #endif
 
-int point_mass_rhs(double t, const double *y, const double *p, double *dydt)
+int point_mass_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double z_dot = y[5];
-    const double m = p[0]; /* mass [kg] */
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
-    const double c = p[2]; /* drag coefficient [kg/s] */
 
     /* from the parameters alone */
+    const double m = p[0]; /* mass [kg] */
+    const double c = p[2]; /* drag coefficient [kg/s] */
     const double k1 = c / m;
 
     /* from the state */
+    const double x_dot = y[3];
     /* (II.3) */
     dydt[0] = x_dot; /* x' */
+    const double y_dot = y[4];
     dydt[1] = y_dot; /* y' */
+    const double z_dot = y[5];
     dydt[2] = z_dot; /* z' */
     /* (II.3) 14:4 */
     dydt[3] = -x_dot * k1; /* x'' */
     dydt[4] = -y_dot * k1; /* y'' */
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
     dydt[5] = -(g + z_dot * k1); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX)) {
@@ -205,14 +205,14 @@ int point_mass_velocities(double t, const double *y, const double *p, double *qd
 {
     (void)t;
     (void)p;
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double z_dot = y[5];
 
     /* from the state */
+    const double x_dot = y[3];
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
+    const double y_dot = y[4];
     qdot[1] = y_dot; /* y' */
+    const double z_dot = y[5];
     qdot[2] = z_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
@@ -224,20 +224,20 @@ int point_mass_velocities(double t, const double *y, const double *p, double *qd
 int point_mass_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double z_dot = y[5];
-    const double m = p[0]; /* mass [kg] */
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
-    const double c = p[2]; /* drag coefficient [kg/s] */
 
     /* from the parameters alone */
+    const double m = p[0]; /* mass [kg] */
+    const double c = p[2]; /* drag coefficient [kg/s] */
     const double k1 = c / m;
 
     /* from the state */
+    const double x_dot = y[3];
     /* (II.3) */
     qddot[0] = -x_dot * k1; /* x'' */
+    const double y_dot = y[4];
     qddot[1] = -y_dot * k1; /* y'' */
+    const double z_dot = y[5];
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
     qddot[2] = -(g + z_dot * k1); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX)) {
@@ -254,19 +254,19 @@ int point_mass_state(double t, const double *q, const double *qdot, const double
 {
     (void)t;
     (void)p;
-    const double x = q[0]; /* horizontal [m] */
-    const double y_2 = q[1]; /* horizontal [m] */
-    const double z = q[2]; /* height [m] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double z_dot = qdot[2];
 
     /* from the state */
+    const double x = q[0]; /* horizontal [m] */
     y[0] = x;
+    const double y_2 = q[1]; /* horizontal [m] */
     y[1] = y_2;
+    const double z = q[2]; /* height [m] */
     y[2] = z;
+    const double x_dot = qdot[0];
     y[3] = x_dot;
+    const double y_dot = qdot[1];
     y[4] = y_dot;
+    const double z_dot = qdot[2];
     y[5] = z_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
@@ -289,9 +289,9 @@ int point_mass_reactions(double t, const double *y, const double *p, double *lam
 {
     (void)t;
     (void)y;
-    const double m = p[0]; /* mass [kg] */
 
     /* from the state */
+    const double m = p[0]; /* mass [kg] */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
@@ -303,17 +303,17 @@ int point_mass_reactions(double t, const double *y, const double *p, double *lam
 double point_mass_energy(double t, const double *y, const double *p)
 {
     (void)t;
+
+    /* from the parameters alone */
+    const double m = p[0]; /* mass [kg] */
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
+    const double k1 = m * g;
+
+    /* from the state */
     const double z = y[2]; /* height [m] */
     const double x_dot = y[3];
     const double y_dot = y[4];
     const double z_dot = y[5];
-    const double m = p[0]; /* mass [kg] */
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
-
-    /* from the parameters alone */
-    const double k1 = m * g;
-
-    /* from the state */
     return 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z_dot * z_dot)) + z * k1;
 }
 
@@ -322,10 +322,10 @@ int point_mass_jacobian(double t, const double *y, const double *p, double *J)
     memset(J, 0, 36 * sizeof *J);
     (void)t;
     (void)y;
-    const double m = p[0]; /* mass [kg] */
-    const double c = p[2]; /* drag coefficient [kg/s] */
 
     /* from the parameters alone */
+    const double m = p[0]; /* mass [kg] */
+    const double c = p[2]; /* drag coefficient [kg/s] */
     const double k1 = c / m;
 
     /* from the state */
@@ -351,11 +351,11 @@ int point_mass_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
     (void)p;
+
+    /* from the state */
     const double x_dot = y[3];
     const double y_dot = y[4];
     const double z_dot = y[5];
-
-    /* from the state */
     /* 21:10 */
     out[0] = sqrt(x_dot * x_dot + y_dot * y_dot + z_dot * z_dot); /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:b29fd598d2c4a708)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:b7159094e5e8cea4)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -11,6 +11,11 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
+
+#if defined(__SSE2__) && !defined(__NO_MATH_ERRNO__)
+#include <emmintrin.h>
+#define RATTLEBACK_SSE2
+#endif
 
 const char *const rattleback_coordinate_names[] = {
     "x",
@@ -60,6 +65,17 @@ const double rattleback_parameter_defaults[] = {
 #else
 #define RATTLEBACK_SLOW
 #endif
+
+/* the machine's own root: it sets no errno, so that no call of libm's stands behind it, which would cost its caller registers */
+static inline double rattleback_root(double x)
+{
+#ifdef RATTLEBACK_SSE2
+    const __m128d v = _mm_set_sd(x);
+    return _mm_cvtsd_f64(_mm_sqrt_sd(v, v));
+#else
+    return sqrt(x);
+#endif
+}
 
 #if defined(__GNUC__)
 __attribute__((noinline)) /* seldom called; inlined, it would cost its callers registers */
@@ -232,7 +248,7 @@ static inline rattleback_lanes rattleback_each_sqrt(rattleback_lanes a)
 }
 #endif
 
-int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
+int rattleback_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double alpha = y[3]; /* roll about the long axis [rad] */
@@ -267,7 +283,7 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
     /* from the state */
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
-    const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
+    const double z2 = 1.0 / rattleback_root(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
     const double z3 = mu3 * k3;
     const double r3 = h - z2 * z3;
     const double z4 = r3 * r3;
@@ -1420,10 +1436,12 @@ int rattleback_outputs(double t, const double *y, const double *p, double *out)
     (void)t;
     (void)p;
     const double alpha = y[3]; /* roll about the long axis [rad] */
+
+    /* sines and cosines */
+    const double c_alpha = cos(alpha);
     const double w3 = y[8];
 
     /* from the state */
-    const double c_alpha = cos(alpha);
     /* 53:9 */
     out[0] = w3; /* spin */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

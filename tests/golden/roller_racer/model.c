@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:afc878dd4c80f41f)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:bfef9fb2059a2f5e)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -209,7 +209,7 @@ static inline void roller_racer_turn_lanes(roller_racer_lanes x, roller_racer_la
 }
 #endif
 
-int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
+int roller_racer_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta = y[2]; /* heading of the main body [rad] */
@@ -621,14 +621,15 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
 int roller_racer_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
-    const double v = y[4];
-    const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
     /* from the state */
+    const double v = y[4];
     /* 22:10 */
     out[0] = v; /* speed */
+    const double d2 = p[4]; /* from the hinge to the second axle [m] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(out[0]) <= DBL_MAX && fabs(d2) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(d2) > 0.0 * out[0])) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);

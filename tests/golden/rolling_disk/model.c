@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:750105557bed0601)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:b94bf67ad638e0b1)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -211,7 +211,7 @@ static inline void rolling_disk_turn_lanes(rolling_disk_lanes x, rolling_disk_la
 }
 #endif
 
-int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
+int rolling_disk_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double phi = y[2]; /* yaw, direction of the horizontal diameter [rad] */
@@ -495,7 +495,8 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     /* (I.4.1) 26:5 */
     lambda[1] = k1 * (s_phi * z1 - c_phi * z2); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(A) > 0.0 && fabs(s_theta) > 1e-12)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(A) > 0.0 * (lambda[0] + lambda[1]) && fabs(s_theta) > 1e-12)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
@@ -521,6 +522,9 @@ double rolling_disk_energy(double t, const double *y, const double *p)
 {
     (void)t;
     const double theta = y[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -536,7 +540,6 @@ double rolling_disk_energy(double t, const double *y, const double *p)
     /* from the state */
     const double z1 = w_t * w_t;
     const double z2 = w_n * w_n;
-    const double s_theta = sin(theta);
     const double z3 = k1 * (0.5 * (R * (z1 + z2)) + g * s_theta) + 0.5 * (A * (w_u * w_u + z1) + C * z2);
     return z3;
 }

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:06e00d83d3f70b9d)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:28ab937770094edb)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -213,7 +213,7 @@ static inline void routh_sphere_turn_lanes(routh_sphere_lanes x, routh_sphere_la
 }
 #endif
 
-int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
+int routh_sphere_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double phi = y[2]; /* precession [rad] */
@@ -405,23 +405,23 @@ int routh_sphere_state(double t, const double *q, const double *qdot, const doub
 {
     (void)t;
     (void)p;
-    const double x = q[0]; /* geometric centre [m] */
-    const double y_2 = q[1]; /* geometric centre [m] */
-    const double phi = q[2]; /* precession [rad] */
-    const double theta = q[3]; /* nutation [rad] */
-    const double psi = q[4]; /* spin [rad] */
-    const double phi_dot = qdot[2];
-    const double theta_dot = qdot[3];
-    const double psi_dot = qdot[4];
 
     /* from the state */
+    const double x = q[0]; /* geometric centre [m] */
     y[0] = x;
+    const double y_2 = q[1]; /* geometric centre [m] */
     y[1] = y_2;
+    const double phi = q[2]; /* precession [rad] */
     y[2] = phi;
+    const double theta = q[3]; /* nutation [rad] */
     y[3] = theta;
+    const double psi = q[4]; /* spin [rad] */
     y[4] = psi;
+    const double phi_dot = qdot[2];
     y[5] = phi_dot;
+    const double theta_dot = qdot[3];
     y[6] = theta_dot;
+    const double psi_dot = qdot[4];
     y[7] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7]) <= DBL_MAX)) {

@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:c97d62d7357074af)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:d0df95d6f68e48ad)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -187,12 +187,14 @@ static inline void skate_incline_turn_lanes(skate_incline_lanes x, skate_incline
 }
 #endif
 
-int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
+int skate_incline_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double phi = y[2]; /* heading, from the fall line [rad] */
+    const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
     /* sines and cosines */
+    const double s_alpha = sin(alpha);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
     const double v = y[3];
@@ -200,10 +202,8 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
-    const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
     /* from the parameters alone */
-    const double s_alpha = sin(alpha);
     const double k1 = g * s_alpha;
 
     /* from the state */
@@ -215,7 +215,8 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[3] = c_phi * k1; /* v' */
     dydt[4] = 0.0; /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[2] + dydt[3]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * J) > 0.0 * (dydt[0] + dydt[2] + dydt[3]))) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
@@ -257,8 +258,10 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
 {
     (void)t;
     const double phi = y[2]; /* heading, from the fall line [rad] */
+    const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
     /* sines and cosines */
+    const double s_alpha = sin(alpha);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
     const double v = y[3];
@@ -266,10 +269,8 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
-    const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
     /* from the parameters alone */
-    const double s_alpha = sin(alpha);
     const double k1 = g * s_alpha;
 
     /* from the state */
@@ -280,7 +281,8 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     qddot[1] = s_phi * z1 + c_phi * z2; /* y'' */
     qddot[2] = 0.0; /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * J) > 0.0 * (qddot[0] + qddot[1]))) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
@@ -348,23 +350,26 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
 {
     (void)t;
     const double phi = y[2]; /* heading, from the fall line [rad] */
+    const double alpha = p[3]; /* slope, 30 degrees [rad] */
+
+    /* sines and cosines */
+    const double s_alpha = sin(alpha);
+    const double s_phi = sin(phi);
     const double v = y[3];
     const double phi_dot = y[4];
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
-    const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
     /* from the parameters alone */
-    const double s_alpha = sin(alpha);
     const double k1 = g * s_alpha;
 
     /* from the state */
-    const double s_phi = sin(phi);
     /* (I.4.1) 18:5 */
     lambda[0] = -m * (phi_dot * v + s_phi * k1); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * J) > 0.0 * lambda[0])) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
@@ -381,16 +386,18 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
 double skate_incline_energy(double t, const double *y, const double *p)
 {
     (void)t;
+    const double alpha = p[3]; /* slope, 30 degrees [rad] */
+
+    /* sines and cosines */
+    const double s_alpha = sin(alpha);
     const double x = y[0]; /* down the slope [m] */
     const double v = y[3];
     const double phi_dot = y[4];
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
-    const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
     /* from the parameters alone */
-    const double s_alpha = sin(alpha);
     const double k1 = g * s_alpha;
 
     /* from the state */
@@ -402,18 +409,18 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     memset(J, 0, 25 * sizeof *J);
     (void)t;
     const double phi = y[2]; /* heading, from the fall line [rad] */
+    const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
     /* sines and cosines */
+    const double s_alpha = sin(alpha);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
     const double v = y[3];
     const double m = p[0]; /* mass [kg] */
     const double J_2 = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
-    const double alpha = p[3]; /* slope, 30 degrees [rad] */
 
     /* from the parameters alone */
-    const double s_alpha = sin(alpha);
     const double k1 = -g * s_alpha;
 
     /* from the state */
@@ -425,7 +432,8 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     J[14] = 1.0;
     J[17] = s_phi * k1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[17]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J_2) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * J_2) > 0.0 * (J[2] + J[17]))) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
@@ -443,9 +451,9 @@ int skate_incline_outputs(double t, const double *y, const double *p, double *ou
 {
     (void)t;
     (void)p;
-    const double v = y[3];
 
     /* from the state */
+    const double v = y[3];
     /* 20:10 */
     out[0] = v; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:7d30c2023599dcc6)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:e083fe6d12378a50)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -215,7 +215,7 @@ static inline void smooth_tippe_top_turn_lanes(smooth_tippe_top_lanes x, smooth_
 }
 #endif
 
-int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dydt)
+int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double phi = y[2]; /* precession [rad] */
@@ -268,9 +268,8 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     dydt[8] = -s_theta * z8; /* theta'' */
     dydt[9] = s_theta * (phi_dot * theta_dot) - c_theta * z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[8] + dydt[9]) <= DBL_MAX
-        && fabs(m) > 0.0
-        && fabs(I3) > 0.0
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * I3) > 0.0 * (dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[8] + dydt[9])
         && fabs(I1 * z1) > 1e-13 * (z1 * k4)
         && fabs(z2) > 1e-13 * k4)) {
         /* the mass matrix is singular */
@@ -298,18 +297,18 @@ int smooth_tippe_top_velocities(double t, const double *y, const double *p, doub
 {
     (void)t;
     (void)p;
-    const double x_dot = y[5];
-    const double y_dot = y[6];
-    const double phi_dot = y[7];
-    const double theta_dot = y[8];
-    const double psi_dot = y[9];
 
     /* from the state */
+    const double x_dot = y[5];
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
+    const double y_dot = y[6];
     qdot[1] = y_dot; /* y' */
+    const double phi_dot = y[7];
     qdot[2] = phi_dot; /* phi' */
+    const double theta_dot = y[8];
     qdot[3] = theta_dot; /* theta' */
+    const double psi_dot = y[9];
     qdot[4] = psi_dot; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3] + qdot[4]) <= DBL_MAX)) {
@@ -363,9 +362,8 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     qddot[3] = -s_theta * z8; /* theta'' */
     qddot[4] = s_theta * (phi_dot * theta_dot) - c_theta * z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX
-        && fabs(m) > 0.0
-        && fabs(I3) > 0.0
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * I3) > 0.0 * (qddot[0] + qddot[1] + qddot[3] + qddot[4])
         && fabs(I1 * z1) > 1e-13 * (z1 * k3)
         && fabs(z2) > 1e-13 * k3)) {
         /* the mass matrix is singular */
@@ -393,27 +391,27 @@ int smooth_tippe_top_state(double t, const double *q, const double *qdot, const 
 {
     (void)t;
     (void)p;
-    const double x = q[0]; /* geometric centre [m] */
-    const double y_2 = q[1]; /* geometric centre [m] */
-    const double phi = q[2]; /* precession [rad] */
-    const double theta = q[3]; /* nutation [rad] */
-    const double psi = q[4]; /* spin [rad] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double phi_dot = qdot[2];
-    const double theta_dot = qdot[3];
-    const double psi_dot = qdot[4];
 
     /* from the state */
+    const double x = q[0]; /* geometric centre [m] */
     y[0] = x;
+    const double y_2 = q[1]; /* geometric centre [m] */
     y[1] = y_2;
+    const double phi = q[2]; /* precession [rad] */
     y[2] = phi;
+    const double theta = q[3]; /* nutation [rad] */
     y[3] = theta;
+    const double psi = q[4]; /* spin [rad] */
     y[4] = psi;
+    const double x_dot = qdot[0];
     y[5] = x_dot;
+    const double y_dot = qdot[1];
     y[6] = y_dot;
+    const double phi_dot = qdot[2];
     y[7] = phi_dot;
+    const double theta_dot = qdot[3];
     y[8] = theta_dot;
+    const double psi_dot = qdot[4];
     y[9] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9]) <= DBL_MAX)) {
@@ -436,6 +434,9 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
 {
     (void)t;
     const double theta = y[3]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double m = p[0]; /* mass [kg] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
@@ -446,7 +447,6 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
     const double k2 = I1 + k1;
 
     /* from the state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
@@ -611,10 +611,9 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     J[98] = z20 - c_theta * z43;
     J[99] = -c_theta * z44;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[83] + J[87]
-        + J[88] + J[89] + J[93] + J[97] + J[98] + J[99]) <= DBL_MAX
-        && fabs(m) > 0.0
-        && fabs(I3) > 0.0
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m * I3) > 0.0 * (J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69]
+        + J[83] + J[87] + J[88] + J[89] + J[93] + J[97] + J[98] + J[99])
         && fabs(I1 * z1) > 1e-13 * (z1 * k4)
         && fabs(z2) > 1e-13 * k4)) {
         /* the mass matrix is singular */

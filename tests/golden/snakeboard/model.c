@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:113ed9d24448937a)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:d5f0979bb04bbcd1)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -221,7 +221,7 @@ static inline void snakeboard_turn_lanes(snakeboard_lanes x, snakeboard_lanes *f
 }
 #endif
 
-int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
+int snakeboard_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     const double theta = y[2]; /* heading of the board [rad] */
     const double p_b = y[4]; /* back axle, relative to the board [rad] */
@@ -1031,9 +1031,8 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     J[98] = z145;
     J[99] = -z146;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[12] + J[65] + J[68] + J[75] + J[78] + J[94] + J[96] + J[99]) <= DBL_MAX
-        && fabs(J_r) > 0.0
-        && fabs(J_w) > 0.0
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J_r * J_w) > 0.0 * (J[2] + J[12] + J[65] + J[68] + J[75] + J[78] + J[94] + J[96] + J[99])
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(z26) > 1e-13 * z26)) {
         /* the mass matrix is singular, or the velocities that are kept are */

@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:fe396716ebf026e2)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:920f47cfe9dda675)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -193,7 +193,7 @@ static inline void spherical_pendulum_turn_lanes(spherical_pendulum_lanes x, sph
 }
 #endif
 
-int spherical_pendulum_rhs(double t, const double *y, const double *p, double *dydt)
+int spherical_pendulum_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
@@ -219,7 +219,8 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *d
     dydt[2] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
     dydt[3] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(k1 * (s_theta * s_theta)) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * (dydt[2] + dydt[3]))) {
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
             return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
@@ -238,12 +239,12 @@ int spherical_pendulum_velocities(double t, const double *y, const double *p, do
 {
     (void)t;
     (void)p;
-    const double theta_dot = y[2];
-    const double phi_dot = y[3];
 
     /* from the state */
+    const double theta_dot = y[2];
     /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
+    const double phi_dot = y[3];
     qdot[1] = phi_dot; /* phi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
@@ -275,7 +276,8 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
     qddot[0] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
     qddot[1] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(k1 * (s_theta * s_theta)) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * (qddot[0] + qddot[1]))) {
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
             return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
@@ -294,15 +296,15 @@ int spherical_pendulum_state(double t, const double *q, const double *qdot, cons
 {
     (void)t;
     (void)p;
-    const double theta = q[0]; /* angle from the downward vertical [rad] */
-    const double phi = q[1]; /* azimuth [rad] */
-    const double theta_dot = qdot[0];
-    const double phi_dot = qdot[1];
 
     /* from the state */
+    const double theta = q[0]; /* angle from the downward vertical [rad] */
     y[0] = theta;
+    const double phi = q[1]; /* azimuth [rad] */
     y[1] = phi;
+    const double theta_dot = qdot[0];
     y[2] = theta_dot;
+    const double phi_dot = qdot[1];
     y[3] = phi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3]) <= DBL_MAX)) {
@@ -325,6 +327,9 @@ int spherical_pendulum_reactions(double t, const double *y, const double *p, dou
 {
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
 
@@ -332,7 +337,6 @@ int spherical_pendulum_reactions(double t, const double *y, const double *p, dou
     const double k1 = m * l * l;
 
     /* from the state */
-    const double s_theta = sin(theta);
     /* the mass matrix is singular */
     if (!(fabs(k1) > 0.0)) {
         return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
@@ -398,7 +402,8 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
     J[14] = -2.0 * (z3 * z2);
     J[15] = -2.0 * (theta_dot * c_theta * z3);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[8] + J[11] + J[12] + J[14] + J[15]) <= DBL_MAX && fabs(k1 * z1) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(m) > 0.0 * (J[8] + J[11] + J[12] + J[14] + J[15]))) {
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
             return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
@@ -416,6 +421,9 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
 {
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
@@ -424,7 +432,6 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
     const double k1 = m * l * l;
 
     /* from the state */
-    const double s_theta = sin(theta);
     /* 16:8 */
     out[0] = phi_dot * (k1 * (s_theta * s_theta)); /* L_z */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:254a53c356025f09)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:5fffd4f6e314a38e)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -199,7 +199,7 @@ static inline void suslov_turn_lanes(suslov_lanes x, suslov_lanes *far,
 }
 #endif
 
-int suslov_rhs(double t, const double *y, const double *p, double *dydt)
+int suslov_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
@@ -374,11 +374,13 @@ int suslov_residuals(double t, const double *q, const double *qdot, const double
     (void)t;
     (void)p;
     const double theta = q[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
     const double phi_dot = qdot[0];
     const double psi_dot = qdot[2];
 
     /* from the state */
-    const double c_theta = cos(theta);
     /* (I.1.1) 22:5 */
     r[0] = psi_dot + phi_dot * c_theta; /* no_spin = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -392,6 +394,9 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double w1 = y[3];
     const double w2 = y[4];
     const double I11 = p[0]; /* [kg*m^2] */
@@ -405,7 +410,6 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     const double k3 = I23 / I22;
 
     /* from the state */
-    const double s_theta = sin(theta);
     const double z1 = I13 * w1 + I23 * w2;
     /* (I.4.1) 22:5 */
     /* reaction of no_spin: Q_i gains lambda_1 a_1i */
@@ -432,12 +436,12 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
 double suslov_energy(double t, const double *y, const double *p)
 {
     (void)t;
+
+    /* from the state */
     const double w1 = y[3];
     const double w2 = y[4];
     const double I11 = p[0]; /* [kg*m^2] */
     const double I22 = p[1]; /* [kg*m^2] */
-
-    /* from the state */
     return 0.5 * (I11 * (w1 * w1) + I22 * (w2 * w2));
 }
 
@@ -516,13 +520,15 @@ int suslov_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
     const double w1 = y[3];
     const double w2 = y[4];
     const double I13 = p[3]; /* [kg*m^2] */
     const double I23 = p[4]; /* [kg*m^2] */
 
     /* from the state */
-    const double s_theta = sin(theta);
     /* 28:7 */
     out[0] = I13 * w1 + I23 * w2; /* M3 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

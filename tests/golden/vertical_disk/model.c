@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:86b94293a8937d93)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:f9cd49e0f2e6ab34)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -188,7 +188,7 @@ static inline void vertical_disk_turn_lanes(vertical_disk_lanes x, vertical_disk
 }
 #endif
 
-int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt)
+int vertical_disk_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double phi = y[2]; /* heading [rad] */
@@ -214,7 +214,8 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = 0.0; /* phi'' */
     dydt[5] = 0.0; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[2]) <= DBL_MAX && fabs(I + R * (m * R)) > 0.0 && fabs(J) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs((I + R * (m * R)) * J) > 0.0 * (dydt[0] + dydt[2]))) {
         /* the mass matrix is singular */
         if (!(fabs(I + R * (m * R)) > 0.0)) {
             return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
@@ -277,7 +278,8 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
     qddot[2] = 0.0; /* phi'' */
     qddot[3] = 0.0; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0]) <= DBL_MAX && fabs(I + R * (m * R)) > 0.0 && fabs(J) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs((I + R * (m * R)) * J) > 0.0 * qddot[0])) {
         /* the mass matrix is singular */
         if (!(fabs(I + R * (m * R)) > 0.0)) {
             return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
@@ -295,19 +297,19 @@ int vertical_disk_state(double t, const double *q, const double *qdot, const dou
 {
     (void)t;
     (void)p;
-    const double x = q[0]; /* point of contact [m] */
-    const double y_2 = q[1]; /* point of contact [m] */
-    const double phi = q[2]; /* heading [rad] */
-    const double theta = q[3]; /* angle rolled [rad] */
-    const double phi_dot = qdot[2];
-    const double theta_dot = qdot[3];
 
     /* from the state */
+    const double x = q[0]; /* point of contact [m] */
     y[0] = x;
+    const double y_2 = q[1]; /* point of contact [m] */
     y[1] = y_2;
+    const double phi = q[2]; /* heading [rad] */
     y[2] = phi;
+    const double theta = q[3]; /* angle rolled [rad] */
     y[3] = theta;
+    const double phi_dot = qdot[2];
     y[4] = phi_dot;
+    const double theta_dot = qdot[3];
     y[5] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
@@ -367,7 +369,8 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
     /* (I.4.1) 19:5 */
     lambda[1] = c_phi * z1; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(J) > 0.0 && fabs(I + R * k1) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J * (I + R * k1)) > 0.0 * lambda[0])) {
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
             return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
@@ -384,17 +387,17 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
 double vertical_disk_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double phi_dot = y[4];
-    const double theta_dot = y[5];
+
+    /* from the parameters alone */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
-    const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
-
-    /* from the parameters alone */
     const double k1 = I + m * (R * R);
 
     /* from the state */
+    const double phi_dot = y[4];
+    const double theta_dot = y[5];
+    const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
     return 0.5 * (J * (phi_dot * phi_dot) + theta_dot * theta_dot * k1);
 }
 
@@ -424,7 +427,8 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
     J[16] = 1.0;
     J[23] = 1.0;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[8]) <= DBL_MAX && fabs(I + R * (m * R)) > 0.0 && fabs(J_2) > 0.0)) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs((I + R * (m * R)) * J_2) > 0.0 * (J[2] + J[8]))) {
         /* the mass matrix is singular */
         if (!(fabs(I + R * (m * R)) > 0.0)) {
             return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
@@ -441,10 +445,10 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
 int vertical_disk_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
-    const double theta_dot = y[5];
-    const double R = p[1]; /* radius [m] */
 
     /* from the state */
+    const double theta_dot = y[5];
+    const double R = p[1]; /* radius [m] */
     /* 22:10 */
     out[0] = theta_dot * R; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

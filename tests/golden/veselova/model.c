@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:0ddec9fa5d346995)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:32d8d16bb4b13f1b)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -202,7 +202,7 @@ static inline void veselova_turn_lanes(veselova_lanes x, veselova_lanes *far,
 }
 #endif
 
-int veselova_rhs(double t, const double *y, const double *p, double *dydt)
+int veselova_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     const double phi = y[0]; /* precession [rad] */
@@ -418,11 +418,13 @@ int veselova_residuals(double t, const double *q, const double *qdot, const doub
     (void)t;
     (void)p;
     const double theta = q[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
     const double phi_dot = qdot[0];
     const double psi_dot = qdot[2];
 
     /* from the state */
-    const double c_theta = cos(theta);
     /* (I.1.1) 26:5 */
     r[0] = phi_dot + psi_dot * c_theta; /* no_turn = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

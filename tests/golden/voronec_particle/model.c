@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:6b83caeae7811445)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:037ffb0a8aa2422c)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -201,7 +201,7 @@ static inline void voronec_particle_turn_lanes(voronec_particle_lanes x, voronec
 }
 #endif
 
-int voronec_particle_rhs(double t, const double *y, const double *p, double *dydt)
+int voronec_particle_rhs(double t, const double *y, const double *p, double *restrict dydt)
 {
     (void)t;
     (void)p;
@@ -266,14 +266,16 @@ int voronec_particle_velocities(double t, const double *y, const double *p, doub
 {
     (void)t;
     (void)p;
+    const double z = y[2];
+
+    /* sines and cosines */
+    const double c_z = cos(z);
     const double x = y[0];
     const double y_2 = y[1];
-    const double z = y[2];
     const double x_dot = y[3];
     const double y_dot = y[4];
 
     /* from the state */
-    const double c_z = cos(z);
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
@@ -354,17 +356,17 @@ int voronec_particle_state(double t, const double *q, const double *qdot, const 
 {
     (void)t;
     (void)p;
-    const double x = q[0];
-    const double y_2 = q[1];
-    const double z = q[2];
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
 
     /* from the state */
+    const double x = q[0];
     y[0] = x;
+    const double y_2 = q[1];
     y[1] = y_2;
+    const double z = q[2];
     y[2] = z;
+    const double x_dot = qdot[0];
     y[3] = x_dot;
+    const double y_dot = qdot[1];
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -377,15 +379,17 @@ int voronec_particle_residuals(double t, const double *q, const double *qdot, co
 {
     (void)t;
     (void)p;
+    const double z = q[2];
+
+    /* sines and cosines */
+    const double c_z = cos(z);
     const double x = q[0];
     const double y = q[1];
-    const double z = q[2];
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double z_dot = qdot[2];
 
     /* from the state */
-    const double c_z = cos(z);
     /* (I.1.1) 10:5 */
     r[0] = z_dot - (x_dot * (y * c_z) + 0.5 * (y_dot * (x * z))); /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
