@@ -20,7 +20,7 @@ from nhc.cli.options import (
 )
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json
-from nhc.diagnostics import several
+from nhc.diagnostics import quote, several
 
 if TYPE_CHECKING:
     from nhc.study.linearize import Mode
@@ -77,6 +77,8 @@ def command(
         found = linearize(source, request, Options(formulation=formulation or ""))
     except NotSteady as error:
         reached = f"; the rates that should vanish reach {error.residual:.3g}" if math.isfinite(error.residual) else ""
+        if reached and error.entries:
+            reached += f" ({'those' if len(error.entries) > 1 else 'that'} of {quote(error.entries[:3])})"
         advice = [error.advice, *([_OTHERS] if formulation == "voronec" and math.isfinite(error.residual) else [])]
         raise Failure(f"{error}{reached}", advice, exit=Exit.NUMERICAL) from error
     notes = _notes(found, formulation or "")

@@ -25,14 +25,22 @@ _LEAST_FRAME = 0.01  # of the coframe's relative determinant, per constraint
 
 
 class NotSteady(ArithmeticError):
-    """No steady motion was found; ``residual`` is the best that was reached, ``place`` the state where it was.
+    """No steady motion was found; ``residual`` is the best that was reached, ``place`` the state where it was, ``entries`` those
+    of the state whose rates were the largest there.
 
     ``advice`` says what to do about it.
     """
 
-    def __init__(self, message: str, residual: float, place: Sequence[float] | Vector = (), advice: str = "") -> None:
+    def __init__(
+        self,
+        message: str,
+        residual: float,
+        place: Sequence[float] | Vector = (),
+        advice: str = "",
+        entries: Sequence[str] = (),
+    ) -> None:
         super().__init__(message)
-        self.residual, self.place = residual, tuple(float(x) for x in place)
+        self.residual, self.place, self.entries = residual, tuple(float(x) for x in place), tuple(entries)
         usual = "let `--about` name another state, or give the parameters other values with `--set`"
         if math.isfinite(residual):
             usual = "start nearer to a steady motion, or fix more of it with `--hold`; there may be none near"
@@ -140,7 +148,7 @@ def _tell_way(model: SteadyModel, y: Vector, error: NotSteady) -> NotSteady:
     gone = f"{model.flow.names[k]} = {error.place[k]:.3g}"
     what = f"the search for a steady motion runs off, to {gone}: rates get smaller on its way, but do not vanish"
     advice = "start elsewhere, as beyond the place where the rates are largest, or fix values with `--hold`; there may be none"
-    return NotSteady(what, error.residual, error.place, advice)
+    return NotSteady(what, error.residual, error.place, advice, error.entries)
 
 
 def check_frame(model: SteadyModel, y: Sequence[float], where: str) -> None:
@@ -239,7 +247,15 @@ def _iterate(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequen
         if damping:
             damping = max(damping / 3, _LEAST) if factor >= 1.0 else min(damping * 3, 1.0)
         y, value, slopes, scale = trial, next_value, next_slopes, next_scale
-    raise NotSteady(f"no steady motion after {_STEPS} steps from there", size, model.outside(y[: len(model.flow.y)]))
+    what = f"no steady motion after {_STEPS} steps from there"
+    raise NotSteady(what, size, model.outside(y[: len(model.flow.y)]), entries=_fastest(model, value))
+
+
+def _fastest(model: SteadyModel, value: Vector) -> list[str]:
+    """The entries of the state whose rates are far from vanishing."""
+    rates = np.abs(value[: len(model.rest)])
+    most = float(np.max(rates, initial=0.0))
+    return [model.flow.names[i] for i, rate in zip(model.rest, rates, strict=True) if rate > most / 3]
 
 
 def _step(value: Vector, slopes: Matrix, across: Matrix, damping: float, rank: float = RANK) -> Vector:
@@ -288,7 +304,8 @@ def _accepted(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Seque
         return [np.concatenate([rates[rest], value[len(rest) :]]) for rates, _ in own.nearby(state)]
 
     if size > 1e-9 * scale or not is_steady(value, slopes, y, others):
-        raise NotSteady("the iteration stops where the motion is not steady", size, model.outside(state))
+        what = "the iteration stops where the motion is not steady"
+        raise NotSteady(what, size, model.outside(state), entries=_fastest(model, value))
     y, places = _settled(model, turns, y, holds)
     state, own = turned(model, turns, y)
     size = float(np.max(np.abs(equations(model, turns, y, holds)[0]), initial=0.0))

@@ -76,7 +76,7 @@ def sweep(branch: Branch, values: Sequence[float]) -> Sweep:
         try:
             points.append(branch(value))
         except NotSteady as error:
-            raise NotSteady(f"at {value:.10g}: {error}", error.residual) from None
+            raise NotSteady(f"at {value:.10g}: {error}", error.residual, entries=error.entries) from None
     branch.family = min((point.family for point in points), default=0)
     points = [linearise_at(branch._model(v)[0], p.steady, branch.family) for v, p in zip(values, points, strict=True)]
     return Sweep(tuple(values), tuple(points), crossings(branch, values, points))
