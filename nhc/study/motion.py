@@ -8,14 +8,12 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TypeVar
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 from nhc.language.expressions.names import fold_typed
 from nhc.language.scope import names_in
-from nhc.language.spec import Scene
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation, build
@@ -28,10 +26,10 @@ from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import moving
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.simulate.switching import SOUND
+from nhc.study.asked import describe_halt, keep_speeds
 from nhc.study.field import Hold, SteadyModel
 from nhc.study.linearize import Linearisation, linearise_at
 from nhc.study.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
@@ -40,7 +38,10 @@ from nhc.study.tape import Tapes
 from nhc.study.turns import turn_of
 
 _SNAP = 1e-11
-_LOST = 0.1  # of the kinetic energy: a motion with less is not the one that was asked about
+_SLIGHT, _FARTHER = (
+    1e-3,
+    2.0,
+)  # of it: a velocity of a scene with less is a disturbance; of the way to the nearest motion
 Found = TypeVar("Found")
 
 
@@ -108,10 +109,11 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     flow = model.flow
     guess = state_of(flow, formulation.frame, start)
     holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
-    steady = _keep_speeds(model, scene, guess, find_steady(model, guess, holds), holds)
+    whole = request.about.strip() in {one.name for one in system.spec.scenes}
+    steady = keep_speeds(model, scene, guess, find_steady(model, guess, holds), holds, whole)
     check_smooth(model, steady)
     made = linearise_at(model, steady)
-    halted = _describe_halt(model, scene, guess, steady.y)
+    halted = describe_halt(model, scene, guess, steady.y)
     point = point_of(flow, scene)
     place = _exact_place(flow, point, model.values(guess), steady)
     paper = symbolic_matrix(flow, model.rest, place) if place else "the state is no expression in the parameters"
@@ -121,51 +123,6 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
     held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
     return Findings(flow, formulation, model, made, rows, held, "", swept, halted)
-
-
-def _keep_speeds(
-    model: SteadyModel, scene: Scene, guess: Sequence[float], steady: Steady, holds: Sequence[Hold]
-) -> Steady:
-    """The member of the family of ``steady`` that has the velocities that were asked for, one by one as far as there is one.
-
-    The search alone ends at the member nearest in the whole state, of which the user gave a part: at another speed.
-    """
-    for hold in _asked(model, scene, guess):
-        kept = (*holds, hold)
-        if abs(model.value(steady.y, hold.node) - hold.value) > _SNAP * abs(hold.value):
-            try:
-                steady = find_steady(model, steady.y, kept)
-            except NotSteady:
-                continue
-        holds = kept
-    return steady
-
-
-def _asked(model: SteadyModel, scene: Scene, guess: Sequence[float]) -> list[Hold]:
-    """The velocities that were given, as they are in the guess; zeros are what nobody gives a thought."""
-    found = list[Hold]()
-    for entry in scene.initial:
-        name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
-        node = None if entry.kind == "coordinate" else quantity(model.flow, name)
-        value = 0.0 if node is None else model.value(guess, node)
-        if node is not None and value:
-            found.append(Hold(name, node, value))
-    return found
-
-
-def _describe_halt(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> str:
-    """Which velocities that were asked for have gone with most of the kinetic energy: rest was nearer than what was meant."""
-    flow, g = model.flow, model.flow.graph
-    kinetic = substitute(g, [flow.system.T], moving(flow.system, flow.velocities))[0]
-    if not model.value(y, kinetic) < _LOST * model.value(guess, kinetic):
-        return ""
-    lost = list[str]()
-    for asked in _asked(model, scene, guess):
-        after = model.value(y, asked.node)
-        if abs(after) < abs(asked.value) / 2:
-            now = after if abs(after) > _SNAP * abs(asked.value) else 0
-            lost.append(f"{asked.name} = {asked.value:.6g} has become {now:.6g}")
-    return "; ".join(lost)
 
 
 def linearise_whole(equations: Equations, formulation: Formulation, request: Request) -> Findings:

@@ -307,6 +307,10 @@ def _accepted(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Seque
         what = "the iteration stops where the motion is not steady"
         raise NotSteady(what, size, model.outside(state), entries=_fastest(model, value))
     y, places = _settled(model, turns, y, holds)
+    count = len(model.flow.y)
+    y = np.concatenate(
+        [y[:count], np.where(np.abs(y[count:]) > 1e-12 * scale, y[count:], 0.0)]
+    )  # slower turns are rounding
     state, own = turned(model, turns, y)
     size = float(np.max(np.abs(equations(model, turns, y, holds)[0]), initial=0.0))
     n, turning = model.flow.system.n, own.turning if turns else None

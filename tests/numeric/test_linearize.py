@@ -717,3 +717,28 @@ def test_of_a_family_the_motion_with_the_speed_that_was_asked_for_is_taken(about
     pair = cmath.sqrt(-2 / 7) * speed
     assert matches(eigenvalues(found.linearisation), [pair, -pair], 1e-9)
     assert not found.halted
+
+
+@pytest.mark.parametrize(
+    ("name", "scene", "kept"),
+    [
+        ("free_rigid_body_quaternion", "flip", {"w1": 0.0, "w2": 1.0}),
+        ("heavy_top_quaternion", "upright", {"w1": 0.0, "w3": 1.5}),
+        ("bicycle", "reference", {"roll'": 0.0, "thF'": -4.6 / 0.35}),
+        ("chaplygin_sleigh", "glide", {"v": 1.0, "w": 0.0}),
+    ],
+)
+def test_of_a_scene_the_speed_is_kept_and_not_the_disturbance(name: str, scene: str, kept: dict[str, float]) -> None:
+    """The scenes start beside their steady motions, and what they add to these is a thousandth of the energy or less."""
+    found = find(name, scene)
+    y = found.linearisation.steady.y
+    for velocity, value in kept.items():
+        there = found.model.value(y, named_quantity(found.flow, velocity, ""))
+        assert there == pytest.approx(value, rel=1e-11, abs=1e-11)
+
+
+def test_a_scene_far_from_steady_motions_does_not_lead_farther() -> None:
+    """Rates of Euler's angles can all be had far away, of a spin about another axis than the one that the scene nearly has."""
+    found = find("free_rigid_body", "reference")
+    w = [found.model.value(found.linearisation.steady.y, named_quantity(found.flow, f"w{k}", "")) for k in (1, 2, 3)]
+    assert w == pytest.approx([0.0, 0.0, 0.9], abs=1e-9)
