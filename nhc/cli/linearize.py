@@ -94,6 +94,7 @@ def command(
 def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
     """The findings as a tree: numbers in full, the state by names."""
     from nhc.study.linearize import eigenvalues, verdict
+    from nhc.study.turns import list_rates
 
     flow, made = found.flow, found.linearisation
     names = [flow.names[i] for i in made.rest]
@@ -106,7 +107,7 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
         "residual": made.steady.residual,
         "steps": made.steady.steps,
         "cyclic": [flow.names[i] for i in found.model.cyclic],
-        "along": [{"entries": list(entries), "rate": rate} for entries, rate in made.steady.along(flow)],
+        "along": [{"entries": list(entries), "rate": rate} for entries, rate in list_rates(made.steady.turning, flow)],
         "entries": names,
         "matrix": made.full.tolist(),
         "admissible": made.basis.tolist(),
@@ -132,6 +133,8 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
 
 
 def _motion_lines(found: Findings) -> list[str]:
+    from nhc.study.turns import list_rates
+
     flow, steady = found.flow, found.linearisation.steady
     kind = "equilibrium" if steady.equilibrium else "steady motion"
     head = f"{flow.system.name}, {found.formulation.name} ({found.formulation.number}): {kind}"
@@ -142,7 +145,7 @@ def _motion_lines(found: Findings) -> list[str]:
             f"  {name:{width}} = {value if abs(value) > 1e-13 else 0:.15g}{'  (cyclic)' if i in found.model.cyclic else ''}"
         )
     together: dict[str, list[str]] = {}
-    for entries, rate in steady.along(flow):
+    for entries, rate in list_rates(steady.turning, flow):
         together.setdefault(f"{rate:.6g}", []).append(entries[0] if len(entries) == 1 else f"({', '.join(entries)})")
     if together:
         moving = "; ".join(f"{', '.join(names)} at {rate}" for rate, names in together.items())

@@ -9,7 +9,6 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from nhc.mechanics.flow import Flow
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import sampled_rows
 from nhc.study.equations import all_but, bound, equations, exact_equations, turned
@@ -67,24 +66,6 @@ class Steady:
     turns: tuple[Turn, ...] = field(default=(), compare=False)
     others: tuple[tuple[float, ...], ...] = field(default=(), compare=False)
 
-    def along(self, flow: Flow) -> list[tuple[tuple[str, ...], float]]:
-        """What the axes in which the motion is at rest do: a coordinate moves, a pair of entries turns, at a rate.
-
-        Turns of quaternions are left out; their angular velocities stand in the state.
-        """
-        if self.turning is None:
-            return []
-        count, names = len(flow.y), flow.names
-        quaternions = {flow.system.q_names[i] for rotation in flow.system.rotations for i in rotation.places}
-        entries: list[tuple[tuple[int, ...], float]] = [((i,), self.turning.shift[i]) for i in range(count)]
-        entries += [((c, r), self.turning.matrix[r, c]) for r in range(count) for c in range(r)]
-        least = 1e-9 * max((abs(rate) for _, rate in entries), default=0.0)
-        return [
-            (tuple(names[i] for i in places), float(rate))
-            for places, rate in entries
-            if abs(rate) > least and not {names[i].removesuffix("'") for i in places} & quaternions
-        ]
-
 
 class Locked(NotSteady):
     """The coordinates are singular at the motion ``steady`` that was found: rates and slopes there are worth nothing.
@@ -119,7 +100,13 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
     except ArithmeticError:
         own = model  # the iteration says why
     y = np.array(own.inside(guess))
-    for turns in own.symmetries or ((),):
+    groups = own.symmetries or ((),)
+    if groups[0] and not holds and not y[model.flow.system.n :].any():  # who asks about rest means an equilibrium
+        with suppress(ArithmeticError):
+            still = _iterate(own, (), y, holds)
+            found.append((0.0, replace(still, turns=model.symmetries[0])))
+            groups = ()
+    for turns in groups:
         try:
             made = _iterate(own, turns, np.concatenate([y, _first_turn(own, turns, y)]), holds)
         except ArithmeticError as error:

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 
+from nhc.mechanics.flow import Flow
 from nhc.study.units import Matrix, Vector
 
 
@@ -44,3 +45,22 @@ def combined(speeds: Sequence[float] | Vector, turns: Sequence[Turn]) -> Turn:
     matrix = sum(speed * turn.matrix for speed, turn in zip(speeds, turns, strict=True))
     shift = sum(speed * turn.shift for speed, turn in zip(speeds, turns, strict=True))
     return Turn(np.asarray(matrix), np.asarray(shift))
+
+
+def list_rates(turn: Turn | None, flow: Flow) -> list[tuple[tuple[str, ...], float]]:
+    """What axes that go along a turn do: a coordinate moves, a pair of entries of the state turns, at a rate.
+
+    Turns of quaternions are left out; their angular velocities stand in the state.
+    """
+    if turn is None:
+        return []
+    count, names = len(flow.y), flow.names
+    quaternions = {flow.system.q_names[i] for rotation in flow.system.rotations for i in rotation.places}
+    entries: list[tuple[tuple[int, ...], float]] = [((i,), turn.shift[i]) for i in range(count)]
+    entries += [((c, r), turn.matrix[r, c]) for r in range(count) for c in range(r)]
+    least = 1e-9 * max((abs(rate) for _, rate in entries), default=0.0)
+    return [
+        (tuple(names[i] for i in places), float(rate))
+        for places, rate in entries
+        if abs(rate) > least and not {names[i].removesuffix("'") for i in places} & quaternions
+    ]

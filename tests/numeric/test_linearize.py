@@ -448,12 +448,12 @@ system: s
 coordinates: [x, y, z]
 T: (x'^2 + y'^2 + z'^2)/2
 V: z
-constraints: [level: z' = 2*x*x' + 2*y*y']
+constraints: [level: z' = 2*x*x' + 3*y*y']
 """
 
 
 def test_a_search_that_runs_off_says_so() -> None:
-    """On a leaf z = x^2 + y^2 + c rates grow up to x = 1/2 and fall beyond: from there they fall away from the equilibrium."""
+    """On a leaf z = x^2 + 3/2 y^2 + c rates grow up to x = 1/2 and fall beyond: from there they fall away from the equilibrium."""
     with pytest.raises(NotSteady, match=r"runs off, to z = .*but do not vanish") as caught:
         linearize(Source("s.yaml", LEAF), Request(about="x=1, y=0.5"))
     assert "there may be none" in caught.value.advice and 0.0 < caught.value.residual < 0.1

@@ -14,6 +14,7 @@ from nhc.pipeline import Options, linearize
 from nhc.study.linearize import eigenvalues, verdict
 from nhc.study.motion import Findings, Request
 from nhc.study.steady import NotSteady
+from nhc.study.turns import list_rates
 from tests.numeric.test_linearize import IN_A_CYLINDER, matches
 from tests.support import spec_path
 
@@ -27,7 +28,7 @@ def gallery(name: str, about: str, formulation: str = "") -> Findings:
 
 
 def along(found: Findings) -> dict[tuple[str, ...], float]:
-    return dict(found.linearisation.steady.along(found.flow))
+    return dict(list_rates(found.linearisation.steady.turning, found.flow))
 
 
 def state(found: Findings) -> dict[str, float]:
@@ -142,3 +143,17 @@ def test_a_force_in_a_fixed_direction_leaves_no_circle() -> None:
     text = KEPLER.replace("N", "1.0").rstrip() + " + 0.3*x\n"
     with pytest.raises(NotSteady, match="steady"):
         linearize(Source("s.yaml", text), Request("x=1, y'=1.4", holds=("y'",)))
+
+
+BOWL = "nhc: 1\nsystem: bowl\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nV: (x^2 + y^2)/2 - (x^2 + y^2)^2/8\n"
+
+
+def test_who_asks_about_rest_gets_an_equilibrium() -> None:
+    """Circles are near every place of a bowl; from rest the bottom is found, with speed the circle."""
+    still = find(BOWL, "x=0.3, y=0.2")
+    assert still.linearisation.steady.equilibrium and state(still)["x"] == pytest.approx(0, abs=1e-12)
+    circle = find(BOWL, "x=0.6, y'=0.5")
+    here = state(circle)
+    radius = math.hypot(here["x"], here["y"])
+    assert here["y'"] == pytest.approx(0.5, rel=1e-12) and not circle.linearisation.steady.equilibrium
+    assert along(circle)[("x", "y")] ** 2 == pytest.approx(1 - radius**2 / 2, rel=1e-9)
