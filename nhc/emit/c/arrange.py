@@ -29,7 +29,8 @@ def arrange(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
     last = [s for s in rest if isinstance(s, Guard)] + [s for s in rest if isinstance(s, Result | Sweep)]
     middle = [s for s in rest if not isinstance(s, Guard | Result | Sweep)]
     title = [Section("sines and cosines")] if turns else []
-    made = drop_empty((*heads, *loads, *title, *turns, *middle, *last))
+    others = [Section("what else is read")] if turns and middle and isinstance(middle[0], Load) else []
+    made = drop_empty((*heads, *loads, *title, *turns, *others, *middle, *last))
     return made if turns else read_late(made)  # behind the sines the others are read late enough
 
 

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:3abcadc25dc4860b)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:484b4404b924f3fd)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -211,6 +211,8 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     const double c_t = cos(t);
     const double c_z = cos(z);
     const double s_z = sin(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -292,6 +294,8 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
     const double c_z = cos(z);
     const double s_t = sin(t);
     const double c_t = cos(t);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -323,6 +327,8 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double c_t = cos(t);
     const double c_z = cos(z);
     const double s_z = sin(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -431,6 +437,8 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
     const double c_z = cos(z);
     const double s_t = sin(t);
     const double c_t = cos(t);
+
+    /* what else is read */
     const double x = q[0];
     const double y = q[1];
     const double x_dot = qdot[0];
@@ -461,6 +469,8 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double c_t = cos(t);
     const double c_z = cos(z);
     const double s_z = sin(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -546,6 +556,8 @@ double affine_voronec_energy(double t, const double *y, const double *p)
     const double s_t = sin(t);
     const double c_z = cos(z);
     const double s_z = sin(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -582,6 +594,8 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double c_t = cos(t);
     const double c_z = cos(z);
     const double s_z = sin(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];

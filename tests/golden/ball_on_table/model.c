@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:28dcc582abf04381)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:6d4727b88bb74e70)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -234,6 +234,8 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *restri
     const double c1 = cos(z3);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
@@ -317,6 +319,8 @@ int ball_on_table_velocities(double t, const double *y, const double *p, double 
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
@@ -357,6 +361,8 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double s1 = sin(z3);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
@@ -476,6 +482,8 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x = q[0]; /* centre [m] */
     const double y = q[1]; /* centre [m] */
     const double x_dot = qdot[0];
@@ -515,6 +523,8 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     const double s_phi = sin(phi);
     const double s1 = sin(z4);
     const double c1 = cos(z4);
+
+    /* what else is read */
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
@@ -606,6 +616,8 @@ double ball_on_table_energy(double t, const double *y, const double *p)
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
     const double s1 = sin(t * nu);
+
+    /* what else is read */
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
@@ -649,6 +661,8 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double c1 = cos(z3);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
@@ -784,6 +798,8 @@ int ball_on_table_outputs(double t, const double *y, const double *p, double *ou
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
     const double s1 = sin(t * nu);
+
+    /* what else is read */
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:6789898be5bfe9d6)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:3929b7daf68cfe5d)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -329,6 +329,8 @@ int bicycle_rhs(double t, const double *y, const double *p, double *restrict dyd
     const double s_steer = sin(steer);
     const double c_yaw = cos(yaw);
     const double s_yaw = sin(yaw);
+
+    /* what else is read */
     const double roll_dot = y[9];
     const double steer_dot = y[10];
     const double thF_dot = y[11];
@@ -762,6 +764,8 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double s_steer = sin(steer);
     const double s_yaw = sin(yaw);
     const double c_yaw = cos(yaw);
+
+    /* what else is read */
     const double roll_dot = y[9];
     const double steer_dot = y[10];
     const double thF_dot = y[11];
@@ -881,6 +885,8 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double c1 = cos(z2);
     const double c_steer = cos(steer);
     const double s_steer = sin(steer);
+
+    /* what else is read */
     const double roll_dot = y[9];
     const double steer_dot = y[10];
     const double thF_dot = y[11];
@@ -1088,6 +1094,8 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
     const double c_roll = cos(roll);
     const double s_steer = sin(steer);
     const double c_steer = cos(steer);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double z_dot = qdot[2];
@@ -1234,6 +1242,8 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[6] = c_steer;
     const double s_steer = sin(steer);
     kept[7] = s_steer;
+
+    /* what else is read */
 
     /* from the parameters alone */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
@@ -1817,6 +1827,8 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double e2z = sin(roll);
     const double s_steer = sin(steer);
     const double c_steer = cos(steer);
+
+    /* what else is read */
     const double z = y[2]; /* centre of the rear wheel, downwards [m] */
     const double roll_dot = y[9];
     const double steer_dot = y[10];
@@ -1982,6 +1994,8 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[6] = s_yaw;
     const double c_yaw = cos(yaw);
     kept[7] = c_yaw;
+
+    /* what else is read */
 
     /* from the parameters alone */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
@@ -2237,8 +2251,6 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[100] = z64;
     const double z65 = s_steer * z60 - c_steer * z64;
     kept[101] = z65;
-    const double z66 = k57 * z53 + (k45 * z63 + k53 * z65);
-    kept[102] = z66;
     return BICYCLE_OK;
 }
 
@@ -2246,6 +2258,14 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     double *J)
 {
     (void)t;
+    const double k45 = kept[23];
+    const double k53 = kept[25];
+    const double k57 = kept[27];
+    const double z53 = kept[89];
+    const double z63 = kept[99];
+    const double z65 = kept[101];
+    const double z66 = k57 * z53 + (k45 * z63 + k53 * z65);
+    kept[102] = z66;
     const double s_steer = kept[4];
     const double c_steer = kept[5];
     const double z60 = kept[96];
@@ -2264,15 +2284,10 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     const double z70 = z69 + k10 * z60;
     kept[106] = z70;
     const double k42 = kept[22];
-    const double k45 = kept[23];
     const double k56 = kept[26];
     const double z71 = k56 * z67 + (k42 * z68 - k45 * z70);
     kept[107] = z71;
     const double k52 = kept[24];
-    const double k53 = kept[25];
-    const double z53 = kept[89];
-    const double z63 = kept[99];
-    const double z65 = kept[101];
     const double z72 = k53 * z53 + (k42 * z63 + k52 * z65);
     kept[108] = z72;
     const double k40 = kept[21];
@@ -2303,7 +2318,6 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     const double z81 = k28 * z53 - (z44 * k26 - k27 * z64);
     kept[117] = z81;
     const double z82 = z53 * z76 + (z60 * z77 - (z64 * z78 - (z69 * z79 + (z62 * z80 - z44 * z81))));
-    const double z66 = kept[102];
     const double z83 = z53 * z66 + (z67 * z71 + (z65 * z72 + (z70 * z73 + (z63 * z74 + (z68 * z75 + z82)))));
     const double R_yy = p[7]; /* rear wheel, about the axle [kg*m^2] */
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
@@ -2357,7 +2371,6 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     kept[134] = z102;
     const double z103 = s_steer * z98 - c_steer * z102;
     kept[135] = z103;
-    const double k57 = kept[27];
     const double z104 = k57 * z91 + (k45 * z101 + k53 * z103);
     kept[136] = z104;
     const double z105 = c_steer * z98 + s_steer * z102;
@@ -2562,9 +2575,6 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     kept[200] = z191;
     const double z192 = roll_dot * s1;
     kept[201] = z192;
-    const double steer_dot = y[10];
-    const double z193 = steer_dot + z192;
-    kept[202] = z193;
     return BICYCLE_OK;
 }
 
@@ -2573,13 +2583,16 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
 {
     (void)J;
     (void)t;
+    const double steer_dot = y[10];
+    const double z192 = kept[201];
+    const double z193 = steer_dot + z192;
+    kept[202] = z193;
     const double c_steer = kept[5];
     const double z189 = kept[198];
     const double z194 = c_steer * z189;
     kept[203] = z194;
     const double k10 = kept[9];
     const double v2_x = kept[196];
-    const double z192 = kept[201];
     const double z195 = v2_x - k10 * z192;
     kept[204] = z195;
     const double k4 = kept[8];
@@ -2590,7 +2603,6 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     kept[205] = z196;
     const double k16 = kept[10];
     const double z20 = kept[56];
-    const double z193 = kept[202];
     const double z197 = z7 * z193 - z20 * z194 - (k16 * z194 - k4 * z193 - c_steer * z195);
     kept[206] = z197;
     const double s_steer = kept[4];
@@ -2649,7 +2661,6 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z174 = kept[191];
     const double z272 = 1.0 / z174;
     kept[224] = z272;
-    const double steer_dot = y[10];
     const double z273 = steer_dot * s_steer;
     kept[225] = z273;
     const double roll_dot = y[9];
@@ -4383,6 +4394,8 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double c_pitch = cos(pitch);
     const double c_steer = cos(steer);
     const double s_steer = sin(steer);
+
+    /* what else is read */
     const double z = y[2]; /* centre of the rear wheel, downwards [m] */
     const double roll_dot = y[9];
     const double steer_dot = y[10];

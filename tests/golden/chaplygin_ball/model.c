@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:d9724388e824752c)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:be57b8c1ee3664a7)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -226,6 +226,8 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *restr
     const double c_psi = cos(psi);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double w1 = y[5];
     const double w2 = y[6];
     const double w3 = y[7];
@@ -317,6 +319,8 @@ int chaplygin_ball_velocities(double t, const double *y, const double *p, double
     const double c_phi = cos(phi);
     const double s_psi = sin(psi);
     const double c_psi = cos(psi);
+
+    /* what else is read */
     const double w1 = y[5];
     const double w2 = y[6];
     const double w3 = y[7];
@@ -360,6 +364,8 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
     const double c_psi = cos(psi);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double w1 = y[5];
     const double w2 = y[6];
     const double w3 = y[7];
@@ -459,6 +465,8 @@ int chaplygin_ball_state(double t, const double *q, const double *qdot, const do
     const double s_psi = sin(psi);
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double x = q[0]; /* centre [m] */
     const double y_2 = q[1]; /* centre [m] */
     const double phi = q[2]; /* precession [rad] */
@@ -493,6 +501,8 @@ int chaplygin_ball_residuals(double t, const double *q, const double *qdot, cons
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[3];
@@ -527,6 +537,8 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
     const double c_psi = cos(psi);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double w1 = y[5];
     const double w2 = y[6];
     const double w3 = y[7];
@@ -614,6 +626,8 @@ double chaplygin_ball_energy(double t, const double *y, const double *p)
     const double c_theta = cos(theta);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w1 = y[5];
     const double w2 = y[6];
     const double w3 = y[7];
@@ -653,6 +667,8 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double c_psi = cos(psi);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double w1 = y[5];
     const double w2 = y[6];
     const double w3 = y[7];
@@ -833,6 +849,8 @@ int chaplygin_ball_outputs(double t, const double *y, const double *p, double *o
     const double c_theta = cos(theta);
     const double s_psi = sin(psi);
     const double c_psi = cos(psi);
+
+    /* what else is read */
     const double w1 = y[5];
     const double w2 = y[6];
     const double w3 = y[7];

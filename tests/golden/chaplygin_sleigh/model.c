@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:782fc3b2e2828711)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:a14211e7564a4184)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -192,6 +192,8 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *res
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -236,6 +238,8 @@ int chaplygin_sleigh_velocities(double t, const double *y, const double *p, doub
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double v = y[3];
     const double w = y[4];
 
@@ -259,6 +263,8 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -302,6 +308,8 @@ int chaplygin_sleigh_state(double t, const double *q, const double *qdot, const 
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x = q[0]; /* point of the edge [m] */
     const double y_2 = q[1]; /* point of the edge [m] */
     const double x_dot = qdot[0];
@@ -330,6 +338,8 @@ int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, co
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
@@ -403,6 +413,8 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -448,6 +460,8 @@ int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double 
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x = y[0]; /* point of the edge [m] */
     const double y_2 = y[1]; /* point of the edge [m] */
     const double v = y[3];

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:29eec66dd430a38b)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:97e8cfc6a97e152b)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -194,6 +194,8 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *restr
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -239,6 +241,8 @@ int charged_sleigh_velocities(double t, const double *y, const double *p, double
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double v = y[3];
     const double w = y[4];
 
@@ -262,6 +266,8 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -306,6 +312,8 @@ int charged_sleigh_state(double t, const double *q, const double *qdot, const do
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x = q[0]; /* point of the edge [m] */
     const double y_2 = q[1]; /* point of the edge [m] */
     const double x_dot = qdot[0];
@@ -334,6 +342,8 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
@@ -389,6 +399,8 @@ double charged_sleigh_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x = y[0]; /* point of the edge [m] */
     const double y_2 = y[1]; /* point of the edge [m] */
     const double v = y[3];
@@ -416,6 +428,8 @@ int charged_sleigh_jacobian(double t, const double *y, const double *p, double *
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */

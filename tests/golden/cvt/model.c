@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:77bd25b6207c6500)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:32b4b80f6100fc76)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -193,6 +193,8 @@ int cvt_rhs(double t, const double *y, const double *p, double *restrict dydt)
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -226,6 +228,8 @@ int cvt_velocities(double t, const double *y, const double *p, double *qdot)
 
     /* sines and cosines */
     const double s_xi = sin(xi);
+
+    /* what else is read */
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
@@ -250,6 +254,8 @@ int cvt_accelerations(double t, const double *y, const double *p, double *qddot)
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -305,6 +311,8 @@ int cvt_residuals(double t, const double *q, const double *qdot, const double *p
 
     /* sines and cosines */
     const double s_xi = sin(xi);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
@@ -327,6 +335,8 @@ int cvt_reactions(double t, const double *y, const double *p, double *lambda)
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -357,6 +367,8 @@ double cvt_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double c_xi = cos(xi);
     const double s_xi = sin(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -378,6 +390,8 @@ int cvt_jacobian(double t, const double *y, const double *p, double *J)
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -422,6 +436,8 @@ int cvt_outputs(double t, const double *y, const double *p, double *out)
     /* sines and cosines */
     const double c_xi = cos(xi);
     const double s_xi = sin(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:62974670c038a626)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:83d3e783ec274f92)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -191,6 +191,8 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *restrict dyd
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -226,6 +228,8 @@ int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
 
     /* sines and cosines */
     const double s_xi = sin(xi);
+
+    /* what else is read */
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
@@ -249,6 +253,8 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -306,6 +312,8 @@ int cvt_eps_residuals(double t, const double *q, const double *qdot, const doubl
 
     /* sines and cosines */
     const double s_xi = sin(xi);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
@@ -328,6 +336,8 @@ int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -357,6 +367,8 @@ double cvt_eps_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -377,6 +389,8 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -422,6 +436,8 @@ int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
     /* sines and cosines */
     const double c_xi = cos(xi);
     const double s_xi = sin(xi);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];

@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:8797e616866fecec)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:678b1ebe48b1cede)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -207,6 +207,8 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *restrict 
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* mass [kg] */
@@ -267,6 +269,8 @@ int diff_drive_velocities(double t, const double *y, const double *p, double *qd
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double r = p[3]; /* radius of the wheels [m] */
@@ -302,6 +306,8 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* mass [kg] */
@@ -363,6 +369,8 @@ int diff_drive_state(double t, const double *q, const double *qdot, const double
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x = q[0]; /* midpoint of the axle [m] */
     const double y_2 = q[1]; /* midpoint of the axle [m] */
     const double p_R = q[3]; /* right wheel [rad] */
@@ -394,6 +402,8 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
@@ -503,6 +513,8 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* mass [kg] */

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:978fec2b786fa68a)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:7bab4be533fda192)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -229,6 +229,8 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *restrict
     const double s_phi1 = sin(phi1);
     const double c_phi2 = cos(phi2);
     const double s_phi2 = sin(phi2);
+
+    /* what else is read */
     const double x1 = y[0]; /* first disk [m] */
     const double y1_ = y[1]; /* first disk [m] */
     const double x2 = y[4]; /* second disk [m] */
@@ -293,6 +295,8 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
     const double s_phi1 = sin(phi1);
     const double c_phi2 = cos(phi2);
     const double s_phi2 = sin(phi2);
+
+    /* what else is read */
     const double phi1_dot = y[8];
     const double theta1_dot = y[9];
     const double phi2_dot = y[10];
@@ -329,6 +333,8 @@ int disk_chain2_accelerations(double t, const double *y, const double *p, double
     const double c_phi1 = cos(phi1);
     const double s_phi2 = sin(phi2);
     const double c_phi2 = cos(phi2);
+
+    /* what else is read */
     const double x1 = y[0]; /* first disk [m] */
     const double y1_ = y[1]; /* first disk [m] */
     const double x2 = y[4]; /* second disk [m] */
@@ -429,6 +435,8 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
     const double s_phi1 = sin(phi1);
     const double c_phi2 = cos(phi2);
     const double s_phi2 = sin(phi2);
+
+    /* what else is read */
     const double x1_dot = qdot[0];
     const double y1_dot = qdot[1];
     const double theta1_dot = qdot[3];
@@ -466,6 +474,8 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
     const double c_phi1 = cos(phi1);
     const double s_phi2 = sin(phi2);
     const double c_phi2 = cos(phi2);
+
+    /* what else is read */
     const double x1 = y[0]; /* first disk [m] */
     const double y1_ = y[1]; /* first disk [m] */
     const double x2 = y[4]; /* second disk [m] */
@@ -558,6 +568,8 @@ int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
     const double c_phi1 = cos(phi1);
     const double s_phi2 = sin(phi2);
     const double c_phi2 = cos(phi2);
+
+    /* what else is read */
     const double x1 = y[0]; /* first disk [m] */
     const double y1_ = y[1]; /* first disk [m] */
     const double x2 = y[4]; /* second disk [m] */

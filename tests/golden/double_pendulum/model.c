@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:f9856d3fa9ec5d2e)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:c9b692ad75493aab)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -216,6 +216,8 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *rest
     const double c1 = cos(z1);
     const double s_theta1 = sin(theta1);
     const double c_theta1 = cos(theta1);
+
+    /* what else is read */
     const double theta1_dot = y[2];
     const double theta2_dot = y[3];
     const double m1 = p[0]; /* [kg] */
@@ -285,6 +287,8 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     const double c1 = cos(z1);
     const double s_theta1 = sin(theta1);
     const double c_theta1 = cos(theta1);
+
+    /* what else is read */
     const double theta1_dot = y[2];
     const double theta2_dot = y[3];
     const double m1 = p[0]; /* [kg] */
@@ -360,6 +364,8 @@ int double_pendulum_reactions(double t, const double *y, const double *p, double
 
     /* sines and cosines */
     const double s1 = sin(theta1 - theta2);
+
+    /* what else is read */
     const double m1 = p[0]; /* [kg] */
     const double m2 = p[1]; /* [kg] */
 
@@ -387,6 +393,8 @@ double double_pendulum_energy(double t, const double *y, const double *p)
     const double s_theta1 = sin(theta1);
     const double c_theta2 = cos(theta2);
     const double s_theta2 = sin(theta2);
+
+    /* what else is read */
     const double theta1_dot = y[2];
     const double theta2_dot = y[3];
     const double m1 = p[0]; /* [kg] */
@@ -426,6 +434,8 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double c1 = cos(z1);
     const double c_theta1 = cos(theta1);
     const double s_theta1 = sin(theta1);
+
+    /* what else is read */
     const double theta1_dot = y[2];
     const double theta2_dot = y[3];
     const double m1 = p[0]; /* [kg] */
@@ -497,6 +507,8 @@ int double_pendulum_outputs(double t, const double *y, const double *p, double *
     const double c_theta1 = cos(theta1);
     const double s_theta2 = sin(theta2);
     const double c_theta2 = cos(theta2);
+
+    /* what else is read */
     const double l1 = p[2]; /* [m] */
     const double l2 = p[3]; /* [m] */
 

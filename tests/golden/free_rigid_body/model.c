@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:03dd2af60f344c68)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:94060412870291de)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -207,6 +207,8 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *rest
     const double c_theta = cos(theta);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
@@ -264,6 +266,8 @@ int free_rigid_body_velocities(double t, const double *y, const double *p, doubl
     const double c_theta = cos(theta);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
@@ -296,6 +300,8 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     const double c_theta = cos(theta);
     const double s_psi = sin(psi);
     const double c_psi = cos(psi);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
@@ -357,6 +363,8 @@ int free_rigid_body_state(double t, const double *q, const double *qdot, const d
     const double c_theta = cos(theta);
     const double s_psi = sin(psi);
     const double c_psi = cos(psi);
+
+    /* what else is read */
     const double phi = q[0]; /* precession [rad] */
     const double phi_dot = qdot[0];
     const double theta_dot = qdot[1];
@@ -394,6 +402,8 @@ int free_rigid_body_reactions(double t, const double *y, const double *p, double
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -445,6 +455,8 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     const double c_theta = cos(theta);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
@@ -514,6 +526,8 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:d7d7d5778c00e7eb)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:950f802355dd846b)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -204,6 +204,8 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *restrict d
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double phi_dot = y[3];
     const double theta_dot = y[4];
     const double psi_dot = y[5];
@@ -276,6 +278,8 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double phi_dot = y[3];
     const double theta_dot = y[4];
     const double psi_dot = y[5];
@@ -358,6 +362,8 @@ int heavy_top_reactions(double t, const double *y, const double *p, double *lamb
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
@@ -386,6 +392,8 @@ double heavy_top_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double phi_dot = y[3];
     const double theta_dot = y[4];
     const double psi_dot = y[5];
@@ -409,6 +417,8 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double phi_dot = y[3];
     const double theta_dot = y[4];
     const double psi_dot = y[5];
@@ -478,6 +488,8 @@ int heavy_top_outputs(double t, const double *y, const double *p, double *out)
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double phi_dot = y[3];
     const double psi_dot = y[5];
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */

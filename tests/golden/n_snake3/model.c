@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:7801fb8fe482555a)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:95739c44831aa83f)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -224,6 +224,8 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *restrict dy
     const double s2 = sin(z2);
     const double c_theta1 = cos(theta1);
     const double s_theta1 = sin(theta1);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* each link [kg] */
@@ -316,6 +318,8 @@ int n_snake3_velocities(double t, const double *y, const double *p, double *qdot
     const double c1 = cos(z1);
     const double s2 = sin(z4);
     const double c2 = cos(z4);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double a = p[2]; /* half the length of a link [m] */
@@ -360,6 +364,8 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double s2 = sin(z2);
     const double s_theta1 = sin(theta1);
     const double c_theta1 = cos(theta1);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* each link [kg] */
@@ -447,6 +453,8 @@ int n_snake3_state(double t, const double *q, const double *qdot, const double *
     /* sines and cosines */
     const double c_theta1 = cos(theta1);
     const double s_theta1 = sin(theta1);
+
+    /* what else is read */
     const double x = q[0]; /* middle of the first link [m] */
     const double y_2 = q[1]; /* middle of the first link [m] */
     const double theta2 = q[3]; /* second link [rad] */
@@ -484,6 +492,8 @@ int n_snake3_residuals(double t, const double *q, const double *qdot, const doub
     const double c_theta2 = cos(theta2);
     const double s_theta3 = sin(theta3);
     const double c_theta3 = cos(theta3);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta1_dot = qdot[2];
@@ -528,6 +538,8 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double s1 = sin(z1);
     const double c2 = cos(z2);
     const double s2 = sin(z2);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* each link [kg] */
@@ -625,6 +637,8 @@ double n_snake3_energy(double t, const double *y, const double *p)
     const double c1 = cos(z1);
     const double s2 = sin(z2);
     const double c2 = cos(z2);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* each link [kg] */
@@ -664,6 +678,8 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double s2 = sin(z2);
     const double s_theta1 = sin(theta1);
     const double c_theta1 = cos(theta1);
+
+    /* what else is read */
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* each link [kg] */

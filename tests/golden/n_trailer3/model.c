@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:b76142db06c4ad0a)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:c2c44f6b9540bf45)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -221,6 +221,8 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *restrict 
     const double s3 = sin(z3);
     const double c_theta0 = cos(theta0);
     const double s_theta0 = sin(theta0);
+
+    /* what else is read */
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -294,6 +296,8 @@ int n_trailer3_velocities(double t, const double *y, const double *p, double *qd
     const double s2 = sin(z3);
     const double c2 = cos(z3);
     const double s3 = sin(theta2 - theta3);
+
+    /* what else is read */
     const double v = y[6];
     const double w = y[7];
     const double L = p[4]; /* from axle to axle [m] */
@@ -343,6 +347,8 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
     const double s3 = sin(z3);
     const double s_theta0 = sin(theta0);
     const double c_theta0 = cos(theta0);
+
+    /* what else is read */
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -409,6 +415,8 @@ int n_trailer3_state(double t, const double *q, const double *qdot, const double
     /* sines and cosines */
     const double c_theta0 = cos(theta0);
     const double s_theta0 = sin(theta0);
+
+    /* what else is read */
     const double x = q[0]; /* axle of the tractor [m] */
     const double y_2 = q[1]; /* axle of the tractor [m] */
     const double theta1 = q[3]; /* first trailer [rad] */
@@ -451,6 +459,8 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
     const double c_theta2 = cos(theta2);
     const double s_theta3 = sin(theta3);
     const double c_theta3 = cos(theta3);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta1_dot = qdot[3];
@@ -500,6 +510,8 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     const double s2 = sin(z2);
     const double c2 = cos(z3);
     const double s3 = sin(z3);
+
+    /* what else is read */
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -581,6 +593,8 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     const double c1 = cos(theta0 - theta1);
     const double c2 = cos(theta1 - theta2);
     const double c3 = cos(theta2 - theta3);
+
+    /* what else is read */
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -622,6 +636,8 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     const double s3 = sin(z3);
     const double s_theta0 = sin(theta0);
     const double c_theta0 = cos(theta0);
+
+    /* what else is read */
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -752,6 +768,8 @@ int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
     const double s_theta1 = sin(theta1);
     const double c_theta2 = cos(theta2);
     const double s_theta2 = sin(theta2);
+
+    /* what else is read */
     const double x = y[0]; /* axle of the tractor [m] */
     const double y_2 = y[1]; /* axle of the tractor [m] */
     const double L = p[4]; /* from axle to axle [m] */

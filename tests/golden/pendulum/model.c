@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:9aa1534fddcb3c50)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:6d8bd41baa390996)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -186,6 +186,8 @@ int pendulum_rhs(double t, const double *y, const double *p, double *restrict dy
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double theta_dot = y[1];
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
@@ -234,6 +236,8 @@ int pendulum_accelerations(double t, const double *y, const double *p, double *q
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -306,6 +310,8 @@ double pendulum_energy(double t, const double *y, const double *p)
 
     /* sines and cosines */
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double theta_dot = y[1];
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
@@ -327,6 +333,8 @@ int pendulum_jacobian(double t, const double *y, const double *p, double *J)
 
     /* sines and cosines */
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */

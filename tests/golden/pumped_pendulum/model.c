@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:9287b08a4a95b1ce)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:4441ddeb9cbb3962)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -192,6 +192,8 @@ int pumped_pendulum_rhs(double t, const double *y, const double *p, double *rest
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
     const double s1 = sin(t * nu);
+
+    /* what else is read */
     const double theta_dot = y[1];
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
@@ -244,6 +246,8 @@ int pumped_pendulum_accelerations(double t, const double *y, const double *p, do
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
     const double s1 = sin(t * nu);
+
+    /* what else is read */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -320,6 +324,8 @@ double pumped_pendulum_energy(double t, const double *y, const double *p)
     const double c1 = cos(t * nu);
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double theta_dot = y[1];
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
@@ -348,6 +354,8 @@ int pumped_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
     const double s1 = sin(t * nu);
+
+    /* what else is read */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */

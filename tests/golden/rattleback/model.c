@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:b7159094e5e8cea4)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:4bc5c69c12896842)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -262,6 +262,8 @@ int rattleback_rhs(double t, const double *y, const double *p, double *restrict 
     const double c_beta = cos(beta);
     const double s_gamma = sin(gamma_);
     const double c_gamma = cos(gamma_);
+
+    /* what else is read */
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -388,6 +390,8 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     const double c_gamma = cos(gamma_);
     const double s_beta = sin(beta);
     const double c_beta = cos(beta);
+
+    /* what else is read */
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -449,6 +453,8 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
     const double c_beta = cos(beta);
     const double c_gamma = cos(gamma_);
     const double s_gamma = sin(gamma_);
+
+    /* what else is read */
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -585,6 +591,8 @@ int rattleback_state(double t, const double *q, const double *qdot, const double
     const double s_beta = sin(beta);
     const double c_alpha = cos(alpha);
     const double mu2 = sin(alpha);
+
+    /* what else is read */
     const double x = q[0]; /* centre of mass [cm] */
     const double y_2 = q[1]; /* centre of mass [cm] */
     const double z = q[2]; /* centre of mass, downwards [cm] */
@@ -625,6 +633,8 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     const double c_alpha = cos(alpha);
     const double c_gamma = cos(gamma_);
     const double s_gamma = sin(gamma_);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double z_dot = qdot[2];
@@ -685,6 +695,8 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double c_beta = cos(beta);
     const double c_gamma = cos(gamma_);
     const double s_gamma = sin(gamma_);
+
+    /* what else is read */
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -814,6 +826,8 @@ double rattleback_energy(double t, const double *y, const double *p)
     const double mu2 = sin(alpha);
     const double s_beta = sin(beta);
     const double c_beta = cos(beta);
+
+    /* what else is read */
     const double z = y[2]; /* centre of mass, downwards [cm] */
     const double w1 = y[6];
     const double w2 = y[7];
@@ -866,6 +880,8 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, 
     const double gamma_ = y[5]; /* heading [rad] */
     const double s_gamma = sin(gamma_);
     const double c_gamma = cos(gamma_);
+
+    /* what else is read */
 
     /* from the parameters alone */
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
@@ -1124,8 +1140,6 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, 
     kept[86] = z117;
     const double z118 = z2 * z117 + z9 * z109;
     kept[87] = z118;
-    const double z119 = g * mu2 - (w3 * u1 + w1 * z41 - (w1 * z116 + w3 * z118));
-    kept[88] = z119;
     return RATTLEBACK_OK;
 }
 
@@ -1133,6 +1147,15 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     double *kept, double *J)
 {
     (void)t;
+    const double w1 = y[6];
+    const double w3 = y[8];
+    const double g = p[8]; /* acceleration of gravity [cm/s^2] */
+    const double mu2 = kept[1];
+    const double u1 = kept[40];
+    const double z41 = kept[43];
+    const double z116 = kept[85];
+    const double z118 = kept[87];
+    const double z119 = g * mu2 - (w3 * u1 + w1 * z41 - (w1 * z116 + w3 * z118));
     const double k2 = kept[5];
     const double z78 = kept[50];
     const double z120 = k2 * z78;
@@ -1140,13 +1163,9 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     const double z5 = kept[14];
     const double z109 = kept[78];
     const double z121 = z2 * z120 - z5 * z109;
-    const double w1 = y[6];
     const double w2 = y[7];
-    const double g = p[8]; /* acceleration of gravity [cm/s^2] */
     const double mu3 = kept[10];
     const double z26 = kept[33];
-    const double u1 = kept[40];
-    const double z118 = kept[87];
     const double z122 = g * mu3 + (w1 * z26 + w2 * u1 - (w2 * z118 - w1 * z121));
     const double s_beta = kept[2];
     const double c_beta = kept[3];
@@ -1155,16 +1174,12 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     const double z110 = kept[79];
     const double z113 = kept[82];
     const double z114 = kept[83];
-    const double z119 = kept[88];
     const double z123 = w2 * z110 - (s_beta * z113 - (c_beta * z114 + (r3 * z119 + z6 * z122)));
     const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
     const double z124 = I_d * w2;
     const double I_a = p[4]; /* [cm^2] */
     const double z125 = z124 + I_a * w1;
-    const double w3 = y[8];
     const double z1 = kept[9];
-    const double z41 = kept[43];
-    const double z116 = kept[85];
     const double z126 = g * z1 - (w2 * z41 - w3 * z26 - (w2 * z116 + w3 * z121));
     const double r1 = kept[18];
     const double z14 = kept[22];
@@ -1213,7 +1228,6 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     const double z28 = kept[35];
     const double z82 = kept[54];
     const double z147 = z82 * z137 + 0.5 * (z28 * (z141 - z9 * z146));
-    const double mu2 = kept[1];
     const double z43 = kept[44];
     const double z148 = mu2 * z85 + z40 * z43;
     const double z149 = mu2 * z100;
@@ -1419,7 +1433,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
 RATTLEBACK_SLOW
 int rattleback_jacobian(double t, const double *y, const double *p, double *J)
 {
-    double kept[89]; /* what parts of this function leave for others */
+    double kept[88]; /* what parts of this function leave for others */
     memset(J, 0, 81 * sizeof *J);
     int status = rattleback_jacobian_part1(t, y, p, kept, J);
     if (status == RATTLEBACK_OK) {
@@ -1439,6 +1453,8 @@ int rattleback_outputs(double t, const double *y, const double *p, double *out)
 
     /* sines and cosines */
     const double c_alpha = cos(alpha);
+
+    /* what else is read */
     const double w3 = y[8];
 
     /* from the state */

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:bfef9fb2059a2f5e)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:b428b2435280a27b)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -220,6 +220,8 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *restric
     const double c_phi = cos(phi);
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */
@@ -285,6 +287,8 @@ int roller_racer_velocities(double t, const double *y, const double *p, double *
     const double s_theta = sin(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double v = y[4];
     const double theta_dot = y[5];
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
@@ -321,6 +325,8 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
     const double c_phi = cos(phi);
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */
@@ -383,6 +389,8 @@ int roller_racer_state(double t, const double *q, const double *qdot, const doub
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x = q[0]; /* axle of the main body [m] */
     const double y_2 = q[1]; /* axle of the main body [m] */
     const double phi = q[3]; /* second body, relative to the first [rad] */
@@ -415,6 +423,8 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
@@ -444,6 +454,8 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
     /* sines and cosines */
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */
@@ -503,6 +515,8 @@ double roller_racer_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */
@@ -532,6 +546,8 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
     const double c_phi = cos(phi);
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */

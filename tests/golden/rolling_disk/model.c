@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:b94bf67ad638e0b1)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:f3e33a0abd7d1e2e)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -222,6 +222,8 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *restric
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -292,6 +294,8 @@ int rolling_disk_velocities(double t, const double *y, const double *p, double *
     const double c_theta = cos(theta);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -329,6 +333,8 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -400,6 +406,8 @@ int rolling_disk_state(double t, const double *q, const double *qdot, const doub
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double x = q[0]; /* centre [m] */
     const double y_2 = q[1]; /* centre [m] */
     const double phi = q[2]; /* yaw, direction of the horizontal diameter [rad] */
@@ -435,6 +443,8 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
     const double s_theta = sin(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double phi_dot = qdot[2];
@@ -467,6 +477,8 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -525,6 +537,8 @@ double rolling_disk_energy(double t, const double *y, const double *p)
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -557,6 +571,8 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -648,6 +664,8 @@ int rolling_disk_outputs(double t, const double *y, const double *p, double *out
     const double c_theta = cos(theta);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
     const double R = p[1]; /* radius [m] */

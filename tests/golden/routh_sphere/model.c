@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:28ab937770094edb)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:471b18bf8b5cbbaf)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -224,6 +224,8 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *restric
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -300,6 +302,8 @@ int routh_sphere_velocities(double t, const double *y, const double *p, double *
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -333,6 +337,8 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -440,6 +446,8 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[3];
@@ -471,6 +479,8 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -550,6 +560,8 @@ double routh_sphere_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -588,6 +600,8 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -708,6 +722,8 @@ int routh_sphere_outputs(double t, const double *y, const double *p, double *out
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double phi_dot = y[5];
     const double psi_dot = y[7];
     const double m = p[0]; /* mass [kg] */

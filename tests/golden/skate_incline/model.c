@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:d0df95d6f68e48ad)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:564bca94ca512a29)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -197,6 +197,8 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *restri
     const double s_alpha = sin(alpha);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double v = y[3];
     const double phi_dot = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -239,6 +241,8 @@ int skate_incline_velocities(double t, const double *y, const double *p, double 
     /* sines and cosines */
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double v = y[3];
     const double phi_dot = y[4];
 
@@ -264,6 +268,8 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     const double s_alpha = sin(alpha);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double v = y[3];
     const double phi_dot = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -305,6 +311,8 @@ int skate_incline_state(double t, const double *q, const double *qdot, const dou
     /* sines and cosines */
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double x = q[0]; /* down the slope [m] */
     const double y_2 = q[1]; /* across the slope [m] */
     const double x_dot = qdot[0];
@@ -333,6 +341,8 @@ int skate_incline_residuals(double t, const double *q, const double *qdot, const
     /* sines and cosines */
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
@@ -355,6 +365,8 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
     /* sines and cosines */
     const double s_alpha = sin(alpha);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double v = y[3];
     const double phi_dot = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -390,6 +402,8 @@ double skate_incline_energy(double t, const double *y, const double *p)
 
     /* sines and cosines */
     const double s_alpha = sin(alpha);
+
+    /* what else is read */
     const double x = y[0]; /* down the slope [m] */
     const double v = y[3];
     const double phi_dot = y[4];
@@ -415,6 +429,8 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     const double s_alpha = sin(alpha);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double v = y[3];
     const double m = p[0]; /* mass [kg] */
     const double J_2 = p[1]; /* moment of inertia about the normal [kg*m^2] */

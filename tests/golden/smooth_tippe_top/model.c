@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:e083fe6d12378a50)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:6717fa8c86a9f334)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -226,6 +226,8 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *res
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double x_dot = y[5];
     const double y_dot = y[6];
     const double phi_dot = y[7];
@@ -328,6 +330,8 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double phi_dot = y[7];
     const double theta_dot = y[8];
     const double psi_dot = y[9];
@@ -437,6 +441,8 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double m = p[0]; /* mass [kg] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
@@ -479,6 +485,8 @@ double smooth_tippe_top_energy(double t, const double *y, const double *p)
     const double s_theta = sin(theta);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double x_dot = y[5];
     const double y_dot = y[6];
     const double phi_dot = y[7];
@@ -519,6 +527,8 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     const double c_theta = cos(theta);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double phi_dot = y[7];
     const double theta_dot = y[8];
     const double psi_dot = y[9];
@@ -648,6 +658,8 @@ int smooth_tippe_top_outputs(double t, const double *y, const double *p, double 
     const double c_theta = cos(theta);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double x_dot = y[5];
     const double y_dot = y[6];
     const double phi_dot = y[7];

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:d5f0979bb04bbcd1)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:2b7b45fac0c33731)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -239,6 +239,8 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     const double c1 = cos(z8);
     const double s2 = sin(z43);
     const double c2 = cos(z43);
+
+    /* what else is read */
     const double v = y[6];
     const double psi_dot = y[7];
     const double p_b_dot = y[8];
@@ -361,6 +363,8 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
     const double c_p_f = cos(p_f);
     const double c1 = cos(z6);
     const double s1 = sin(z6);
+
+    /* what else is read */
     const double v = y[6];
     const double psi_dot = y[7];
     const double p_b_dot = y[8];
@@ -423,6 +427,8 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double c1 = cos(z8);
     const double s2 = sin(z40);
     const double c2 = cos(z40);
+
+    /* what else is read */
     const double v = y[6];
     const double p_b_dot = y[8];
     const double p_f_dot = y[9];
@@ -546,6 +552,8 @@ int snakeboard_state(double t, const double *q, const double *qdot, const double
     const double c_p_f = cos(p_f);
     const double c1 = cos(z1);
     const double s1 = sin(z1);
+
+    /* what else is read */
     const double x = q[0]; /* centre of the board [m] */
     const double y_2 = q[1]; /* centre of the board [m] */
     const double psi = q[3]; /* rotor, relative to the board [rad] */
@@ -596,6 +604,8 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
     const double s_p_b = sin(p_b);
     const double c_p_f = cos(p_f);
     const double s_p_f = sin(p_f);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
@@ -636,6 +646,8 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double c1 = cos(z10);
     const double s2 = sin(z50);
     const double c2 = cos(z50);
+
+    /* what else is read */
     const double v = y[6];
     const double p_b_dot = y[8];
     const double p_f_dot = y[9];
@@ -772,6 +784,8 @@ double snakeboard_energy(double t, const double *y, const double *p)
     const double c_p_f = cos(p_f);
     const double c1 = cos(z5);
     const double s1 = sin(z5);
+
+    /* what else is read */
     const double v = y[6];
     const double psi_dot = y[7];
     const double p_b_dot = y[8];
@@ -828,6 +842,8 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double c1 = cos(z8);
     const double s2 = sin(z63);
     const double c2 = cos(z63);
+
+    /* what else is read */
     const double v = y[6];
     const double p_b_dot = y[8];
     const double p_f_dot = y[9];
@@ -1067,6 +1083,8 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
+
+    /* what else is read */
     const double v = y[6];
     const double l = p[1]; /* from the centre to an axle [m] */
 

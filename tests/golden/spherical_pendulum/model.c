@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:920f47cfe9dda675)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:87e393643c8972d2)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -201,6 +201,8 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *r
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double theta_dot = y[2];
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
@@ -261,6 +263,8 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double theta_dot = y[2];
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
@@ -330,6 +334,8 @@ int spherical_pendulum_reactions(double t, const double *y, const double *p, dou
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
 
@@ -357,6 +363,8 @@ double spherical_pendulum_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double theta_dot = y[2];
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
@@ -379,6 +387,8 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double theta_dot = y[2];
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
@@ -424,6 +434,8 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */

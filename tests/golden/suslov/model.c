@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:5fffd4f6e314a38e)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:6b1c6cb08675032e)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -210,6 +210,8 @@ int suslov_rhs(double t, const double *y, const double *p, double *restrict dydt
     const double c_theta = cos(theta);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double I11 = p[0]; /* [kg*m^2] */
@@ -262,6 +264,8 @@ int suslov_velocities(double t, const double *y, const double *p, double *qdot)
     const double c_theta = cos(theta);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
 
@@ -293,6 +297,8 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     const double c_theta = cos(theta);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double I11 = p[0]; /* [kg*m^2] */
@@ -351,6 +357,8 @@ int suslov_state(double t, const double *q, const double *qdot, const double *p,
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double phi = q[0]; /* precession [rad] */
     const double phi_dot = qdot[0];
     const double theta_dot = qdot[1];
@@ -377,6 +385,8 @@ int suslov_residuals(double t, const double *q, const double *qdot, const double
 
     /* sines and cosines */
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double phi_dot = qdot[0];
     const double psi_dot = qdot[2];
 
@@ -397,6 +407,8 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double I11 = p[0]; /* [kg*m^2] */
@@ -457,6 +469,8 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     const double c_theta = cos(theta);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double I11 = p[0]; /* [kg*m^2] */
@@ -523,6 +537,8 @@ int suslov_outputs(double t, const double *y, const double *p, double *out)
 
     /* sines and cosines */
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double w1 = y[3];
     const double w2 = y[4];
     const double I13 = p[3]; /* [kg*m^2] */

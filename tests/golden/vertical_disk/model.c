@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:f9cd49e0f2e6ab34)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:ce922636761567d3)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -196,6 +196,8 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *restri
     /* sines and cosines */
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double phi_dot = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass [kg] */
@@ -237,6 +239,8 @@ int vertical_disk_velocities(double t, const double *y, const double *p, double 
     /* sines and cosines */
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double phi_dot = y[4];
     const double theta_dot = y[5];
     const double R = p[1]; /* radius [m] */
@@ -263,6 +267,8 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
     /* sines and cosines */
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double phi_dot = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass [kg] */
@@ -326,6 +332,8 @@ int vertical_disk_residuals(double t, const double *q, const double *qdot, const
     /* sines and cosines */
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+
+    /* what else is read */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[3];
@@ -352,6 +360,8 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
     /* sines and cosines */
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double phi_dot = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass [kg] */
@@ -410,6 +420,8 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
     /* sines and cosines */
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double theta_dot = y[5];
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:32d8d16bb4b13f1b)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:ce4de6c5791ed49d)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -216,6 +216,8 @@ int veselova_rhs(double t, const double *y, const double *p, double *restrict dy
     const double c_psi = cos(psi);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -287,6 +289,8 @@ int veselova_velocities(double t, const double *y, const double *p, double *qdot
     const double c_theta = cos(theta);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double w_x = y[3];
     const double w_y = y[4];
 
@@ -322,6 +326,8 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     const double c_psi = cos(psi);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -395,6 +401,8 @@ int veselova_state(double t, const double *q, const double *qdot, const double *
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
     const double s_theta = sin(theta);
+
+    /* what else is read */
     const double psi = q[2]; /* spin [rad] */
     const double theta_dot = qdot[1];
     const double psi_dot = qdot[2];
@@ -421,6 +429,8 @@ int veselova_residuals(double t, const double *q, const double *qdot, const doub
 
     /* sines and cosines */
     const double c_theta = cos(theta);
+
+    /* what else is read */
     const double phi_dot = qdot[0];
     const double psi_dot = qdot[2];
 
@@ -449,6 +459,8 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double c_psi = cos(psi);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -528,6 +540,8 @@ double veselova_energy(double t, const double *y, const double *p)
     const double c_phi = cos(phi);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -564,6 +578,8 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     const double c_psi = cos(psi);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+
+    /* what else is read */
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -720,6 +736,8 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
     const double s_phi = sin(phi);
     const double c_psi = cos(psi);
     const double s_psi = sin(psi);
+
+    /* what else is read */
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */

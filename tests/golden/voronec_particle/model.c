@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:037ffb0a8aa2422c)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:a7ee58e9aeebbbab)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -210,6 +210,8 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *res
     /* sines and cosines */
     const double c_z = cos(z);
     const double s_z = sin(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -270,6 +272,8 @@ int voronec_particle_velocities(double t, const double *y, const double *p, doub
 
     /* sines and cosines */
     const double c_z = cos(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -296,6 +300,8 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
     /* sines and cosines */
     const double c_z = cos(z);
     const double s_z = sin(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -383,6 +389,8 @@ int voronec_particle_residuals(double t, const double *q, const double *qdot, co
 
     /* sines and cosines */
     const double c_z = cos(z);
+
+    /* what else is read */
     const double x = q[0];
     const double y = q[1];
     const double x_dot = qdot[0];
@@ -408,6 +416,8 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
     /* sines and cosines */
     const double c_z = cos(z);
     const double s_z = sin(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -473,6 +483,8 @@ double voronec_particle_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double s_z = sin(z);
     const double c_z = cos(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -506,6 +518,8 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
     /* sines and cosines */
     const double c_z = cos(z);
     const double s_z = sin(z);
+
+    /* what else is read */
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
