@@ -65,7 +65,8 @@ def _why_singular(job: Job, outcome: Outcome) -> str:
     undefined = find_undefined(job.system, _place_of(job, outcome)) if outcome.kind == SINGULAR else ""
     if undefined:
         return f"`{undefined}` has no real, finite value"
-    return job.meanings.get(outcome.status, "a result is not finite")
+    beside = ", or the expression of `--until` has no value within the next step" if job.events else ""
+    return job.meanings.get(outcome.status, f"a result is not finite{beside}")
 
 
 def _place_of(job: Job, outcome: Outcome) -> dict[Node, float]:
