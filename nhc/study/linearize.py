@@ -25,6 +25,7 @@ ROUNDING = 1e-13
 _NEARBY = 1e-2
 _MOVED = 0.3  # of the way to a steady motion nearby: less is the search coming back
 _BETWEEN, _ASTRAY = 0.37, 0.1  # a family has steady motions on the way there, too
+_EPSILON = float(np.finfo(float).eps)
 _FLOOR = 1e-5  # a matrix of rounding has rank 0
 
 
@@ -101,6 +102,8 @@ def linearise_at(model: SteadyModel, steady: Steady, family: int | None = None) 
     else:
         null, others = made.parted(family)
     core = others @ matrix @ others.T
+    # what bases that are not the state's own make of entries that cancel is rounding of the whole matrix, not of the core
+    core = np.where(np.abs(core) > len(matrix) * _EPSILON * np.linalg.norm(matrix), core, 0.0)
     full = made.full * states[:, None] / states / tick
     turns = len(made.every) - len(basis)
     return Linearisation(

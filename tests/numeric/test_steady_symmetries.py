@@ -157,3 +157,10 @@ def test_who_asks_about_rest_gets_an_equilibrium() -> None:
     radius = math.hypot(here["x"], here["y"])
     assert here["y'"] == pytest.approx(0.5, rel=1e-12) and not circle.linearisation.steady.equilibrium
     assert along(circle)[("x", "y")] ** 2 == pytest.approx(1 - radius**2 / 2, rel=1e-9)
+
+
+def test_a_train_at_rest_is_undecided_to_first_order() -> None:
+    """Wherever it stands it may stay, and what the matrix has is nilpotent: no rounding of it grows."""
+    found = gallery("n_trailer3", "theta1=0.1, theta2=-0.2, theta3=0.3")
+    assert found.linearisation.steady.equilibrium and found.linearisation.turns == 1
+    assert eigenvalues(found.linearisation) == [0, 0] and verdict(found.linearisation) == "marginal"

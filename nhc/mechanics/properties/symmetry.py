@@ -27,7 +27,7 @@ Generator = Mapping[tuple[int, int], Fraction]
 """S by its entries (row, column) over the state; s in the column after the last."""
 
 _POINTS, _SPARE, _DRAWS = 3, 8, 400
-_NEAR, _MOST = 2, 400  # x, y and z of a body stand side by side; pairs that do not are tried where these have no turn
+_NEAR, _MOST = 2, 100  # x, y and z of a body stand side by side; pairs that do not are tried where these have no turn
 
 
 def symmetries_of(flow: Flow, frame: Frame | None, rest: Sequence[int]) -> tuple[tuple[Generator, ...], ...]:
@@ -67,7 +67,7 @@ def _plane(flow: Flow, rest: Sequence[int], reach: int) -> list[Generator]:
     angular = [[names.get(w) for w in declared.velocities] for declared in flow.system.spec.rotations]
     kinds = [_among(plain, rest), _among(rates, rest), *(_among(places, rest) for places in angular)]
     pairs = [(i, j) for kind in kinds for k, i in enumerate(kind) for j in kind[k + 1 : k + 1 + reach]]
-    if reach > _NEAR and len(pairs) > _MOST:
+    if reach > _NEAR and len(pairs) > _MOST:  # the rank of their defects costs the cube
         return []
     return [*({(i, len(flow.y)): one} for i in kinds[0]), *({(i, j): -one, (j, i): one} for i, j in pairs)]
 
@@ -150,13 +150,13 @@ def _defects(
     rates += [*solve_at(size, point.evaluate(flow.flat), p)[: flow.kept], 0]
     columns, idle = list[list[int]](), set[int]()
     for k, generator in enumerate(generators):
-        moved, turned = dict.fromkeys(range(len(y)), 0), dict.fromkeys(range(len(y)), 0)
+        moved, turned = dict[int, int](), dict[int, int]()
         for (r, c), x in generator.items():
             weight = x.numerator * pow(x.denominator, -1, p)
-            moved[r] += weight * y[c]
-            turned[r] += weight * rates[c]
-        by_slopes = [sum(slopes[i][j] * x for j, x in moved.items() if x) % p for i in rest]
-        if not any(by_slopes) and not any(turned[i] % p for i in rest):
+            moved[r] = moved.get(r, 0) + weight * y[c]
+            turned[r] = turned.get(r, 0) + weight * rates[c]
+        by_slopes = [sum(slopes[i][j] * x for j, x in moved.items()) % p for i in rest]
+        if not any(by_slopes) and not any(turned[i] % p for i in turned):
             idle.add(k)
-        columns.append([(x - turned[i]) % p for x, i in zip(by_slopes, rest, strict=True)])
+        columns.append([(x - turned.get(i, 0)) % p for x, i in zip(by_slopes, rest, strict=True)])
     return columns, idle
