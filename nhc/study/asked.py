@@ -9,40 +9,42 @@ import numpy as np
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
-from nhc.language.spec import Scene
+from nhc.language.spec import Initial, Scene
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.linearize import quantity
 from nhc.mechanics.turning import moving
 from nhc.study.field import Hold, SteadyModel
 from nhc.study.steady import NotSteady, Steady, find_steady
 
-_SNAP = 1e-11
+SNAP = 1e-11
+"""What differs by no more, relative to its size, is the same."""
 _LOST = 0.1  # of the kinetic energy: a motion with less is not the one that was asked about
-_SLIGHT, _FARTHER = (
-    1e-3,
-    2.0,
-)  # of it: a velocity of a scene with less is a disturbance; of the way to the nearest motion
+_SLIGHT = 1e-3  # of the kinetic energy: a velocity of a scene with less is a disturbance
+_FARTHER = 2.0  # times the way to the nearest steady motion: where the velocities of a scene must not lead
 
 
 def keep_speeds(
-    model: SteadyModel, scene: Scene, guess: Sequence[float], nearest: Steady, holds: Sequence[Hold], whole: bool
+    model: SteadyModel, scene: Scene, guess: Sequence[float], nearest: Steady, holds: Sequence[Hold]
 ) -> Steady:
     """The member of the family of ``nearest`` that has the velocities that were asked for, one by one as far as there is one.
 
     The search alone ends at the member nearest in the whole state, of which the user gave a part: at another speed.  What moves
-    most comes first.  Of a ``whole`` scene, which need not be near a steady motion, small velocities are disturbances that need
-    not stay, nor should the others lead far away.
+    most comes first.  A scene of the spec need not be near a steady motion: its own small velocities are disturbances that need
+    not stay, nor should its others lead far away.
     """
-    shares = {hold: _share(model, guess, hold) for hold in _asked(model, scene, guess)}
+    declared = next((one.initial for one in model.flow.system.spec.scenes if one.name == scene.name), ())
+    asked = [(_share(model, guess, hold), entry in declared, hold) for entry, hold in _asked(model, scene, guess)]
     far, best = _FARTHER * _way(model, guess, nearest), nearest
-    for hold in sorted((hold for hold in shares if shares[hold] > _SLIGHT * whole), key=lambda hold: -shares[hold]):
+    for share, loose, hold in sorted(asked, key=lambda one: -one[0]):
+        if loose and share <= _SLIGHT:
+            continue
         kept = (*holds, hold)
-        if abs(model.value(best.y, hold.node) - hold.value) > _SNAP * abs(hold.value):
+        if abs(model.value(best.y, hold.node) - hold.value) > SNAP * abs(hold.value):
             try:
                 other = find_steady(model, best.y, kept)
             except NotSteady:
                 continue
-            if whole and _way(model, guess, other) > far:
+            if loose and _way(model, guess, other) > far:
                 continue
             best = other
         holds = kept
@@ -71,15 +73,15 @@ def _kinetic(flow: Flow) -> Node:
     return substitute(flow.graph, [flow.system.T], moving(flow.system, flow.velocities))[0]
 
 
-def _asked(model: SteadyModel, scene: Scene, guess: Sequence[float]) -> list[Hold]:
+def _asked(model: SteadyModel, scene: Scene, guess: Sequence[float]) -> list[tuple[Initial, Hold]]:
     """The velocities that were given, as they are in the guess; zeros are what nobody gives a thought."""
-    found = list[Hold]()
+    found = list[tuple[Initial, Hold]]()
     for entry in scene.initial:
         name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
         node = None if entry.kind == "coordinate" else quantity(model.flow, name)
         value = 0.0 if node is None else model.value(guess, node)
         if node is not None and value:
-            found.append(Hold(name, node, value))
+            found.append((entry, Hold(name, node, value)))
     return found
 
 
@@ -89,9 +91,9 @@ def describe_halt(model: SteadyModel, scene: Scene, guess: Sequence[float], y: S
     if not model.value(y, kinetic) < _LOST * model.value(guess, kinetic):
         return ""
     lost = list[str]()
-    for asked in _asked(model, scene, guess):
+    for _, asked in _asked(model, scene, guess):
         after = model.value(y, asked.node)
         if abs(after) < abs(asked.value) / 2:
-            now = after if abs(after) > _SNAP * abs(asked.value) else 0
+            now = after if abs(after) > SNAP * abs(asked.value) else 0
             lost.append(f"{asked.name} = {asked.value:.6g} has become {now:.6g}")
     return "; ".join(lost)

@@ -29,7 +29,7 @@ from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.simulate.switching import SOUND
-from nhc.study.asked import describe_halt, keep_speeds
+from nhc.study.asked import SNAP, describe_halt, keep_speeds
 from nhc.study.field import Hold, SteadyModel
 from nhc.study.linearize import Linearisation, linearise_at
 from nhc.study.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
@@ -37,11 +37,6 @@ from nhc.study.sweep import Branch, Sweep, sweep
 from nhc.study.tape import Tapes
 from nhc.study.turns import turn_of
 
-_SNAP = 1e-11
-_SLIGHT, _FARTHER = (
-    1e-3,
-    2.0,
-)  # of it: a velocity of a scene with less is a disturbance; of the way to the nearest motion
 Found = TypeVar("Found")
 
 
@@ -109,8 +104,7 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     flow = model.flow
     guess = state_of(flow, formulation.frame, start)
     holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
-    whole = request.about.strip() in {one.name for one in system.spec.scenes}
-    steady = keep_speeds(model, scene, guess, find_steady(model, guess, holds), holds, whole)
+    steady = keep_speeds(model, scene, guess, find_steady(model, guess, holds), holds)
     check_smooth(model, steady)
     made = linearise_at(model, steady)
     halted = describe_halt(model, scene, guess, steady.y)
@@ -175,7 +169,7 @@ def nearest_of(
         assert failed is not None
         raise failed
     least = min(distance for distance, _ in found)
-    return next(one for distance, one in found if distance <= least + _SNAP)
+    return next(one for distance, one in found if distance <= least + SNAP)
 
 
 def _distance(place: dict[Node, float], model: SteadyModel, steady: Steady) -> float:
@@ -195,9 +189,9 @@ def _exact_place(
     g, place = flow.graph, {}
     for symbol, value in zip(flow.y, steady.y, strict=True):
         turns = round(value / (math.pi / 2))
-        if abs(value - guess[symbol]) <= _SNAP * (1.0 + abs(value)):
+        if abs(value - guess[symbol]) <= SNAP * (1.0 + abs(value)):
             place[symbol] = point[symbol]
-        elif abs(value - turns * math.pi / 2) <= _SNAP and symbol in flow.system.q:
+        elif abs(value - turns * math.pi / 2) <= SNAP and symbol in flow.system.q:
             place[symbol] = g.mul(g.div(g.number(turns), g.number(2)), g.pi())
         else:
             return None

@@ -164,3 +164,10 @@ def test_a_train_at_rest_is_undecided_to_first_order() -> None:
     found = gallery("n_trailer3", "theta1=0.1, theta2=-0.2, theta3=0.3")
     assert found.linearisation.steady.equilibrium and found.linearisation.turns == 1
     assert eigenvalues(found.linearisation) == [0, 0] and verdict(found.linearisation) == "marginal"
+
+
+def test_a_small_speed_that_was_set_by_hand_is_no_disturbance() -> None:
+    """Of the scene's own velocities one with so little of the energy would be."""
+    request = Request("reference", settings=("w=0.02",))
+    found = linearize(read(str(spec_path("n_trailer3"))), request)
+    assert state(found)["w"] == pytest.approx(0.02, rel=1e-11)

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from itertools import pairwise
 
 from nhc.algebra.calculus import reachable, tangent
 from nhc.algebra.exact.modular import FieldPoint, Unlucky, are_zero
@@ -27,7 +28,8 @@ Generator = Mapping[tuple[int, int], Fraction]
 """S by its entries (row, column) over the state; s in the column after the last."""
 
 _POINTS, _SPARE, _DRAWS = 3, 8, 400
-_NEAR, _MOST = 2, 100  # x, y and z of a body stand side by side; pairs that do not are tried where these have no turn
+_NEAR = 2  # x, y and z of a body stand side by side; pairs that do not are tried where these have no turn
+_MOST = 120  # generators, the rank of whose defects costs the cube
 
 
 def symmetries_of(flow: Flow, frame: Frame | None, rest: Sequence[int]) -> tuple[tuple[Generator, ...], ...]:
@@ -40,24 +42,21 @@ def symmetries_of(flow: Flow, frame: Frame | None, rest: Sequence[int]) -> tuple
     of_space, of_bodies = (
         [_generator(flow, rotation, side, axis, rest) for rotation in turned for axis in range(3)] for side in (-1, 1)
     )
-    found: list[tuple[Generator, ...]] = [()]
     turns = [*of_space, *of_bodies]
+    near, far = ([*turns, *_plane(flow, rest, reach)] for reach in (_NEAR, flow.system.n))
     try:
-        for generators in (of_space, turns, [*turns, *_plane(flow, rest, _NEAR)], [*turns, *_plane(flow, rest, _MOST)]):
-            made = tuple(one for one in _symmetries(flow, rest, generators) if _keeps_steps(flow, one))
-            if len(made) > len(found[-1]):
-                found.append(made)
-            if len(generators) > len(turns) and any(column < len(flow.y) for one in made for _, column in one):
-                break
+        found = _groups(flow, rest, near, (len(of_space), len(turns), len(near)))
+        if len(near) < len(far) <= _MOST and not any(column < len(flow.y) for one in found[-1] for _, column in one):
+            found += _groups(flow, rest, far, (len(far),))
     except Unlucky:
-        pass
-    return tuple(found[1:])
+        return ()
+    return tuple(group for before, group in pairwise([(), *found]) if len(group) > len(before))
 
 
 def _plane(flow: Flow, rest: Sequence[int], reach: int) -> list[Generator]:
     """A shift of each coordinate; turns of coordinates, of their rates, of components of angular velocities, two at a time.
 
-    ``reach``: how far apart two of a kind may stand.  Empty where that makes too many.
+    ``reach``: how far apart two of a kind may stand.
     """
     n, one = flow.system.n, Fraction(1)
     names = {name: place for place, name in enumerate(flow.names)}
@@ -67,8 +66,6 @@ def _plane(flow: Flow, rest: Sequence[int], reach: int) -> list[Generator]:
     angular = [[names.get(w) for w in declared.velocities] for declared in flow.system.spec.rotations]
     kinds = [_among(plain, rest), _among(rates, rest), *(_among(places, rest) for places in angular)]
     pairs = [(i, j) for kind in kinds for k, i in enumerate(kind) for j in kind[k + 1 : k + 1 + reach]]
-    if reach > _NEAR and len(pairs) > _MOST:  # the rank of their defects costs the cube
-        return []
     return [*({(i, len(flow.y)): one} for i in kinds[0]), *({(i, j): -one, (j, i): one} for i, j in pairs)]
 
 
@@ -97,12 +94,17 @@ def _generator(flow: Flow, rotation: Rotation, side: int, axis: int, rest: Seque
     return {(r, c): x for (r, c), x in entries.items() if r in rest and c in rest}
 
 
-def _symmetries(flow: Flow, rest: Sequence[int], generators: Sequence[Generator]) -> tuple[Generator, ...]:
-    if not generators:
-        return ()
+def _groups(
+    flow: Flow, rest: Sequence[int], generators: Sequence[Generator], sizes: Sequence[int]
+) -> list[tuple[Generator, ...]]:
+    """The symmetries among the first so many generators, for each size, by the same points.
+
+    Raises:
+        Unlucky: the field has no values at random points.
+    """
     rows, idle = list[list[int]](), set(range(len(generators)))
     prime = primes_of(flow.graph)[0]
-    wanted = max(_POINTS, -(-(len(generators) + _SPARE) // max(len(rest), 1)))
+    wanted = max(_POINTS, -(-(len(generators) + _SPARE) // max(len(rest), 1))) if generators else 0
     for draw in range(_DRAWS):
         if wanted == 0:
             break
@@ -115,17 +117,21 @@ def _symmetries(flow: Flow, rest: Sequence[int], generators: Sequence[Generator]
         wanted -= 1
     if wanted:
         raise Unlucky
-    used = [k for k in range(len(generators)) if k not in idle]
     found = []
-    for vector in find_relations([[row[k] for k in used] for row in rows], len(used), prime):
-        total: dict[tuple[int, int], Fraction] = {}
-        for weight, k in zip(vector, used, strict=True):
-            for place, x in generators[k].items():
-                total[place] = total.get(place, Fraction(0)) + weight * x
-        kept = {place: x for place, x in total.items() if x}
-        if kept:
-            found.append(kept)
-    return tuple(found)
+    for size in sizes:
+        used = [k for k in range(size) if k not in idle]
+        vectors = find_relations([[row[k] for k in used] for row in rows], len(used), prime) if used else []
+        made = [_combine([generators[k] for k in used], vector) for vector in vectors]
+        found.append(tuple(one for one in made if one and _keeps_steps(flow, one)))
+    return found
+
+
+def _combine(generators: Sequence[Generator], weights: Sequence[Fraction]) -> Generator:
+    total: dict[tuple[int, int], Fraction] = {}
+    for weight, generator in zip(weights, generators, strict=True):
+        for place, x in generator.items():
+            total[place] = total.get(place, Fraction(0)) + weight * x
+    return {place: x for place, x in total.items() if x}
 
 
 def _keeps_steps(flow: Flow, generator: Generator) -> bool:
