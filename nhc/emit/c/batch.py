@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from nhc.emit.c.body import BodyPrinter
 from nhc.emit.c.finish import choose_finish
 from nhc.emit.c.lanes import Each, LanesPrinter
 from nhc.emit.c.lines import ANY, wrap_code
 from nhc.emit.c.names import make_scope
-from nhc.emit.c.parts import cut, find_crossing, list_names
+from nhc.emit.c.parts import cut, find_crossing, list_fetched, list_names, print_in_turn
+from nhc.emit.c.rolled.lines import Leave, Line, Loop, Put
+from nhc.emit.c.rolled.printing import TURN
+from nhc.emit.c.rolled.whole import KEPT, roll_body
 from nhc.emit.statements import collect_refs, drop_unused, fill_stores, split_hoisted
 from nhc.program.ir import Function, Guard, Let, Load, Program, Solve, Statement, Store
 from nhc.records import record
 
 OWN = (
     "count", "i", "bad", "far", "sum", "stride", "fixed", "carried", "check", "status", "left", "one", "time", "state",
-    "slope",
+    "slope", TURN,
 )  # fmt: skip
 LONGEST, USUAL = 600, 400  # statements of one function, and of a part where there are more
 SHORT = 250  # statements that are compiled for vectors of two doubles too, where little is won
@@ -70,11 +75,19 @@ class BatchPrinter:
         straight = tuple(s for s in lasting if not isinstance(s, Store)) + fill_stores(function)
         self.outside, inside = split_hoisted(straight)
         self.loads = {s.name: s for s in inside if isinstance(s, Load)}
-        self.parts = cut([s for s in inside if not isinstance(s, Load)], LONGEST, USUAL)
-        self.carried = find_crossing(self.parts)
         used = {name for statement in inside for name in collect_refs(statement)}
         bound = [s.name for s in self.outside if isinstance(s, Let | Load)]
         self.fixed = [name for name in bound if name in used]
+        straight = tuple(s for s in inside if not isinstance(s, Load))
+        numbers = {name: Load(name, "fixed", k) for k, name in enumerate(self.fixed)}
+        self.rolled = roll_body(self.loads | numbers, straight, LONGEST)
+        lines: Sequence[Line] = self.rolled.lines if self.rolled else straight
+        self.scope.bind_all(self.rolled.bound if self.rolled else ())
+        self.parts = cut(lines, LONGEST, USUAL)
+        placed, first = (self.rolled.places, self.rolled.size) if self.rolled else ({}, 0)
+        crossing = find_crossing(self.parts, placed)
+        self.carried = dict(placed) | {name: (first + place,) for name, place in crossing.items()}
+        self.size = first + len(crossing)
         self.each: dict[str, Each] = {}
 
     def print(self) -> Batch:
@@ -114,23 +127,27 @@ class BatchPrinter:
         names = ", ".join(self.scope[name] for name in self.fixed)
         return printer.lines + wrap_code(f"const double fixed[] = {{{names}}};", "    ")
 
-    def print_part(self, number: int, part: tuple[Statement, ...]) -> list[str]:
+    def print_part(self, number: int, part: tuple[Line, ...]) -> list[str]:
         """A function of the states' work; what one leaves for others stands in ``carried``."""
         printer = LanesPrinter(self.prefix, self.scope, self.helpers, self.each, frozenset(self.fixed), self.summed)
         used = list_names(part)
-        for name, place in self.carried.items():
-            if name in used:
+        sources: dict[str, Load | str] = {}
+        for name, places in self.carried.items():
+            if name in used and name not in self.loads and name not in self.fixed:
                 self.helpers.add("get")
-                value = f"{self.prefix}_get(carried + {place} * {self.width})"
-                printer.add(f"const {self.prefix}_lanes {self.scope[name]} = {value};")
-        for name, load in self.loads.items():
-            if name in used:
-                printer.print_statement(load)
-        for statement in part:
-            printer.print_statement(statement)
-            if isinstance(statement, Let) and statement.name in self.carried:
-                left = f"carried + {self.carried[statement.name]} * {self.width}"
-                printer.add(f"{self.prefix}_put({left}, {self.scope[statement.name]});")
+                value = f"{self.prefix}_get(carried + {places[0]} * {self.width})"
+                sources[name] = f"const {self.prefix}_lanes {self.scope[name]} = {value};"
+        sources |= {name: load for name, load in self.loads.items() if name in used}
+        if self.rolled:  # what a loop leaves cannot be read before it
+            print_in_turn(printer, part, sources, lambda line: self.print_line(printer, line))
+        else:
+            for source in sources.values():
+                if isinstance(source, Load):
+                    printer.print_statement(source)
+                else:
+                    printer.add(source)
+            for line in part:
+                self.print_line(printer, line)
         carried = "double *carried, " if self.carried else ""
         head = (
             f"static __attribute__((noinline)) void {self.name_part(number)}(const double *fixed, size_t stride, const double *t, "
@@ -139,15 +156,26 @@ class BatchPrinter:
         unread = [f"    (void){name};" for name in self.list_unread(part, used)]
         return [*wrap_code(head, ""), "{", *unread, *self.print_notes(used), *printer.lines, *self.print_end(), "}"]
 
-    def list_unread(self, part: tuple[Statement, ...], used: set[str]) -> list[str]:
+    def print_line(self, printer: LanesPrinter, line: Line) -> None:
+        """A statement, and what of it is left for others; or a loop."""
+        printer.print_statement(line)
+        if isinstance(line, Let):
+            for place in self.carried.get(line.name, ()):
+                printer.add(f"{self.prefix}_put(carried + {place} * {self.width}, {self.scope[line.name]});")
+
+    def list_unread(self, part: tuple[Line, ...], used: set[str]) -> list[str]:
         """Arguments that a part does not use."""
-        read = {self.loads[name].array for name in used if name in self.loads}
-        written = any(isinstance(statement, Store) for statement in part)
-        unread = [name for name in ("t", "y") if name not in read] + ([] if written else ["dydt"])
-        unread += [] if used & set(self.fixed) else ["fixed"]
-        spaced = any(self.loads[name].index > 0 for name in used if name in self.loads)
-        unread += [] if spaced or any(isinstance(s, Store) and s.index > 0 for s in part) else ["stride"]
+        fetched = list_fetched(part)
+        inside = [line for outer in part for line in (outer.body if isinstance(outer, Loop) else (outer,))]
+        read = {self.loads[name].array for name in used if name in self.loads} | set(fetched)
+        stores = [line.store if isinstance(line, Put) else line for line in inside if isinstance(line, Store | Put)]
+        unread = [name for name in ("t", "y") if name not in read] + ([] if stores else ["dydt"])
+        unread += [] if used & set(self.fixed) or "fixed" in fetched else ["fixed"]
+        spaced = "y" in fetched or any(self.loads[name].index > 0 for name in used if name in self.loads)
+        spaced = spaced or any(isinstance(line, Put) for line in inside)
+        unread += [] if spaced or any(store.index > 0 for store in stores) else ["stride"]
         passed = any(isinstance(s, Let) and s.name in self.carried for s in part) or bool(used & set(self.carried))
+        passed = passed or KEPT in fetched or any(isinstance(line, Leave) for line in inside)
         return unread + (["carried"] if self.carried and not passed else [])
 
     def print_notes(self, used: set[str]) -> list[str]:
@@ -194,7 +222,7 @@ class BatchPrinter:
         carried = "carried, " if self.carried else ""
         lines = [
             f"    double check[{parts} * {width}];",
-            *([f"    double carried[{len(self.carried)} * {width}];"] if self.carried else []),
+            *([f"    double carried[{self.size} * {width}];"] if self.carried else []),
             f"    int status = {good};",
             f"    for (size_t i = 0; i < count; i += {width}) {{",
             f"        const size_t left = count - i < {width} ? count - i : {width};",

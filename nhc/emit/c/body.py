@@ -7,6 +7,8 @@ from nhc.emit.c.lines import CodePrinter, bound_test, wrap_code
 from nhc.emit.c.literals import NAN, print_comment
 from nhc.emit.c.names import print_singular
 from nhc.emit.c.pairs import Pair, pair_angles
+from nhc.emit.c.rolled.lines import Fetch, Leave, Line, Loop, Put
+from nhc.emit.c.rolled.printing import print_index, print_loop
 from nhc.emit.prose import show_origin
 from nhc.program.ir import (
     Call,
@@ -60,9 +62,13 @@ class BodyPrinter(CodePrinter):
         for k, angle in enumerate(angles):
             self.turned |= {("sin", angle): f"{name}.sine[{k}]", ("cos", angle): f"{name}.cosine[{k}]"}
 
-    def print_statement(self, statement: Statement) -> None:
-        """One statement."""
-        if isinstance(statement, Section):
+    def print_statement(self, statement: Line) -> None:
+        """One statement, or a loop."""
+        if isinstance(statement, Loop):
+            print_loop(self.lines, statement, self.add, self.print_in_loop)
+        elif isinstance(statement, Leave):
+            self.print_in_loop(statement)
+        elif isinstance(statement, Section):
             if self.lines:
                 self.lines.append("")
             self.add_comment(print_comment(statement.title))
@@ -88,6 +94,18 @@ class BodyPrinter(CodePrinter):
             self.add(f"return {self.printer.print(statement.value)};")
         elif isinstance(statement, Evaluate):
             self.print_evaluate(statement)
+
+    def print_in_loop(self, line: Fetch | Let | Leave | Put) -> None:
+        """What stands in a loop."""
+        if isinstance(line, Let):
+            self.add(f"const double {self.scope[line.name]} = {self.printer.print(line.value)};")
+        elif isinstance(line, Leave):
+            self.add(f"kept[{print_index(line.first, line.step)}] = {self.scope[line.name]};")
+        elif isinstance(line, Fetch):
+            self.add(f"const double {self.scope[line.name]} = {line.array}[{print_index(line.first, line.step)}];")
+        else:
+            store = line.store
+            self.add(f"{store.array}[{print_index(store.index, line.step)}] = {self.printer.print(store.value)};")
 
     def print_good(self, guard: Guard) -> str:
         """The condition under which the guard's block is regular; a NaN makes it false."""

@@ -10,11 +10,13 @@ from fractions import Fraction
 
 from nhc.emit.c.lines import HELPERS, bound_test, wrap_code
 from nhc.emit.c.literals import PI, print_comment, print_double
+from nhc.emit.c.rolled.lines import Fetch, Leave, Line, Loop, Put
+from nhc.emit.c.rolled.printing import print_factor, print_index, print_loop
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
 from nhc.emit.prose import show_origin
 from nhc.emit.statements import iterate_refs
-from nhc.program.ir import Call, Expr, Guard, Let, Load, Statement, Store
+from nhc.program.ir import Call, Expr, Guard, Let, Load, Store
 from nhc.records import record
 
 _TURNED = ("sin", "cos")
@@ -51,6 +53,8 @@ class LanesPrinter:
         self.printer = ExpressionPrinter(_Dialect(self), scope.spellings)
         self.lines: list[str] = []
         self.turned: dict[str, tuple[str, str]] = {}
+        self.passing: set[str] = set()  # numbers of a loop's passes
+        self.passes = 0
         self._origin = ""
 
     def add(self, text: str) -> None:
@@ -80,11 +84,19 @@ class LanesPrinter:
     def print_value(self, value: Expr) -> str:
         """An expression as lanes, a single number too."""
         text = self.printer.print(value)
-        return text if any(name not in self.scalars for name in iterate_refs(value)) else self.spread(text)
+        numbers = self.scalars | self.passing
+        return text if any(name not in numbers for name in iterate_refs(value)) else self.spread(text)
 
-    def print_statement(self, statement: Statement) -> None:
-        """A load, let, guard or store."""
-        if isinstance(statement, Load):
+    def print_statement(self, statement: Line) -> None:
+        """A load, let, guard or store, or a loop."""
+        if isinstance(statement, Loop):
+            outside = dict(self.turned)
+            self.passes = statement.count
+            print_loop(self.lines, statement, self.add, self.print_in_loop)
+            self.turned = outside  # the others were the passes' own
+        elif isinstance(statement, Leave):
+            self.print_in_loop(statement)
+        elif isinstance(statement, Load):
             source = "t" if statement.index < 0 else f"y + {statement.index} * stride" if statement.index else "y"
             self.helpers.add("get")
             self.add(f"const {self.kind} {self.scope[statement.name]} = {self.prefix}_get({source});")
@@ -98,6 +110,35 @@ class LanesPrinter:
             self.add(f"bad |= {self.prefix}_misses({value}, {bound});")
         elif isinstance(statement, Store):
             self.print_store(statement)
+
+    def print_in_loop(self, line: Fetch | Let | Leave | Put) -> None:
+        """What stands in a loop: ``fixed`` holds numbers, the other arrays lanes."""
+        if isinstance(line, Let):
+            self.print_statement(line)
+        elif isinstance(line, Leave):
+            name = self.scope[line.name]
+            value = self.spread(name) if line.name in self.scalars else name
+            index = print_factor(line.first, line.step)
+            self.add(f"{self.prefix}_put(carried + {index} * {self.prefix.upper()}_LANES, {value});")
+        elif isinstance(line, Put):
+            self.print_put(line)
+        elif line.array == "fixed":
+            index = print_index(line.first, line.step)
+            self.passing.add(line.name)
+            self.add(f"const double {self.scope[line.name]} = fixed[{index}];")
+        else:
+            self.helpers.add("get")
+            index = print_factor(line.first, line.step)
+            place = f"y + {index} * stride" if line.array == "y" else f"carried + {index} * {self.prefix.upper()}_LANES"
+            self.add(f"const {self.kind} {self.scope[line.name]} = {self.prefix}_get({place});")
+
+    def print_put(self, put: Put) -> None:
+        """A result of each pass; that of some passes may be tested without need."""
+        name, store = self.scope.fresh("slope"), put.store
+        self.add(f"const {self.kind} {name} = {self.print_value(store.value)};")
+        if self.summed is None or any(store.index + put.step * k in self.summed for k in range(self.passes)):
+            self.add(f"sum += {name};")
+        self.add(f"{self.prefix}_put(dydt + {print_factor(store.index, put.step)} * stride, {name});")
 
     def print_store(self, store: Store) -> None:
         """A result, which may enter the sum that tells whether all of them are finite."""

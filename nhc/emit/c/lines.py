@@ -132,7 +132,7 @@ class CodePrinter:
         self.scalar = scalar
         self.turned: dict[tuple[str, str], str] = {}
         self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig, self.turned, quick), scope.spellings)
-        self.kept: dict[str, int] = {}  # names that parts of the function find in the array `kept`, and where
+        self.kept: dict[str, tuple[int, ...]] = {}  # names that others find in the array `kept`, and all their places
         self.blocks: Blocks = {}  # dense solves that parts have filled
         self.arguments: tuple[str, ...] = ()  # what other functions are called with
         self.paired = False  # whether angles are turned two at a time
@@ -163,8 +163,8 @@ class CodePrinter:
 
     def keep(self, name: str) -> None:
         """Put a value where parts of the function find it."""
-        if name in self.kept:
-            self.lines.append(f"{self.indent}kept[{self.kept[name]}] = {self.scope[name]};")
+        for place in self.kept.get(name, ()):
+            self.lines.append(f"{self.indent}kept[{place}] = {self.scope[name]};")
 
     def clear(self, array: str, size: int) -> None:
         """Zero for all entries of an array of doubles; all bits of 0.0 are zero (IEC 60559, C99 annex F)."""

@@ -6,17 +6,21 @@ just before it is first needed: what compilers take longest over is finding plac
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from nhc.emit.c.body import BodyPrinter
 from nhc.emit.c.dense import list_entries
+from nhc.emit.c.lanes import LanesPrinter
 from nhc.emit.c.lines import Block, Blocks, wrap_code
-from nhc.emit.statements import ZERO, collect_refs
+from nhc.emit.c.rolled.lines import Fetch, Leave, Line, Loop, Put, count_lines, list_needs
+from nhc.emit.c.rolled.printing import TURN
+from nhc.emit.c.rolled.whole import Body, roll_function
+from nhc.emit.statements import ZERO
 from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Section, Solve, Statement, Store, Sweep
 from nhc.records import record
 
-OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status")
+OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status", TURN)
 SLOW = frozenset(
     ("velocities", "accelerations", "state", "residuals", "positions", "reactions", "energy", "jacobian", "outputs")
 )  # functions that no integrator calls at each stage: where they are long, they shall be compiled soon above all
@@ -27,19 +31,21 @@ RHS_LENGTHS = (1200, 750)  # it must be fast above all: what parts leave for oth
 
 @record
 class Layout:
-    """The parts of a body, and the names that one of them leaves for others, each with its place in ``kept``.
+    """The parts of a body, and the names that one of them leaves for others, each with its places in ``kept``.
 
-    ``divided``: there are several parts, or sweeps.  ``blocks``: the dense solves that parts fill, in the first ``size`` places.
+    ``divided``: there are several parts, sweeps or loops.  ``sweeps``: their lines where they have loops; ``bound``: names in loops.  ``blocks``: the dense solves that parts fill, in the first ``size`` places.
     """
 
-    parts: tuple[tuple[Statement, ...], ...]
-    kept: dict[str, int]
+    parts: tuple[tuple[Line, ...], ...]
+    kept: dict[str, tuple[int, ...]]
     divided: bool
     blocks: Blocks
     size: int
+    sweeps: tuple[Body | None, ...] = ()
+    bound: tuple[str, ...] = ()
 
 
-def list_bound(statement: Statement) -> tuple[str, ...]:
+def list_bound(statement: Line) -> tuple[str, ...]:
     """The names that a statement computes; a load is repeated wherever it is needed."""
     if isinstance(statement, Let):
         return (statement.name,)
@@ -59,24 +65,35 @@ def is_long(function: Function, body: Sequence[Statement]) -> bool:
     return function.name in SLOW and (len(straight) > LONG or any(isinstance(s, Sweep) for s in body))
 
 
-def cut(body: Sequence[Statement], longest: int, usual: int) -> tuple[tuple[Statement, ...], ...]:
+def cut(body: Sequence[Line], longest: int, usual: int) -> tuple[tuple[Line, ...], ...]:
     """The body in parts of about the usual length, or in one if that is not too long."""
-    count = 1 if len(body) <= longest else -(-len(body) // usual)
-    size = -(-len(body) // count) if body else 1
-    return tuple(tuple(body[k : k + size]) for k in range(0, len(body), size))
+    length = sum(map(count_lines, body))
+    count = 1 if length <= longest else -(-length // usual)
+    size = -(-length // count) if body else 1
+    parts: list[tuple[Line, ...]] = []
+    begin = filled = 0
+    for place, line in enumerate(body):
+        if filled and filled + count_lines(line) > size:
+            parts.append(tuple(body[begin:place]))
+            begin, filled = place, 0
+        filled += count_lines(line)
+    return (*parts, tuple(body[begin:])) if body else ()
 
 
-def find_crossing(parts: Iterable[Iterable[Statement]]) -> dict[str, int]:
-    """The names that one part of a function computes and another uses, each with its place in the array that is handed on."""
+def find_crossing(parts: Iterable[Iterable[Line]], placed: Collection[str] = ()) -> dict[str, int]:
+    """The names that one part of a function computes and another uses, each with its place in the array that is handed on.
+
+    Those that are ``placed`` already are left out.
+    """
     home: dict[str, int] = {}
     crossing: set[str] = set()
     for number, part in enumerate(parts):
         for statement in part:
             if number:  # the first part has nothing from others
-                crossing.update([name for name in collect_refs(statement) if home.get(name, number) != number])
+                crossing.update([name for name in list_needs(statement) if home.get(name, number) != number])
             for name in list_bound(statement):
                 home[name] = number
-    return {name: place for place, name in enumerate([name for name in home if name in crossing])}
+    return {name: place for place, name in enumerate([name for name in home if name in crossing and name not in placed])}
 
 
 def find_tail(straight: Sequence[Statement]) -> int:
@@ -89,23 +106,41 @@ def find_tail(straight: Sequence[Statement]) -> int:
 
 def lay_out(function: Function, body: tuple[Statement, ...]) -> Layout:
     """The parts of a body without its loads, calls and sweeps; a sweep counts as a part that uses what it uses."""
-    sweeps = [(statement,) for statement in body if isinstance(statement, Sweep)]
+    sweeps = [statement for statement in body if isinstance(statement, Sweep)]
     straight, blocks, places, size = spread(function, [s for s in body if not isinstance(s, Evaluate | Load | Sweep)])
+    if function.output is not None and not size:
+        loads = {s.name: s for s in body if isinstance(s, Load)}
+        rolled = roll_function(loads, straight, sweeps, choose_lengths(function)[0])
+        if rolled is not None:
+            return lay_out_rolled(function, *rolled, sweeps)
     end = find_tail(straight)
     parts = cut(straight[:end], *choose_lengths(function)) if function.output is not None else (tuple(straight[:end]),)
     if end < len(straight):
         parts = (*parts[:-1], (*(parts[-1] if parts else ()), *straight[end:]))
-    crossing = {name: size + place for name, place in find_crossing((*parts, *sweeps)).items()}
+    swept = [(sweep,) for sweep in sweeps]
+    crossing = {name: (size + place,) for name, place in find_crossing((*parts, *swept)).items()}
     return Layout(parts, crossing | places, bool(sweeps) or len(parts) > 1, blocks, size)
 
 
-def spread(function: Function, straight: Sequence[Statement]) -> tuple[list[Statement], Blocks, dict[str, int], int]:
+def lay_out_rolled(
+    function: Function, main: Body, turned: Sequence[Body | None], sweeps: Sequence[Sweep]
+) -> Layout:
+    """The same where there are loops: what these need has its places already."""
+    parts = cut(main.lines, *choose_lengths(function))
+    others = [body.lines if body else (sweep,) for body, sweep in zip(turned, sweeps, strict=True)]
+    crossing = find_crossing((*parts, *others), main.places)
+    kept = dict(main.places) | {name: (main.size + place,) for name, place in crossing.items()}
+    bound = (*main.bound, *(name for body in turned if body for name in body.bound))
+    return Layout(parts, kept, True, {}, 0, tuple(turned), bound)
+
+
+def spread(function: Function, straight: Sequence[Statement]) -> tuple[list[Statement], Blocks, dict[str, tuple[int, ...]], int]:
     """Long dense solves as stores of their entries, which parts may share, and solves of what is then in ``kept``.
 
     These bind no names: the unknowns have their places in ``kept``.
     """
     made: list[Statement] = []
-    blocks, places, size = Blocks(), dict[str, int](), 0
+    blocks, places, size = Blocks(), dict[str, tuple[int, ...]](), 0
     for statement in straight:
         entries = list_entries(statement) if isinstance(statement, Solve) and function.name in SLOW else []
         if not isinstance(statement, Solve) or len(entries) - entries.count(ZERO) <= LENGTHS[0]:
@@ -125,15 +160,15 @@ def spread(function: Function, straight: Sequence[Statement]) -> tuple[list[Stat
         blocks[mark] = Block(size, statement.masses)
         width = len(rows) + len(columns)
         for c, names in enumerate(statement.names):
-            places |= {name: size + i * width + len(rows) + c for i, name in enumerate(names)}
+            places |= {name: (size + i * width + len(rows) + c,) for i, name in enumerate(names)}
         size += len(entries)
     return made, blocks, places, size
 
 
-def list_names(part: Iterable[Statement]) -> set[str]:
+def list_names(part: Iterable[Line]) -> set[str]:
     """The names that the statements use and do not compute."""
     own = {name for statement in part for name in list_bound(statement)}
-    return {name for statement in part for name in collect_refs(statement)} - own
+    return {name for statement in part for name in list_needs(statement)} - own
 
 
 def list_arguments(function: Function) -> tuple[Argument, ...]:
@@ -154,12 +189,12 @@ def print_argument(name: str, size: int) -> str:
     return f"double {name}" if size < 0 else f"const double *{name}"
 
 
-def find_sources(printer: BodyPrinter, function: Function, part: Sequence[Statement]) -> dict[str, Load | str]:
+def find_sources(printer: BodyPrinter, function: Function, part: Sequence[Line]) -> dict[str, Load | str]:
     """Where a part has the names from that it uses and does not compute: loads of its own, lines that read ``kept``."""
     used = list_names(part)
     found: dict[str, Load | str] = {s.name: s for s in function.body if isinstance(s, Load) and s.name in used}
-    taken = {name: place for name, place in printer.kept.items() if name in used}
-    return found | {name: f"const double {printer.scope[name]} = kept[{place}];" for name, place in taken.items()}
+    taken = {name: places for name, places in printer.kept.items() if name in used and name not in found}
+    return found | {name: f"const double {printer.scope[name]} = kept[{places[0]}];" for name, places in taken.items()}
 
 
 def print_unread(
@@ -173,15 +208,15 @@ def print_unread(
 
 
 def print_in_turn(
-    printer: BodyPrinter,
-    part: Sequence[Statement],
+    printer: BodyPrinter | LanesPrinter,
+    part: Sequence[Line],
     sources: Mapping[str, Load | str],
-    print_one: Callable[[Statement], None],
+    print_one: Callable[[Line], None],
 ) -> None:
     """The statements of a part, before each what it is the first to read."""
     waiting = {name: place for place, name in enumerate(sources)}
     for statement in part:
-        for name in sorted(collect_refs(statement) & waiting.keys(), key=waiting.__getitem__):
+        for name in sorted(list_needs(statement) & waiting.keys(), key=waiting.__getitem__):
             del waiting[name]
             source = sources[name]
             if isinstance(source, Load):
@@ -191,24 +226,32 @@ def print_in_turn(
         print_one(statement)
 
 
-def is_kept(statement: Statement) -> bool:
+def list_fetched(part: Iterable[Line]) -> list[str]:
+    """The arrays that loops read."""
+    fetched = (line.array for loop in part if isinstance(loop, Loop) for line in loop.body if isinstance(line, Fetch))
+    return list(dict.fromkeys(fetched))
+
+
+def is_kept(statement: Line) -> bool:
     """Whether a statement fills a dense solve."""
     return isinstance(statement, Store) and statement.array == "kept"
 
 
-def print_part(printer: BodyPrinter, function: Function, part: Sequence[Statement], name: str) -> list[str]:
+def print_part(printer: BodyPrinter, function: Function, part: Sequence[Line], name: str) -> list[str]:
     """A part of a function's straight code as a function of its own, from its first line to its last."""
     assert function.output is not None
     inner, output = printer.fork(), function.output.name
     inputs = [print_argument(argument.name, argument.size) for argument in list_arguments(function)]
     leaves = any(name in printer.kept for statement in part for name in list_bound(statement))
     leaves = leaves or (bool(printer.blocks) and any(isinstance(s, Solve) or is_kept(s) for s in part))
-    stores = any(isinstance(statement, Store) and not is_kept(statement) for statement in part)
+    inside = [line for statement in part for line in (statement.body if isinstance(statement, Loop) else (statement,))]
+    leaves = leaves or any(isinstance(line, Leave) for line in inside)
+    stores = any(isinstance(line, Put) or (isinstance(line, Store) and not is_kept(line)) for line in inside)
     arguments = ", ".join((*inputs, "double *kept", f"double *{output}"))
     head = wrap_code(f"{print_slow(printer, function)}static int {name}({arguments})", "")
     inner.lines += [] if stores else [f"    (void){output};"]
     sources = find_sources(inner, function, part)
-    print_unread(inner, function, sources, ("kept",) if leaves else ())
+    print_unread(inner, function, sources, (*(["kept"] if leaves else []), *list_fetched(part)))
     print_in_turn(inner, part, sources, inner.print_statement)
     return ["", *head, "{", *inner.lines, f"    return {printer.prefix.upper()}_OK;", "}"]
 

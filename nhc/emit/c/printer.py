@@ -248,6 +248,7 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
     angles = list_angles(body) if inline and finish is not None and function.name == "rhs" else ()
     own = OWN if layout.divided else (LARGE, TURNED) if angles else ()
     scope = make_scope(program, arguments, body, own)
+    scope.bind_all(layout.bound)
     for statement in body:
         if isinstance(statement, Load) and statement.index < 0:
             scope.alias(statement.name, statement.array)  # the argument itself: it needs no copy
@@ -290,12 +291,12 @@ def print_statements(
     """Print the body into the printer's lines, with its guards or without; the functions of its parts."""
     functions: list[str] = []
     if layout.divided:
-        size = max(1, layout.size + len(layout.kept))
+        size = max((1, layout.size, *(place + 1 for places in layout.kept.values() for place in places)))
         printer.lines.append(f"    double kept[{size}]; /* what parts of this function leave for others */")
     if layout.size:
         printer.clear("kept", layout.size)
     print_zeros(printer, function)
-    if len(layout.parts) > 1:
+    if len(layout.parts) > 1 or layout.bound:
         printer.print_all(tuple(statement for statement in body if isinstance(statement, Evaluate)))
         names = [f"{printer.prefix}_{function.name}_part{number + 1}" for number in range(len(layout.parts))]
         for name, part in zip(names, layout.parts, strict=True):
@@ -308,7 +309,7 @@ def print_statements(
         printer.print_all(drop_unread(straight) if len(straight) < len(body) and guarded else straight)
     for number, sweep in enumerate(s for s in body if isinstance(s, Sweep)):
         printer.helpers |= {"lanes", "get", "sweep"}
-        inner = SweepPrinter(printer, function, sweep, number + 1)
+        inner = SweepPrinter(printer, function, sweep, number + 1, layout.sweeps[number] if layout.sweeps else None)
         functions += inner.print_functions()
         printer.lines += inner.print_loop()
     return functions
