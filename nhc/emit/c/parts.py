@@ -33,7 +33,8 @@ RHS_LENGTHS = (1200, 750)  # it must be fast above all: what parts leave for oth
 class Layout:
     """The parts of a body, and the names that one of them leaves for others, each with its places in ``kept``.
 
-    ``divided``: there are several parts, sweeps or loops.  ``sweeps``: their lines where they have loops; ``bound``: names in loops.  ``blocks``: the dense solves that parts fill, in the first ``size`` places.
+    ``divided``: there are several parts, sweeps or loops.  ``sweeps``: their lines where they have loops; ``bound``: loops' own names.
+     ``blocks``: the dense solves that parts fill, in the first ``size`` places.
     """
 
     parts: tuple[tuple[Line, ...], ...]
@@ -93,7 +94,9 @@ def find_crossing(parts: Iterable[Iterable[Line]], placed: Collection[str] = ())
                 crossing.update([name for name in list_needs(statement) if home.get(name, number) != number])
             for name in list_bound(statement):
                 home[name] = number
-    return {name: place for place, name in enumerate([name for name in home if name in crossing and name not in placed])}
+    return {
+        name: place for place, name in enumerate([name for name in home if name in crossing and name not in placed])
+    }
 
 
 def find_tail(straight: Sequence[Statement]) -> int:
@@ -122,9 +125,7 @@ def lay_out(function: Function, body: tuple[Statement, ...]) -> Layout:
     return Layout(parts, crossing | places, bool(sweeps) or len(parts) > 1, blocks, size)
 
 
-def lay_out_rolled(
-    function: Function, main: Body, turned: Sequence[Body | None], sweeps: Sequence[Sweep]
-) -> Layout:
+def lay_out_rolled(function: Function, main: Body, turned: Sequence[Body | None], sweeps: Sequence[Sweep]) -> Layout:
     """The same where there are loops: what these need has its places already."""
     parts = cut(main.lines, *choose_lengths(function))
     others = [body.lines if body else (sweep,) for body, sweep in zip(turned, sweeps, strict=True)]
@@ -134,7 +135,9 @@ def lay_out_rolled(
     return Layout(parts, kept, True, {}, 0, tuple(turned), bound)
 
 
-def spread(function: Function, straight: Sequence[Statement]) -> tuple[list[Statement], Blocks, dict[str, tuple[int, ...]], int]:
+def spread(
+    function: Function, straight: Sequence[Statement]
+) -> tuple[list[Statement], Blocks, dict[str, tuple[int, ...]], int]:
     """Long dense solves as stores of their entries, which parts may share, and solves of what is then in ``kept``.
 
     These bind no names: the unknowns have their places in ``kept``.

@@ -26,7 +26,7 @@ from nhc.records import identity_record, record
 
 ZERO: Vector = (0, 0, 0)
 _FEW_ANGLES = 6  # by which the parts of one vector turn at its end, and those of what its turn leaves
-_DEEP = 60  # turns on one another that are followed at once: those of bodies nearer to the root are known
+_DEEP = 60  # turns on one another that are followed at once
 
 
 @record
@@ -36,6 +36,14 @@ class Spin:
     axis: Vector
     rates: tuple[tuple[Node, Node], ...]
     own: Node
+
+
+class _DeepError(Exception):
+    """A vector that is more turns away than are followed at once."""
+
+    def __init__(self, vector: Vector) -> None:
+        super().__init__()
+        self.vector = vector
 
 
 @identity_record
@@ -121,14 +129,34 @@ class Frames:
                     found += [(frame, ahead), (frame, aside), (frame, frame.axis)]
         return found
 
-    def of(self, vector: Vector, depth: int = 0) -> Frame | None:
+    def of(self, vector: Vector) -> Frame | None:
         """The axes on which the vector is fixed; None where it is not seen to be fixed on any."""
+        waiting = [vector]
+        while True:
+            try:
+                found = self._follow(waiting[-1], 0)
+            except _DeepError as deep:
+                if deep.vector in waiting:
+                    self._known[deep.vector] = None  # it turns on itself
+                else:
+                    waiting.append(deep.vector)  # nearer to the root, first
+                continue
+            waiting.pop()
+            if not waiting:
+                return found
+
+    def _follow(self, vector: Vector, depth: int) -> Frame | None:
         if not any(self.graph.deps[x] & self.moving for x in vector):
             return ROOT
         if vector not in self._known:
+            if depth == _DEEP:
+                raise _DeepError(vector)
             self._known[vector] = None  # while it is looked for
-            if depth < _DEEP:
+            try:
                 self._known[vector] = self._turned(vector, depth + 1) or self._rotated(vector, depth + 1)
+            except _DeepError:
+                del self._known[vector]
+                raise
         return self._known[vector]
 
     def common(self, parts: Sequence[tuple[Frame, Vector]]) -> Frame | None:
@@ -174,7 +202,7 @@ class Frames:
             across, along, still = zip(x, y, z, strict=True)
             if not self._is_turn(across, along, still):
                 continue
-            found = [(self.of(v, depth), v) for v in (across, along, still) if any(v)]
+            found = [(self._follow(v, depth), v) for v in (across, along, still) if any(v)]
             parents = [(frame, v) for frame, v in found if frame is not None]
             parent = self.common(parents) if len(parents) == len(found) else None
             if parent is not None:
@@ -238,7 +266,7 @@ class Frames:
             axes = self._right_handed(axes)
             if axes is None:
                 continue
-            found = [(self.of(v, depth), v) for v in axes]
+            found = [(self._follow(v, depth), v) for v in axes]
             parents = [(frame, v) for frame, v in found if frame is not None]
             parent = self.common(parents) if len(parents) == len(found) else None
             if parent is not None:

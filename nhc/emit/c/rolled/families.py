@@ -1,7 +1,7 @@
 """Families of statements that one line of a loop can stand for, and what their operands are from pass to pass.
 
-A member's operand is, over the passes, one name; an input's entries at equal distances; the members of a family, each a fixed number
-of passes off, but for a few other names at the ends; or other names throughout, which must then be put into an array.
+A member's operand is, over the passes, one name; an input's entries at equal distances; the members of a family, each a fixed
+number of passes off, but for a few other names at the ends; or other names throughout, which must then be put into an array.
 Orbits of the shift are shortened until all their operands are of these kinds.
 """
 
@@ -40,17 +40,15 @@ class Edge:
 class Families:
     """The families of a body, by number; ``home`` says of each member where it stands."""
 
-    def __init__(
-        self, pieces: Mapping[str, Piece], loads: Mapping[str, Load], orbits: Sequence[Sequence[str]]
-    ) -> None:
+    def __init__(self, pieces: Mapping[str, Piece], loads: Mapping[str, Load], orbits: Sequence[Sequence[str]]) -> None:
         self.pieces, self.loads = pieces, loads
-        self.all: dict[int, Family] = {
-            k: Family(tuple(orbit), 0, len(orbit) - 1) for k, orbit in enumerate(orbits)
-        }
+        self.all: dict[int, Family] = {k: Family(tuple(orbit), 0, len(orbit) - 1) for k, orbit in enumerate(orbits)}
         self.home: dict[str, tuple[int, int]] = {
             key: (k, place) for k, family in self.all.items() for place, key in enumerate(family.orbit)
         }
         self._slots: dict[tuple[int, int, int], list[tuple[str, ...]]] = {}
+        self._names: dict[tuple[int, int, int], tuple[frozenset[str], frozenset[str]]] = {}
+        self._edges: dict[int, list[Edge]] = {}
         self.frozen = set[int]()  # families that stand in a loop
         self._users: dict[str, set[int]] = {}
         for k, family in self.all.items():
@@ -108,22 +106,37 @@ class Families:
             self._slots[key] = list(zip(*(self.pieces[key].operands for key in family.members), strict=True))
         return self._slots[key]
 
-    def list_edges(self) -> list[Edge]:
-        """What family uses what other."""
-        found: dict[Edge, None] = {}
-        for number, family in self.all.items():
+    def list_names(self, number: int) -> tuple[frozenset[str], frozenset[str]]:
+        """The names that all members use alike, and the others."""
+        family = self.all[number]
+        key = number, family.low, family.high
+        if key not in self._names:
+            fixed, moving = set[str](), set[str]()
             for slot in self.list_slots(number):
-                for place, name in enumerate(slot, family.low):
+                (fixed if is_constant(slot) else moving).update(slot)
+            self._names[key] = frozenset(fixed), frozenset(moving)
+        return self._names[key]
+
+    def list_edges(self, number: int) -> list[Edge]:
+        """What other families a family uses."""
+        if number not in self._edges:
+            found: dict[Edge, None] = {}
+            for slot in self.list_slots(number):
+                for place, name in enumerate(slot, self.all[number].low):
                     if name in self.home and not is_constant(slot):
                         used, position = self.home[name]
                         found[Edge(number, used, position - place)] = None
                         break
-        return list(found)
+            self._edges[number] = list(found)
+        return self._edges[number]
 
     def _release(self, key: str) -> set[int]:
         """A member becomes a statement of its own; the families that use it."""
-        del self.home[key]
-        return self._users.get(key, set())
+        self._edges.pop(self.home.pop(key)[0], None)
+        users = self._users.get(key, set())
+        for number in users:
+            self._edges.pop(number, None)
+        return users
 
     def _settle(self, waiting: set[int]) -> None:
         while waiting:

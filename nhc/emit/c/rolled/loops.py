@@ -94,7 +94,7 @@ class LoopWriter:
         return Fetch(name, self.passed, *self.own.locate(self.rolled.spots[key]))
 
     def _put(self, store: Store, value: object, members: Sequence[str], sign: int) -> Put:
-        pair = [self.rolled.pieces[key].statement for key in members[:: sign][:2]]
+        pair = [self.rolled.pieces[key].statement for key in members[::sign][:2]]
         assert isinstance(pair[0], Store)
         assert isinstance(pair[1], Store)
         return Put(Store(store.array, store.index, value, "", store.origin), pair[1].index - pair[0].index)  # type: ignore[arg-type]

@@ -50,7 +50,6 @@ class Rolled:
         """Statements, those of loops once."""
         return sum(len(item.delays) if isinstance(item, Plan) else 1 for item in self.order)
 
-
     def ask_singles(self, wanted: Collection[str] = ()) -> None:
         """Places for what others need of loops: single statements, loops of one member for all passes, and who else wants it."""
         needed = set(wanted)
@@ -60,7 +59,6 @@ class Rolled:
         needed |= {slot.names[0] for slot in self.slots.values() if slot.kind == "name"}
         for name in sorted(needed & self.families.home.keys()):
             self.cells.ask_one(name)
-
 
     def list_hints(self) -> list[tuple[str, ...]]:
         """The sequences of another body's names that are needed, in the order of the shift."""

@@ -7,7 +7,7 @@ computed before (the least solution of difference constraints, as in software pi
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from nhc.emit.c.rolled.families import Edge, Families, is_constant
 from nhc.emit.c.rolled.shift import LEAST, Piece
@@ -54,13 +54,9 @@ class Scheduler:
         """Everything, in order.  A family that waits for what waits for it is taken apart."""
         self._emit_ready()
         while self._list_open():
-            edges: dict[int, list[Edge]] = {number: [] for number in self._list_open()}
-            for edge in self.families.list_edges():
-                if edge.user in edges and edge.used in edges:
-                    edges[edge.user].append(edge)
-            needs = {number: sum({1 << edge.used for edge in made}) for number, made in edges.items()}
-            blocked = {number for number in edges if self._list_wanted(number)}
-            circles = [circle for circle in _list_circles(needs) if not blocked.intersection(circle)]
+            open_ = set(self._list_open())
+            edges = {n: [edge for edge in self.families.list_edges(n) if edge.used in open_] for n in sorted(open_)}
+            circles = _list_circles(self._list_free(edges))
             drafts = [self._draft(sign, circles, edges) for sign in (1, -1)]
             best = max(drafts, key=lambda draft: len(draft.delays))
             if best.delays:
@@ -75,6 +71,23 @@ class Scheduler:
         """The families that have no loop yet."""
         return [number for number in self.families.all if number not in self.families.frozen]
 
+    def _list_free(self, edges: Mapping[int, Sequence[Edge]]) -> dict[int, int]:
+        """What the families need, as bits, that wait for no single statement, nor for families that do."""
+        needs = {n: _gather(edge.used for edge in made) for n, made in edges.items() if self._is_free(n)}
+        while True:
+            free = _gather(needs)
+            late = [number for number, mask in needs.items() if mask & ~free]
+            if not late:
+                return needs
+            for number in late:
+                del needs[number]
+
+    def _is_free(self, number: int) -> bool:
+        """Whether all that a family takes from elsewhere than families is done."""
+        fixed, moving = self.families.list_names(number)
+        home = self.families.home
+        return self.done >= fixed and all(name in home for name in moving - self.done)
+
     def _yield(self, edges: Mapping[int, Sequence[Edge]]) -> None:
         """Where nothing can go on: members that single statements wait for become single, as few as may be.
 
@@ -84,7 +97,7 @@ class Scheduler:
         masks = self._mask_needs()
         waits: dict[int, int] = {}
         for number, names in wanted.items():
-            waits[number] = sum({1 << edge.used for edge in edges[number]})
+            waits[number] = _gather(edge.used for edge in edges[number])
             for name in names:
                 waits[number] |= masks[name]
         first = _list_circles(waits)[0]
@@ -94,7 +107,10 @@ class Scheduler:
                 users.setdefault(name, {})[number] = places
         losses = [self._choose_loss(name, places) for name, places in users.items()]
         if losses:
-            self.families.cut(min(losses, key=_count_lost))
+            least = min(map(_count_lost, losses))
+            for loss in losses:
+                if _count_lost(loss) == least:
+                    self.families.cut(loss)
         else:
             self.families.drop(min(first, key=lambda number: len(self.families.all[number].members)))
 
@@ -246,6 +262,13 @@ class Scheduler:
         for number in plan.delays:
             self.done.update(self.families.all[number].members)
         self.order.append(plan)
+
+
+def _gather(numbers: Iterable[int]) -> int:
+    mask = 0
+    for number in numbers:
+        mask |= 1 << number
+    return mask
 
 
 def _count_lost(loss: Mapping[int, set[int]]) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from nhc.emit.c.rolled.cells import Cells, Layout, UnfitError, furnish
-from nhc.emit.c.rolled.lines import Line, Loop, list_needs
+from nhc.emit.c.rolled.lines import Line
 from nhc.emit.c.rolled.loops import LoopWriter
 from nhc.emit.c.rolled.roll import SEED, Rolled, roll
 from nhc.emit.names import list_bound_names
@@ -83,13 +83,3 @@ def _finish(writer: LoopWriter) -> Body:
     before = set(writer.taken)
     lines = tuple(writer.write())
     return Body(lines, writer.own.places, writer.own.size, tuple(sorted(writer.taken - before)))
-
-
-def list_outside(lines: Iterable[Line]) -> set[str]:
-    """The names that lines need."""
-    return {name for line in lines for name in list_needs(line)}
-
-
-def has_loops(lines: Iterable[Line]) -> bool:
-    """Whether any line is a loop."""
-    return any(isinstance(line, Loop) for line in lines)
