@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import random
 
+from nhc.diagnostics import Source
+
 
 def planar_tree(seed: int, *, written: bool = False) -> str:
     """Links hinged to earlier links, some with knife edges and a second mass, on an incline, with joint springs.
@@ -154,3 +156,15 @@ def robot_arm(seed: int, joints: int = 3) -> str:
         *(f"  {name}: {value}" for name, value in define.items()),
     ]
     return "\n".join([*lines, f"T: {' + '.join(energy)}", f"V: {' + '.join(potential)}"]) + "\n"
+
+
+def joints(count: int) -> Source:
+    """Bodies on universal joints, each hung on the one before."""
+    of = range(count)
+    lines = ["nhc: 1", "system: joints", f"coordinates: [{', '.join(f'p{i}, q{i}' for i in of)}]"]
+    lines += ["parameters: {m: 1, l: 1, c: 0.5, A: 0.1, B: 0.12, C: 0.05}", "bodies:"]
+    for i in of:
+        place = f"parent: b{i - 1}, at: [0, 0, -l]" if i else "at: [0, 0, 0]"
+        lines.append(f"  b{i}: {{{place}, turns: [x: p{i}, y: q{i}], mass: m, centre: [0, 0, -c], inertia: [A, B, C]}}")
+    lines += ["gravity: [0, 0, -9.81]", "scenes:", "  go: {initial: {p0: 0.5}, time: [0, 1]}"]
+    return Source("joints.yaml", "\n".join(lines) + "\n")

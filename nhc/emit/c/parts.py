@@ -33,8 +33,8 @@ RHS_LENGTHS = (1200, 750)  # it must be fast above all: what parts leave for oth
 class Layout:
     """The parts of a body, and the names that one of them leaves for others, each with its places in ``kept``.
 
-    ``divided``: there are several parts, sweeps or loops.  ``sweeps``: their lines where they have loops; ``bound``: loops' own names.
-     ``blocks``: the dense solves that parts fill, in the first ``size`` places.
+    ``divided``: there are several parts, sweeps or loops.  ``sweeps``: their lines where they have loops; ``bound``: their names.
+    ``blocks``: the dense solves that parts fill, in the first ``size`` places.
     """
 
     parts: tuple[tuple[Line, ...], ...]

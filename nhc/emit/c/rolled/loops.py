@@ -54,13 +54,12 @@ class LoopWriter:
     def _write_loop(self, plan: Plan) -> Loop:
         rolled = self.rolled
         families = rolled.families.all
-        first = {number: families[number].orbit[plan.place(number, plan.first)] for number in plan.delays}
         local: dict[int, str] = {}
         fetched: dict[tuple[str, ...], str] = {}
         outside: set[str] = set()
         body: list[Fetch | Let | Leave | Put] = []
-        for number in sorted(first, key=lambda number: rolled.pieces[first[number]].place):
-            piece, names = rolled.pieces[first[number]], list[str]()
+        for number, first in rolled.list_lines(plan).items():
+            piece, names = rolled.pieces[first], list[str]()
             for j, turns in enumerate(list_turns(rolled, plan, number)):
                 slot = rolled.slots[id(plan), number, j]
                 if slot.kind == "name":

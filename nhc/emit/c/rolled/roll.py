@@ -60,6 +60,32 @@ class Rolled:
         for name in sorted(needed & self.families.home.keys()):
             self.cells.ask_one(name)
 
+    def list_lines(self, plan: Plan) -> dict[int, str]:
+        """The families of a loop in the order of their lines, with the first pass's members."""
+        first = {number: self.families.all[number].orbit[plan.place(number, plan.first)] for number in plan.delays}
+        return dict(sorted(first.items(), key=lambda item: self.pieces[item[1]].place))
+
+    def is_in_order(self, known: Collection[str]) -> bool:
+        """Whether everything is there when it is needed, pass by pass, and is done once."""
+        done = {*known, *self.loads}
+        for item in self.order:
+            if isinstance(item, Plan):
+                lines = [self.families.all[number].orbit for number in self.list_lines(item)]
+                keys = [
+                    orbit[item.place(number, turn)]
+                    for turn in range(item.first, item.last + 1)
+                    for number, orbit in zip(self.list_lines(item), lines, strict=True)
+                ]
+            elif isinstance(item, Let | Store):
+                keys = [item.name if isinstance(item, Let) else f"{item.array}[{item.index}]"]
+            else:
+                keys = []
+            for key in keys:
+                if key in done or not done.issuperset(self.pieces[key].operands):
+                    return False
+                done.add(key)
+        return done.issuperset(self.pieces)
+
     def list_hints(self) -> list[tuple[str, ...]]:
         """The sequences of another body's names that are needed, in the order of the shift."""
         signs = {id(item): item.sign for item in self.order if isinstance(item, Plan)}
@@ -104,7 +130,7 @@ def roll(
             Cells(runs),
             {},
         )
-        if made.length > WORTH * len(pieces):
+        if made.length > WORTH * len(pieces) or not made.is_in_order(given):
             return None
         unfit = _find_slots(made, plans, frozenset(given))
         if unfit is None:

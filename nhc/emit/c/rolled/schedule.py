@@ -281,11 +281,11 @@ def _list_circles(needs: Mapping[int, int]) -> list[list[int]]:
     ``needs``: by number, the numbers that it needs as bits.
     """
     reach = {number: mask | 1 << number for number, mask in needs.items()}
-    for middle, through in reach.items():
+    for middle in reach:  # Warshall's closure
+        through = reach[middle]
         for number, mask in reach.items():
             if mask >> middle & 1:
                 reach[number] = mask | through
-        # reach[middle] itself does not change in its own round
     circles: dict[int, list[int]] = {}
     for number, mask in reach.items():
         mutual = sum(1 << other for other, back in reach.items() if mask >> other & 1 and back >> number & 1)
