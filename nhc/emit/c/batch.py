@@ -10,9 +10,8 @@ from nhc.emit.c.lanes import Each, LanesPrinter
 from nhc.emit.c.lines import ANY, wrap_code
 from nhc.emit.c.names import make_scope
 from nhc.emit.c.parts import cut, find_crossing, list_fetched, list_names, print_in_turn
-from nhc.emit.c.rolled.lines import Leave, Line, Loop, Put
+from nhc.emit.c.rolled.lines import KEPT, Body, Leave, Line, Loop, Put, may_roll
 from nhc.emit.c.rolled.printing import TURN
-from nhc.emit.c.rolled.whole import KEPT, roll_body
 from nhc.emit.statements import collect_refs, drop_unused, fill_stores, split_hoisted
 from nhc.program.ir import Function, Guard, Let, Load, Program, Solve, Statement, Store
 from nhc.records import record
@@ -80,7 +79,11 @@ class BatchPrinter:
         self.fixed = [name for name in bound if name in used]
         straight = tuple(s for s in inside if not isinstance(s, Load))
         numbers = {name: Load(name, "fixed", k) for k, name in enumerate(self.fixed)}
-        self.rolled = roll_body(self.loads | numbers, straight, LONGEST)
+        self.rolled: Body | None = None
+        if may_roll(straight, LONGEST):
+            from nhc.emit.c.rolled.whole import roll_body
+
+            self.rolled = roll_body(self.loads | numbers, straight, LONGEST)
         lines: Sequence[Line] = self.rolled.lines if self.rolled else straight
         self.scope.bind_all(self.rolled.bound if self.rolled else ())
         self.parts = cut(lines, LONGEST, USUAL)

@@ -13,9 +13,8 @@ from nhc.emit.c.body import BodyPrinter
 from nhc.emit.c.dense import list_entries
 from nhc.emit.c.lanes import LanesPrinter
 from nhc.emit.c.lines import Block, Blocks, wrap_code
-from nhc.emit.c.rolled.lines import Fetch, Leave, Line, Loop, Put, count_lines, list_needs
+from nhc.emit.c.rolled.lines import Body, Fetch, Leave, Line, Loop, Put, count_lines, list_needs, may_roll
 from nhc.emit.c.rolled.printing import TURN
-from nhc.emit.c.rolled.whole import Body, roll_function
 from nhc.emit.statements import ZERO
 from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Section, Solve, Statement, Store, Sweep
 from nhc.records import record
@@ -111,9 +110,13 @@ def lay_out(function: Function, body: tuple[Statement, ...]) -> Layout:
     """The parts of a body without its loads, calls and sweeps; a sweep counts as a part that uses what it uses."""
     sweeps = [statement for statement in body if isinstance(statement, Sweep)]
     straight, blocks, places, size = spread(function, [s for s in body if not isinstance(s, Evaluate | Load | Sweep)])
-    if function.output is not None and not size:
+    longest = choose_lengths(function)[0]
+    bodies = (straight, *(sweep.body for sweep in sweeps))
+    if function.output is not None and not size and any(may_roll(part, longest) for part in bodies):
+        from nhc.emit.c.rolled.whole import roll_function
+
         loads = {s.name: s for s in body if isinstance(s, Load)}
-        rolled = roll_function(loads, straight, sweeps, choose_lengths(function)[0])
+        rolled = roll_function(loads, straight, sweeps, longest)
         if rolled is not None:
             return lay_out_rolled(function, *rolled, sweeps)
     end = find_tail(straight)

@@ -20,9 +20,8 @@ from nhc.emit.c.parts import (
     print_slow,
     print_unread,
 )
-from nhc.emit.c.rolled.lines import Fetch, Leave, Line, Loop, Put
+from nhc.emit.c.rolled.lines import Body, Fetch, Leave, Line, Loop, Put
 from nhc.emit.c.rolled.printing import print_factor, print_index, print_loop
-from nhc.emit.c.rolled.whole import Body
 from nhc.program.ir import Function, Let, Store, Sweep
 
 

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from nhc.emit.statements import collect_refs
-from nhc.program.ir import Let, Statement, Store
+from nhc.program.ir import Guard, Let, Section, Statement, Store
 from nhc.records import record
+
+KEPT, CARRIED = "kept", "carried"
+"""The arrays in which a function's and a sweep's values stand."""
 
 
 @record
@@ -46,6 +51,16 @@ class Loop:
 Line = Statement | Loop | Leave
 
 
+@record
+class Body:
+    """Lines, and the places of the values that they hand on; ``bound`` are the names that only loops have."""
+
+    lines: tuple[Line, ...]
+    places: Mapping[str, tuple[int, ...]]
+    size: int
+    bound: tuple[str, ...]
+
+
 def list_needs(line: Line) -> frozenset[str]:
     """The names that a line uses and does not bind."""
     if isinstance(line, Loop):
@@ -58,3 +73,8 @@ def list_needs(line: Line) -> frozenset[str]:
 def count_lines(line: Line) -> int:
     """How long a line is, in statements."""
     return len(line.body) if isinstance(line, Loop) else 1
+
+
+def may_roll(body: Sequence[Statement], longest: int) -> bool:
+    """Whether a body is long, and made of what may stand in loops or beside them."""
+    return len(body) > longest and all(isinstance(s, Section | Let | Guard | Store) for s in body)

@@ -5,26 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from nhc.emit.c.rolled.cells import Cells, Layout, UnfitError, furnish
-from nhc.emit.c.rolled.lines import Line
+from nhc.emit.c.rolled.lines import CARRIED, KEPT, Body, may_roll
 from nhc.emit.c.rolled.loops import LoopWriter
 from nhc.emit.c.rolled.roll import SEED, Rolled, roll
 from nhc.emit.names import list_bound_names
 from nhc.emit.statements import collect_refs
-from nhc.program.ir import Guard, Let, Load, Section, Statement, Store, Sweep
-from nhc.records import record
-
-KEPT, CARRIED = "kept", "carried"
-"""The arrays in which a function's and a sweep's values stand."""
-
-
-@record
-class Body:
-    """Lines, and the places of the values that they hand on; ``bound`` are the names that only loops have."""
-
-    lines: tuple[Line, ...]
-    places: Mapping[str, tuple[int, ...]]
-    size: int
-    bound: tuple[str, ...]
+from nhc.program.ir import Load, Statement, Sweep
 
 
 def roll_function(
@@ -35,10 +21,10 @@ def roll_function(
     turned: list[Rolled | None] = []
     for sweep in sweeps:
         seeds = {name: Load(name, SEED, k) for k, name in enumerate(sweep.seeds)}
-        turned.append(roll(sweep.body, {**loads, **seeds}, given) if is_long(sweep.body, longest) else None)
+        turned.append(roll(sweep.body, {**loads, **seeds}, given) if may_roll(sweep.body, longest) else None)
     found = [rolled for rolled in turned if rolled]
     hints = [names for rolled in found for names in rolled.list_hints()]
-    main = roll(straight, loads, (), hints) if is_long(straight, longest) else None
+    main = roll(straight, loads, (), hints) if may_roll(straight, longest) else None
     try:
         cells = _ask(main, found)
     except UnfitError:  # sweeps need what this body's loops compute in an order that these do not have
@@ -72,11 +58,6 @@ def _ask(main: Rolled | None, sweeps: Iterable[Rolled]) -> Cells:
     for rolled in sweeps:
         rolled.ask_numbers(cells)
     return cells
-
-
-def is_long(body: Sequence[Statement], longest: int) -> bool:
-    """Whether a body is long, and made of what may stand in loops or beside them."""
-    return len(body) > longest and all(isinstance(s, Section | Let | Guard | Store) for s in body)
 
 
 def _finish(writer: LoopWriter) -> Body:
