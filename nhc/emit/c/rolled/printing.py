@@ -34,6 +34,7 @@ def print_loop(
     print_one: Callable[[Fetch | Let | Leave | Put], None],
 ) -> None:
     """The head, the body and the end of a loop; ``add`` and ``print_one`` write into ``lines``."""
+    add("/* the same for one body of the chain after the other */")
     add(f"for (size_t {TURN} = 0; {TURN} < {loop.count}; ++{TURN}) {{")
     begin = len(lines)
     for line in loop.body:
