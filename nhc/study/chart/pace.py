@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass, field
 
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.grid import MOST_PYTHON, PYTHON_STRIDE
+from nhc.study.chart.measure import choose_clock
 from nhc.study.chart.single import Bench, run_case
 
 SLOW = {"c": 0.6, "python": 1.2}  # seconds of a case with its repeats, after which its line has no finer ones
@@ -35,9 +35,10 @@ class Pace:
         if language == "python" and twin is not None and not self._may_interpret(twin):
             self.many.append(case.method)
             return []
-        before = time.perf_counter()
+        clock = choose_clock()
+        before = clock()
         made = run_case(self.bench, case, self.budget)
-        if time.perf_counter() - before > SLOW[language] and not self.explicit:
+        if clock() - before > SLOW[language] and not self.explicit:
             self._ended.add(line)
             self.slow.append(f"{case.method} in {'C' if language == 'c' else 'Python'}")
         if language == "c":

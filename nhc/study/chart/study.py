@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from nhc.diagnostics import Source
 from nhc.language import decode
@@ -65,6 +66,10 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     anchor, costs = 8, list[Cost]()
     left: list[tuple[str, str]] = list(made.skipped)
     for done, (name, job) in enumerate(made.jobs.items()):
+        if name in made.twins:
+            costs.append(twin_cost(next(cost for cost in costs if cost.formulation == made.twins[name]), name, job))
+            left.append((name, f"its code is that of {made.twins[name]}, statement for statement"))
+            continue
         if show is not None:
             show(done / len(made.jobs), name)
         bench = open_bench(name, job, times, solution, methods, compiled)
@@ -163,6 +168,12 @@ def cost_of(bench: Bench, languages: Sequence[str], shrunk: Shrunk | None) -> Co
     form = job.formulation
     left, full = (shrunk.left, shrunk.full_states) if shrunk is not None else ((), len(job.y))
     return Cost(bench.name, form.number, form.reason, len(job.y), calls, in_c, in_python, left, full)
+
+
+def twin_cost(cost: Cost, name: str, job: Job) -> Cost:
+    """The cost of a formulation whose code is that of another."""
+    form = job.formulation
+    return replace(cost, formulation=name, number=form.number, reason=form.reason, twin=cost.formulation)
 
 
 def _use(value: float) -> None:
