@@ -14,6 +14,8 @@ from types import SimpleNamespace
 import pytest
 from jinja2 import meta
 
+from benchmarks.methods import print_table as print_methods
+from benchmarks.methods import ratio as method_ratio
 from nhc.cli.chart import LANGUAGES as OFFERED_LANGUAGES
 from nhc.cli.chart import METHODS as OFFERED
 from nhc.emit.environment import create_environment
@@ -27,6 +29,7 @@ from nhc.simulate.auto import decay_rate
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.opening import open_scene
+from nhc.study.chart import pace
 from nhc.study.chart.advice import advise, duration, fastest
 from nhc.study.chart.case import Case, Cost, Machine, Reference, Result, Study
 from nhc.study.chart.grid import LANGUAGES
@@ -335,3 +338,30 @@ def test_a_decaying_mode_is_found_and_an_oscillation_is_none() -> None:
     assert decay_rate([[-50.0, 1.0], [0.0, -1.0]]) == pytest.approx(50.0, rel=1e-6)
     assert decay_rate([[0.0, 100.0], [-100.0, 0.0]]) == 0.0
     assert decay_rate([[3.0]]) == 0.0 and decay_rate([[0.0]]) == 0.0
+
+
+def test_the_table_of_methods_has_the_best_other_one_in_compiled_code() -> None:
+    made = study(CROSSING)
+    slow = replace(made, results=tuple(r for r in CROSSING if r.case.method == "dop853"))
+    cells = [method_ratio(made, 1e-6), method_ratio(slow, 1e-6)]
+    ours, theirs = (
+        fastest([r for r in CROSSING if r.case.series[1:] == (m, "c")], 1e-6, 1e-16) for m in ("dop853", "dopri5")
+    )
+    assert ours is not None and theirs is not None
+    assert cells == [f"{theirs.best / ours.best:.2g} (dopri5)", "-"]
+    assert "| toy, s | " in print_methods([made]) and "known to 1e-16 or better" in print_methods([made])
+
+
+def test_what_the_interpreter_takes_is_learnt_from_its_first_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Large implicit steps take it two thousand times as long as compiled code: the finer ones are not tried."""
+    compiled = {1e-3: 1e-4, 1e-6: 4e-3, 1e-9: 7e-3}
+
+    def run(bench: object, case: Case, budget: float) -> Result:
+        return Result(case, calls=100, best=compiled[case.tolerance] * (1 if case.language == "c" else 2000))
+
+    monkeypatch.setattr(pace, "run_case", run)
+    made = pace.Pace(SimpleNamespace(name="m"), False, 1e-3)  # type: ignore[arg-type]
+    for language in ("c", "python"):
+        done = [made.run(Case("m", "radau5", language, t), rung) for rung, t in ((1, 1e-3), (4, 1e-6), (7, 1e-9))]
+        assert [len(results) for results in done] == ([1, 1, 1] if language == "c" else [1, 0, 0])
+    assert made.many == ["radau5", "radau5"]

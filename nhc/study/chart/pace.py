@@ -10,7 +10,7 @@ from nhc.study.chart.measure import choose_clock
 from nhc.study.chart.single import Bench, run_case
 
 SLOW = {"c": 0.6, "python": 1.2}  # seconds of a case with its repeats, after which its line has no finer ones
-TIMES = 150.0  # the interpreter takes that many times the time of compiled code
+TIMES = 150.0  # the interpreter takes at least that many times the time of compiled code
 Left = list[tuple[str, str]]
 
 
@@ -25,6 +25,7 @@ class Pace:
     many: list[str] = field(default_factory=list)
     _ended: set[tuple[str, str]] = field(default_factory=set)
     _twins: dict[tuple[str, float], Result] = field(default_factory=dict)
+    _times: dict[str, float] = field(default_factory=dict)
 
     def run(self, case: Case, rung: int) -> list[Result]:
         """The case's result; nothing where it is left out."""
@@ -43,12 +44,15 @@ class Pace:
             self.slow.append(f"{case.method} in {'C' if language == 'c' else 'Python'}")
         if language == "c":
             self._twins[case.method, case.tolerance] = made
+        elif twin is not None and made.best > TIMES * twin.best:
+            self._times[case.method] = made.best / twin.best
         return [made]
 
     def _may_interpret(self, twin: Result) -> bool:
         """Whether what took that much in compiled code may be interpreted."""
+        times = self._times.get(twin.case.method, TIMES)
         calls = twin.calls + 4 * twin.jacobians
-        return calls <= MOST_PYTHON and (self.explicit or not TIMES * twin.best > SLOW["python"])
+        return calls <= MOST_PYTHON and (self.explicit or not times * twin.best > SLOW["python"])
 
     def left(self) -> Left:
         """What was left out, with the reason."""
