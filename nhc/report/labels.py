@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 
 from nhc.records import record
@@ -44,22 +44,20 @@ class Name:
     y: float
 
 
-def place_names(
-    lines: Sequence[tuple[str, Sequence[Place]]], others: Iterable[Sequence[Place]], frame: Box
-) -> list[Name]:
-    """A name above or below a point or a middle of its line, where it covers no line and no other name.
+def place_names(kinds: Sequence[tuple[str, Sequence[Sequence[Place]]]], frame: Box) -> list[Name]:
+    """The name of each kind of lines, above or below a point or a middle of one of them, where it covers no line and no other name.
 
-    It stands nearer to its own line than to all others, named or not.  Lines come in the order of their importance; one that has
-    no room beside it keeps none.
+    It stands nearer to lines of its kind than to others.  Kinds come in the order of their importance, as their lines do; one that
+    has no room beside its lines keeps none.
     """
-    followed = [_follow(line) for _, line in lines]
-    rest = [place for line in others for place in _follow(line)]
+    followed = [[place for line in lines for place in _follow(line)] for _, lines in kinds]
     made: list[Name] = []
     boxes: list[Box] = []
-    for k, (text, line) in enumerate(lines):
+    for k, (text, lines) in enumerate(kinds):
         half = _WIDE * SIZE * len(text) / 2
-        foreign = [place for j, places in enumerate(followed) if j != k for place in places] + rest
-        for name in (Name(text, x - half, y + below) for x, y in _anchors(line) for below in (-9.0, 16.0)):
+        foreign = [place for j, places in enumerate(followed) if j != k for place in places]
+        anchors = [place for line in lines for place in _anchors(line)]
+        for name in (Name(text, x - half, y + below) for x, y in anchors for below in (-9.0, 16.0)):
             box = Box(name.x - 2, name.y - SIZE + 1, name.x + 2 * half + 2, name.y + 3)
             if box.within(frame) and _is_free(box, followed[k], foreign, boxes):
                 boxes.append(box)

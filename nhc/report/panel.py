@@ -134,20 +134,21 @@ def _draw_empty(panel: Panel, results: Sequence[Result]) -> list[str]:
 def _draw_names(
     panel: Panel, style: Style, lines: dict[tuple[str, str, str], list[tuple[int, Result]]], x: Scale, y: Scale
 ) -> list[str]:
-    """The method beside one line of each method and language: the first formulation's, compiled ones first."""
-    places = {series: [_place(panel, r, x, y) for _, r in line] for series, line in lines.items()}
-    chosen: dict[tuple[str, str], tuple[str, str, str]] = {}
+    """The method beside the lines of each method and language, compiled ones first."""
+    kinds: dict[tuple[str, str], list[tuple[str, str, str]]] = {}
     for series in lines:
-        chosen.setdefault(series[1:], series)
-    order = sorted(chosen.values(), key=lambda series: series[2] == "python")
-    texts = {series: series[1] if series[2] == "c" else f"{series[1]}, {NAMES[series[2]]}" for series in order}
-    rest = [line for series, line in places.items() if series not in texts]
+        kinds.setdefault(series[1:], []).append(series)
+    order = sorted(kinds, key=lambda kind: kind[1] == "python")
+    texts = {kind: kind[0] if kind[1] == "c" else f"{kind[0]}, {NAMES[kind[1]]}" for kind in order}
+    places = [
+        (texts[kind], [[_place(panel, r, x, y) for _, r in lines[series]] for series in kinds[kind]]) for kind in order
+    ]
     frame = Box(panel.left, panel.top, panel.left + panel.width, panel.top + panel.height)
     look = f' font-size="{SMALL}" paint-order="stroke" stroke="#ffffff" stroke-width="2.5"'
-    groups = {texts[series]: style.classes(lines[series][0][1]) for series in order}
+    groups = {texts[kind]: " ".join(style.classes(lines[kinds[kind][0]][0][1]).split()[::2]) for kind in order}
     return [
         draw_text(name.x, name.y, name.text, more=f'{look} class="{groups[name.text]}"', colour="#333333")
-        for name in place_names([(texts[series], places[series]) for series in order], rest, frame)
+        for name in place_names(places, frame)
     ]
 
 

@@ -177,21 +177,23 @@ def test_what_a_panel_cannot_show_has_no_axis() -> None:
 
 
 def test_lines_have_their_methods_beside_them_where_nothing_is_covered() -> None:
-    lines = [("dop853", [(100.0, 100.0), (200.0, 50.0)]), ("dopri5", [(100.0, 112.0), (200.0, 62.0)])]
+    lines = [("dop853", [[(100.0, 100.0), (200.0, 50.0)]]), ("dopri5", [[(100.0, 112.0), (200.0, 62.0)]])]
     frame = Box(0.0, 0.0, 300.0, 200.0)
-    upper, lower = place_names(lines, [], frame)
+    upper, lower = place_names(lines, frame)
     assert (upper.text, lower.text) == ("dop853", "dopri5")
     assert upper.y < 100 and lower.y > 62 + 8  # neither fits between the lines
     crowd = [(60.0 + x, 60.0 + y) for x in range(0, 200, 4) for y in range(-60, 100, 4)]
-    assert place_names(lines[:1], [crowd], frame) == []
-    assert place_names(lines, [], Box(90.0, 40.0, 120.0, 115.0)) == []
+    assert [name.text for name in place_names([lines[0], ("crowd", [crowd])], frame)] == ["crowd"]
+    assert place_names(lines, Box(90.0, 40.0, 120.0, 115.0)) == []
+    both = [("dop853", [*lines[0][1], *lines[1][1]])]
+    assert len(place_names(both, frame)) == 1  # a kind has its name once
 
 
 def test_methods_are_named_in_the_picture() -> None:
     text = draw_study(study(CROSSING))
     panel = text[text.index("time against error at the end") : text.index("error along the motion")]
-    named = re.findall(r'<text [^>]*class="m(\d) f(\d) l(\d)">([^<]+)<', panel)
-    assert sorted(named) == [("0", "0", "0", "dop853"), ("0", "0", "1", "dop853, Python"), ("1", "0", "0", "dopri5")]
+    named = re.findall(r'<text [^>]*class="m(\d) l(\d)">([^<]+)<', panel)
+    assert sorted(named) == [("0", "0", "dop853"), ("0", "1", "dop853, Python"), ("1", "0", "dopri5")]
 
 
 def test_formulations_with_the_same_code_are_told_and_not_compared() -> None:
