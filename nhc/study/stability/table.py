@@ -146,7 +146,7 @@ def _spectrum(lab: Laboratory) -> list[Row]:
 def _step(value: float | None) -> str:
     if value is None:
         return "-"
-    return "any" if math.isinf(value) else ("none found" if value == 0 else f"{value:.4g}")
+    return "any" if math.isinf(value) else ("none found" if value == 0 else f"{value:.3g}")
 
 
 def _limits(lab: Laboratory) -> list[Row]:
