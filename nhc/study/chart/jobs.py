@@ -44,6 +44,16 @@ class Prepared:
     shrunk: dict[str, Shrunk]
     twins: dict[str, str]
 
+    @property
+    def distinct(self) -> dict[str, Job]:
+        """The jobs without those that have the code of another."""
+        return {name: job for name, job in self.jobs.items() if name not in self.twins}
+
+    @property
+    def repeated(self) -> list[tuple[str, str]]:
+        """(name, reason) of those that are not run for that."""
+        return [(name, f"its code is that of {twin}, statement for statement") for name, twin in self.twins.items()]
+
 
 def prepare_jobs(system: System, scene: Scene, wanted: Sequence[str], needs: Sequence[str], reduced: bool) -> Prepared:
     """A job for each formulation: those that are named, else all that apply.
