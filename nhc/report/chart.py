@@ -6,6 +6,7 @@ import math
 
 from nhc.report.marks import HEADING, draw_box, draw_cross, draw_document, draw_line, draw_marker, draw_text
 from nhc.report.panel import ROUNDING, Panel, Style, draw_panel, style_of
+from nhc.report.ticks import log_scale
 from nhc.study.chart.advice import NAMES, duration
 from nhc.study.chart.case import RESOLVED, Result, Study
 
@@ -25,17 +26,18 @@ def draw_study(study: Study) -> str:
     main = Panel(
         "time against error at the end",
         "error at the end, relative to each quantity's largest magnitude",
-        "time of one run (s), the fastest of the repeats",
+        "processor time of one run (s), the fastest of the repeats",
         lambda r: r.error,
         lambda r: r.best,
         *(LEFT, top, MAIN_WIDTH, MAIN_HEIGHT, floor, True),
+        named=True,
     )
     parts = [*legend, *draw_panel(main, study.results, style), *_draw_hint(main), *_draw_strip(main, study, style)]
     at = top + MAIN_HEIGHT + 82
-    for k, panel in enumerate(_small_panels(at, floor)):
+    small = _small_panels(at, floor, RESOLVED * study.reference.energy_error)
+    for panel in small:
         parts += draw_panel(panel, study.results, style)
-        if k == len(_small_panels(at, floor)) - 1:
-            at = panel.top + panel.height + 80
+    at = small[-1].top + small[-1].height + 80
     bars, height = _draw_costs(study, at)
     parts += bars
     parts += _draw_foot(study, height + 30)
@@ -44,8 +46,8 @@ def draw_study(study: Study) -> str:
     return draw_document(WIDTH, total, [draw_text(WIDTH / 2, 26, title, "middle", HEADING), *parts])
 
 
-def _small_panels(top: float, floor: float) -> tuple[Panel, ...]:
-    second, lower, seconds = LEFT + SMALL_WIDTH + 108, top + SMALL_HEIGHT + 82, "time of one run (s)"
+def _small_panels(top: float, floor: float, energy_floor: float) -> tuple[Panel, ...]:
+    second, lower, seconds = LEFT + SMALL_WIDTH + 108, top + SMALL_HEIGHT + 82, "processor time of one run (s)"
     size = (SMALL_WIDTH, SMALL_HEIGHT)
     grid = "root mean square of the relative errors on the output grid"
     energy = "largest energy error, relative to the energy"
@@ -59,15 +61,25 @@ def _small_panels(top: float, floor: float) -> tuple[Panel, ...]:
         Panel(
             "error along the motion", grid, seconds, lambda r: r.grid_error, lambda r: r.best, LEFT, top, *size, floor
         ),
-        Panel("energy", energy, seconds, lambda r: r.energy, lambda r: r.best, second, top, *size, noise=ROUNDING),
+        Panel(
+            "energy",
+            energy,
+            seconds,
+            lambda r: r.energy,
+            lambda r: r.best,
+            *(second, top, *size, energy_floor),
+            noise=ROUNDING,
+            absent="no energy is known",
+        ),
         Panel(
             "constraints (exact zeros do not show)",
-            "largest left side of a constraint",
+            "largest left minus right side of a constraint, in the spec's units",
             seconds,
             lambda r: r.residual,
             lambda r: r.best,
             *(LEFT, lower, *size),
             noise=ROUNDING,
+            absent="the system has no constraints",
         ),
         Panel("work without the clock", end, calls, lambda r: r.error, work, second, lower, *size, floor),
     )
@@ -155,28 +167,33 @@ def _draw_strip(panel: Panel, study: Study, style: Style) -> list[str]:
 
 
 def _draw_costs(study: Study, top: float) -> tuple[list[str], float]:
-    """One right-hand side of each formulation: bars of time, and where they end."""
-    x, width = LEFT + 70.0, MAIN_WIDTH - 100.0
-    parts = [draw_text(LEFT, top - 9, "time of one right-hand side", more=BOLD)]
-    pairs = (("c", "#0072b2"), ("python", "#e69f00"))
+    """One right-hand side of each formulation: places on an axis of times, and where they end."""
+    x = LEFT + 80.0
     times = [t for cost in study.costs for t in (cost.c, cost.python) if math.isfinite(t)]
-    low = math.floor(math.log10(min(times, default=1e-9)) - 0.3)
-    high = math.ceil(math.log10(max(times, default=1e-6)) + 1e-9)
+    scale = log_scale(min(times, default=1e-9), max(times, default=1e-6), MAIN_WIDTH - 280.0)
+    height = sum(16.0 if cost.twin else 34.0 for cost in study.costs) + 8
+    parts = [draw_text(LEFT, top - 9, "time of one right-hand side (s)", more=BOLD)]
+    for place, text in scale.ticks:
+        parts.append(draw_line(x + place, top, x + place, top + height, "#e4e4e4"))
+        parts.append(draw_text(x + place, top + height + 14, text, "middle"))
     at = top + 4
     for cost in study.costs:
-        parts.append(draw_text(x - 8, at + 13, cost.formulation, "end"))
-        for (language, colour), value in zip(pairs, (cost.c, cost.python), strict=True):
-            if not math.isfinite(value):
-                continue
-            length = max(width * (math.log10(value) - low) / max(high - low, 1), 1.0)
-            parts.append(draw_box(x + 10, at, length, 14, colour, more=' fill-opacity="0.85"'))
-            words = f"{NAMES[language]}: {duration(value)}"
-            more = f", {cost.operations}, {cost.states} states" if language == "c" else ""
-            parts.append(draw_text(x + 16 + length, at + 11, words + more, more=' font-size="11"'))
+        parts.append(draw_text(x - 8, at + 12, cost.formulation, "end"))
+        if cost.twin:
+            parts.append(draw_text(x + 8, at + 12, f"the same code as {cost.twin}", more=' font-size="11"'))
             at += 16
-        at += 8
-    parts.append(draw_text(x + 10, at + 8, "the bars are logarithmic", colour="#666666", more=' font-size="11"'))
-    return parts, at + 8
+            continue
+        for language, look, value in (
+            ("c", ("circle", "#0072b2"), cost.c),
+            ("python", ("square", "#e69f00"), cost.python),
+        ):
+            if math.isfinite(value):
+                words = f"{NAMES[language]}: {duration(value)}"
+                more = f", {cost.operations}, {cost.states} states" if language == "c" else ""
+                parts.append(draw_marker(look[0], x + scale.place(value), at + 8, SMALLEST, look[1]))
+                parts.append(draw_text(x + scale.place(value) + 10, at + 12, words + more, more=' font-size="11"'))
+            at += 17
+    return parts, top + height + 18
 
 
 def _draw_foot(study: Study, y: float) -> list[str]:

@@ -83,8 +83,8 @@ def provenance(study: Study) -> list[str]:
         f"errors below {RESOLVED:g} times that are marked as not resolved",
         "errors are relative to each quantity's largest magnitude along the motion; an accuracy counts as reached when all "
         "tighter cases of the same line reach it as well",
-        f"times are those of whole runs that keep the end only, repeated inside compiled code after a warm-up, the fastest "
-        f"of the repeats; along the motion errors are taken at {study.points} rows",
+        f"times are the processor's, of whole runs that keep the end only, repeated inside compiled code after a warm-up, the "
+        f"fastest of the repeats; along the motion errors are taken at {study.points} rows",
         "a tolerance is what the integrator is given for each step (`nhc run --tol` gives it a hundredth of what is asked)",
         f"machine: {study.machine.line}",
     ]
@@ -138,7 +138,8 @@ def _table_of_times(study: Study) -> str:
 def _table_of_costs(study: Study) -> str:
     head = ["equations", "number", "why", "states", "operations", "C", "Python"]
     rows = [
-        [c.formulation, c.number, c.reason, str(c.states), c.operations, duration(c.c), duration(c.python)]
+        [c.formulation, c.number, c.reason, str(c.states), c.operations]
+        + ([f"as {c.twin}"] * 2 if c.twin else [duration(c.c), duration(c.python)])
         for c in study.costs
     ]
     return table(head, rows, left=5)

@@ -30,7 +30,7 @@ def draw_ladder(ladder: Ladder) -> str:
     parts = [draw_text(WIDTH / 2, 26, title, "middle", ' font-size="17" font-weight="bold"')]
     parts += _draw_plot(ladder, LEFT, "operations of the right-hand side", lambda r: float(r.size.operations))
     unit, name = _unit(max(rung.price.run for rung in ladder.rungs))
-    parts += _draw_plot(ladder, SECOND, f"time of one run ({name})", lambda r: r.price.run / unit)
+    parts += _draw_plot(ladder, SECOND, f"processor time of one run ({name})", lambda r: r.price.run / unit)
     lines, bottom = _draw_list(ladder, TOP + PLOT_HEIGHT + 66)
     total = bottom + 26
     parts += lines
@@ -65,7 +65,8 @@ def _draw_plot(ladder: Ladder, left: float, label: str, value: Callable[[Rung], 
     for k, (a, b) in enumerate(places):
         parts.append(draw_marker("circle", a, b, 4.2, MODEL, k == 0, f' class="point" data-k="{k}"'))
         if k == 0 or k == len(places) - 1 or _is_apart(places[k], places[k - 1]):
-            parts.append(draw_text(a + 7, b - 7, str(k), more=BOLD))
+            before = a < limit < a + 9 + 8 * len(str(k))  # a number does not stand on the dashed line
+            parts.append(draw_text(a - 7 if before else a + 7, b - 7, str(k), "end" if before else "start", BOLD))
     return parts
 
 
@@ -82,7 +83,11 @@ def _draw_list(ladder: Ladder, top: float) -> tuple[list[str], float]:
         cells = [*row[:-1], row[-1] if len(row[-1]) <= 88 else f"{row[-1][:85]}..."]
         parts += [draw_text(x, at, text) for x, text in zip(columns, cells, strict=True)]
         at += 18
-    foot = (f"measured {print_how(ladder)}; confirmed by {ladder.confirmed}", f"machine: {ladder.machine}")
+    foot = (
+        f"measured {print_how(ladder)}; confirmed by {ladder.confirmed}",
+        "0, hollow: the full model, at the reference's own error",
+        f"machine: {ladder.machine}",
+    )
     for line in foot:
         parts.append(draw_text(LEFT - 40, at + 10, line, more=' font-size="10.5"', colour="#555555"))
         at += 16

@@ -41,10 +41,10 @@ def list_check_charts(found: Trajectory) -> list[Chart]:
     """The energy's relative change, and how far the constraints are off."""
     checks = found.job.checks
     charts: list[Chart] = []
-    for group, title in (
-        ("energy", "energy: change relative to the largest of |T + V| and T"),
-        ("residual", "residuals of the constraints"),
-        ("position", "holonomic constraints: position residuals"),
+    for group, title, axis in (
+        ("energy", "energy: change relative to the largest of |T + V| and T", "relative change"),
+        ("residual", "residuals of the constraints", "in the spec's units"),
+        ("position", "holonomic constraints: position residuals", "in the spec's units"),
     ):
         indices = [k for k, column in enumerate(checks) if column.group == group]
         if not indices or not found.checks:
@@ -60,7 +60,7 @@ def list_check_charts(found: Trajectory) -> list[Chart]:
         if all(math.isnan(y) for s in series for y in s.y):
             continue  # exactly zero: the table says so
         t = time_axis(found.job.system.spec.time_unit)
-        charts.append(Chart(title, t, Axis("magnitude", log=True), tuple(series), WIDTH, PANEL))
+        charts.append(Chart(title, t, Axis(axis, log=True), tuple(series), WIDTH, PANEL))
     return charts
 
 
@@ -136,7 +136,7 @@ def _summary(found: Trajectory) -> list[tuple[str, str]]:
         if group == "energy":
             columns = [energy_change(found)]
         worst = max(abs(x) for column in columns for x in column)
-        text = f"off by at most {worst:.3g}"
+        text = f"off by at most {worst:.3g}, in the spec's units"
         if group == "energy":
             text = f"relative change at most {worst:.3g}"
             terms = power_terms(found.job.system)

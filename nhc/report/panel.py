@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Sequence
 
 from nhc.records import record
+from nhc.report.labels import SIZE as SMALL
+from nhc.report.labels import Box, place_names
 from nhc.report.marks import SHAPES, draw_axes, draw_box, draw_marker, draw_text
 from nhc.report.svg import COLOURS, dash_of
 from nhc.report.ticks import Scale, log_scale
@@ -76,7 +78,7 @@ class Panel:
     """Where a panel stands, in pixels of the whole picture, and what its axes carry.
 
     ``floor``: errors left of it are not resolved by the reference (0: no such limit); ``noise``: where no case is above it there is
-    nothing to see.
+    nothing to see; ``absent``: what to say where no case has such a value; ``named``: the lines have their methods beside them.
     """
 
     title: str
@@ -91,6 +93,8 @@ class Panel:
     floor: float = 0.0
     front: bool = False
     noise: float = 0.0
+    absent: str = "nothing to show"
+    named: bool = False
 
 
 def draw_panel(panel: Panel, results: Sequence[Result], style: Style) -> list[str]:
@@ -99,9 +103,11 @@ def draw_panel(panel: Panel, results: Sequence[Result], style: Style) -> list[st
     xs, ys = [panel.x(r) for _, r in shown], [panel.y(r) for _, r in shown]
     x = log_scale(min(xs, default=1e-3), max(xs, default=1.0), panel.width, max(3, int(panel.width // 62)))
     y = log_scale(min(ys, default=1e-3), max(ys, default=1.0), panel.height, max(3, int(panel.height // 34)))
+    if not shown:
+        return _draw_empty(panel, results)
     parts = _draw_frame(panel, x, y)
-    if not shown or max(xs) < panel.noise:
-        text = f"rounding in all runs: at most {max(xs):.1e}" if shown else "nothing but zeros"
+    if max(xs) < panel.noise:
+        text = f"rounding in all runs: at most {max(xs):.1e}"
         return [*parts, draw_text(panel.left + panel.width / 2, panel.top + panel.height / 2, text, "middle")]
     parts += _draw_floor(panel, x)
     if panel.front:
@@ -111,7 +117,39 @@ def draw_panel(panel: Panel, results: Sequence[Result], style: Style) -> list[st
         lines.setdefault(result.case.series, []).append((k, result))
     for line in lines.values():
         parts += _draw_line(panel, style, line, x, y)
-    return parts
+    return [*parts, *_draw_names(panel, style, lines, x, y)] if panel.named else parts
+
+
+def _draw_empty(panel: Panel, results: Sequence[Result]) -> list[str]:
+    """A frame without axes, and why it is empty."""
+    some = any(not r.failed and math.isfinite(panel.x(r)) for r in results)
+    text = "nothing but zeros" if some else panel.absent
+    return [
+        draw_text(panel.left, panel.top - 9, panel.title, more=' font-weight="bold"'),
+        draw_box(panel.left, panel.top, panel.width, panel.height, "none", "#555555"),
+        draw_text(panel.left + panel.width / 2, panel.top + panel.height / 2, text, "middle"),
+    ]
+
+
+def _draw_names(
+    panel: Panel, style: Style, lines: dict[tuple[str, str, str], list[tuple[int, Result]]], x: Scale, y: Scale
+) -> list[str]:
+    """The method beside the lines of each method and language, compiled ones first."""
+    kinds: dict[tuple[str, str], list[tuple[str, str, str]]] = {}
+    for series in lines:
+        kinds.setdefault(series[1:], []).append(series)
+    order = sorted(kinds, key=lambda kind: kind[1] == "python")
+    texts = {kind: kind[0] if kind[1] == "c" else f"{kind[0]}, {NAMES[kind[1]]}" for kind in order}
+    places = [
+        (texts[kind], [[_place(panel, r, x, y) for _, r in lines[series]] for series in kinds[kind]]) for kind in order
+    ]
+    frame = Box(panel.left, panel.top, panel.left + panel.width, panel.top + panel.height)
+    look = f' font-size="{SMALL}" paint-order="stroke" stroke="#ffffff" stroke-width="2.5"'
+    groups = {texts[kind]: " ".join(style.classes(lines[kinds[kind][0]][0][1]).split()[::2]) for kind in order}
+    return [
+        draw_text(name.x, name.y, name.text, more=f'{look} class="{groups[name.text]}"', colour="#333333")
+        for name in place_names(places, frame)
+    ]
 
 
 def _is_good(value: float) -> bool:
@@ -133,7 +171,8 @@ def _draw_line(panel: Panel, style: Style, line: Sequence[tuple[int, Result]], x
         parts.append(f'<polyline points="{path}" {look}/>')
     for (k, result), (a, b) in zip(line, places, strict=True):
         more = f' class="point" data-k="{k}"'
-        parts.append(draw_marker(style.shape(first.formulation), a, b, SIZE, colour, result.unresolved, more))
+        faint = panel.floor > 0 and not panel.x(result) >= panel.floor
+        parts.append(draw_marker(style.shape(first.formulation), a, b, SIZE, colour, faint, more))
     return [*parts, "</g>"]
 
 

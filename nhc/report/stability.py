@@ -10,7 +10,7 @@ from nhc.emit.environment import create_environment
 from nhc.report.svg import Axis, Chart, Series, draw, time_axis
 from nhc.study.linearize import eigenvalues
 from nhc.study.stability.laboratory import Laboratory
-from nhc.study.stability.table import sections
+from nhc.study.stability.table import sections, time_of
 from nhc.version import __version__
 
 WIDTH, PANEL = 760, 340
@@ -31,14 +31,21 @@ def list_charts(lab: Laboratory, parameter: str = "") -> list[Chart]:
     for run in lab.runs:
         chosen = [d for d in run.drifts if max(d.series, default=0.0) > 0.0]
         chosen = [d for d in chosen if max(d.series) > ROUNDING] or chosen[:1]
-        series = tuple(Series(d.what, *_envelope(run.times, d.series)) for d in chosen[:_MOST])
+        series = tuple(
+            Series(d.what if d.relative else f"{d.what} (absolute)", *_envelope(run.times, d.series))
+            for d in chosen[:_MOST]
+        )
         if series:
-            how = run.method if not run.step else f"{run.method}, steps of {run.step:.3g}"
+            how = run.method if not run.step else f"{run.method}, steps of {time_of(run.step, unit, 3)}"
             title = f"drift by {how}: largest of every {max(1, len(run.times) // _BINS)} rows"
-            charts.append(_chart(title, t, Axis("deviation", log=True), series))
+            charts.append(_chart(title, t, Axis("relative deviation", log=True), series))
     if lab.sensitivity is not None:
         series = (Series("growth", lab.sensitivity.times, _positive(lab.sensitivity.norms)),)
-        charts.append(_chart("growth of perturbations of the start", t, Axis("growth", log=True), series))
+        charts.append(
+            _chart(
+                "growth of perturbations of the start", t, Axis("growth of relative perturbations", log=True), series
+            )
+        )
     if lab.distances:
         times = lab.bench.times
         series = tuple(Series(d.what, times, _positive(d.series)) for d in lab.distances[:_MOST])
@@ -71,7 +78,10 @@ def _sweep(lab: Laboratory, parameter: str, rate: str) -> list[Chart]:
     found = [eigenvalues(point) for point in swept.points]
     most = max(map(len, found))
     charts = []
-    for kind, title, part in (("real", "real parts: growth", False), ("imaginary", "imaginary parts: frequency", True)):
+    for kind, title, part in (
+        ("real", "real parts: growth", False),
+        ("imaginary", "imaginary parts: angular frequency", True),
+    ):
         xs, ys = [], []
         for k in range(most):
             for value, row in zip(swept.values, found, strict=True):
@@ -91,9 +101,16 @@ def _sweep(lab: Laboratory, parameter: str, rate: str) -> list[Chart]:
                 Series(f"crossing at {c.value:.5g}", [c.value, c.value], [-reach, reach]) for c in swept.crossings
             ]
         charts.append(
-            _chart(title, Axis(parameter or "parameter", exact=True), Axis(f"{kind} part{rate}"), tuple(lines))
+            _chart(title, Axis(_with_unit(lab, parameter), exact=True), Axis(f"{kind} part{rate}"), tuple(lines))
         )
     return charts
+
+
+def _with_unit(lab: Laboratory, name: str) -> str:
+    """What was swept, as an axis has it."""
+    system = lab.bench.equations.system
+    unit = {**{p.name: p.unit for p in system.spec.parameters}, **system.units}.get(name, "")
+    return f"{name} [{unit}]" if unit not in ("", "1") else name or "parameter"
 
 
 def _at_least(low: float, xs: list[float], ys: list[float]) -> tuple[list[float], list[float]]:

@@ -114,7 +114,9 @@ def test_the_reference_states_its_own_error_and_is_right() -> None:
 def test_all_formulations_end_at_the_same_reference() -> None:
     grid = replace(SMALL, methods=("dop853",), languages=("c",), tolerances=(1e-12,))
     made = chart(gallery("rolling_disk"), grid)
-    assert {r.case.formulation for r in made.results} == {"euler-lagrange", "chaplygin", "voronec", "multipliers"}
+    assert {r.case.formulation for r in made.results} == {"euler-lagrange", "chaplygin", "multipliers"}
+    assert {cost.formulation: cost.twin for cost in made.costs if cost.twin} == {"voronec": "chaplygin"}
+    assert ("voronec", "its code is that of chaplygin, statement for statement") in made.left_out
     assert made.reference.error < 1e-12 and all(r.error < 1e-10 for r in made.results)
 
 

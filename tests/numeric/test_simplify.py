@@ -6,6 +6,7 @@ import json
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import cast
@@ -335,6 +336,13 @@ def test_the_ladder_has_prices_and_a_second_measurement() -> None:
     assert len(numbers) >= 4 and all(
         float(e.get("y", "0")) > 66 for e in numbers
     )  # inside the plots, below their titles
+    last = ladder.rungs[-1]
+    root = ET.fromstring(draw_ladder(replace(ladder, tolerance=1.2 * last.error)))
+    (limit, *_) = [float(e.get("x1") or 0) for e in root.iter() if e.get("stroke-dasharray")]
+    places = [
+        (float(e.get("x") or 0), e.get("text-anchor")) for e in root.iter() if e.text == "2" and e.get("font-weight")
+    ]
+    assert (limit - 40 < places[0][0] < limit) and places[0][1] == "end"  # not on the dashed line
     page = make_ladder_page(ladder)
     assert (
         "<code>-k*theta^9</code>" in page

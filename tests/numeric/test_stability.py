@@ -17,11 +17,11 @@ from nhc.pipeline import Options, stability
 from nhc.report.stability import list_charts
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA
 from nhc.study.linearize import eigenvalues
-from nhc.study.stability.drift import accumulate
+from nhc.study.stability.drift import Drift, accumulate
 from nhc.study.stability.laboratory import Laboratory, Question
 from nhc.study.stability.sensitivity import fit
 from nhc.study.stability.stepsize import amplification, predict
-from nhc.study.stability.table import lines, tree
+from nhc.study.stability.table import judge, lines, tree
 from tests.numeric.test_stiffness import SYRUP
 from tests.numeric.test_switching import SKATER, forced
 from tests.support import ROOT, hide_numpy, spec_path
@@ -223,6 +223,35 @@ def test_pictures_leave_out_what_cannot_be_read() -> None:
     (drift, *_) = [chart for chart in list_charts(found) if chart.title.startswith("drift by dop853")]
     assert [series.label for series in drift.series] == ["T + V"]  # the slip stays at rounding
     assert all(len(series.x) <= 300 for series in drift.series)
+
+
+def test_numbers_and_axes_have_the_units_of_the_spec() -> None:
+    found = look("rolling_disk", Question(about="theta=pi/2", sweep=("w_n", 1.0, 4.0, 4), lengths=1))
+    text = "\n".join(lines(found))
+    for part in (
+        "  eigenvalue [1/s]  ",
+        "along the scene [1/s]\n",
+        "stable step [s]: ",
+        "until t = 5 s by",
+        "at t = 4.05 s\n",
+    ):
+        assert part in text
+    axes = {chart.x.label for chart in list_charts(found, "w_n")}
+    assert {"w_n [rad/s]", "t [s]", "real part [1/s]"} <= axes
+
+
+def test_a_drift_is_told_by_its_ratio() -> None:
+    """A run cannot show that an error is bounded."""
+    told = {
+        (first, last, relative): judge(Drift("x", "energy", relative, first, last, 1e-14, (first, last)))
+        for first, last, relative in ((2e-6, 3e-6, True), (2e-6, 5e-6, False), (0.0, 1e-9, True), (1e-15, 9e-15, True))
+    }
+    assert list(told.values()) == [
+        "1.5 times as large",
+        "grows, 2.5 times as large, absolute",
+        "grows, from zero",
+        "rounding",
+    ]
 
 
 def test_json_and_page(tmp_path_factory: pytest.TempPathFactory, capsys: pytest.CaptureFixture[str]) -> None:

@@ -5,13 +5,17 @@ from __future__ import annotations
 import json
 import math
 import re
+import time
 import xml.etree.ElementTree as ET
+from collections import Counter
 from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
 from jinja2 import meta
 
+from benchmarks.methods import print_table as print_methods
+from benchmarks.methods import ratio as method_ratio
 from nhc.cli.chart import LANGUAGES as OFFERED_LANGUAGES
 from nhc.cli.chart import METHODS as OFFERED
 from nhc.emit.environment import create_environment
@@ -20,10 +24,12 @@ from nhc.program.ir import Argument, Call, Function, Load, Ref, Store
 from nhc.report.chart import draw_study
 from nhc.report.chart_file import make_file
 from nhc.report.chart_text import list_failures, to_data, to_markdown
+from nhc.report.labels import Box, place_names
 from nhc.simulate.auto import decay_rate
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.opening import open_scene
+from nhc.study.chart import pace
 from nhc.study.chart.advice import advise, duration, fastest
 from nhc.study.chart.case import Case, Cost, Machine, Reference, Result, Study
 from nhc.study.chart.grid import LANGUAGES
@@ -119,8 +125,8 @@ def test_of_equal_cases_the_first_line_is_taken() -> None:
 
 def test_the_picture_shows_every_case_and_marks_failures_and_unresolved_points() -> None:
     broken = [replace(r, failed="it blows up (t = 3)", error=math.nan) for r in line("multipliers", "rk4", "c", 1, 0.1)]
-    faint = [replace(r, unresolved=r.error < 1e-9) for r in line("voronec", "dopri5", "python", 1e-3, 0.2)]
-    made = study([*CROSSING, *faint, *broken], 1e-12)
+    others = [replace(r, grid_error=1e-3 * r.error) for r in line("voronec", "dopri5", "python", 1e-3, 0.2)]
+    made = study([*CROSSING, *others, *broken], 1e-12)
     text = draw_study(made)
     assert text == draw_study(made)
     root = ET.fromstring(text)
@@ -131,8 +137,14 @@ def test_the_picture_shows_every_case_and_marks_failures_and_unresolved_points()
     words = " ".join(e.text or "" for e in root.iter())
     for expected in ("down and left is better", "failed runs", "rk4, C", "all", "multipliers", "1.0e-12", "cpu"):
         assert expected in words
-    hollow = [e for e in root.iter() if e.get("class") == "point" and e.get("fill") == "#ffffff"]
-    assert {int(e.get("data-k") or -1) for e in hollow} == {k for k, r in enumerate(made.results) if r.unresolved}
+    hollow = Counter(
+        int(e.get("data-k") or -1)
+        for e in root.iter()
+        if e.get("class") == "point" and e.get("fill") == "#ffffff" and e.tag.endswith(("circle", "polygon"))
+    )
+    for k in good:  # as grey as its place: of the panels with the error at the end there are two
+        result = made.results[k]
+        assert hollow[k] == 2 * (result.error < 1e-10) + (result.grid_error < 1e-10)
     assert all("nan" not in value for e in root.iter() for value in e.attrib.values())
 
 
@@ -149,6 +161,59 @@ def test_markers_stay_inside_their_panels_and_off_the_legend() -> None:
         float(e.get("y") or 0) for e in root.iter() if (e.text or "") in ("method", "equations", "run by", "marks")
     ]
     assert len(legend) == 4 and max(legend) < min(b for _, b, _, _ in boxes) - 15
+
+
+def texts_of(root: ET.Element) -> list[str]:
+    return [e.text or "" for e in root.iter() if e.tag.endswith("text")]
+
+
+def test_what_a_panel_cannot_show_has_no_axis() -> None:
+    free = [replace(r, residual=math.nan, energy=math.nan) for r in CROSSING]
+    words = texts_of(ET.fromstring(draw_study(study(free))))
+    assert "the system has no constraints" in words and "no energy is known" in words
+    assert not any("left minus right side" in word for word in words)
+    held = texts_of(ET.fromstring(draw_study(study(CROSSING))))
+    assert "nothing but zeros" in held and "the system has no constraints" not in held
+
+
+def test_lines_have_their_methods_beside_them_where_nothing_is_covered() -> None:
+    lines = [("dop853", [[(100.0, 100.0), (200.0, 50.0)]]), ("dopri5", [[(100.0, 112.0), (200.0, 62.0)]])]
+    frame = Box(0.0, 0.0, 300.0, 200.0)
+    upper, lower = place_names(lines, frame)
+    assert (upper.text, lower.text) == ("dop853", "dopri5")
+    assert upper.y < 100 and lower.y > 62 + 8  # neither fits between the lines
+    crowd = [(60.0 + x, 60.0 + y) for x in range(0, 200, 4) for y in range(-60, 100, 4)]
+    assert [name.text for name in place_names([lines[0], ("crowd", [crowd])], frame)] == ["crowd"]
+    assert place_names(lines, Box(90.0, 40.0, 120.0, 115.0)) == []
+    both = [("dop853", [*lines[0][1], *lines[1][1]])]
+    assert len(place_names(both, frame)) == 1  # a kind has its name once
+
+
+def test_methods_are_named_in_the_picture() -> None:
+    text = draw_study(study(CROSSING))
+    panel = text[text.index("time against error at the end") : text.index("error along the motion")]
+    named = re.findall(r'<text [^>]*class="m(\d) l(\d)">([^<]+)<', panel)
+    assert sorted(named) == [("0", "0", "dop853"), ("0", "1", "dop853, Python"), ("1", "0", "dopri5")]
+
+
+def test_formulations_with_the_same_code_are_told_and_not_compared() -> None:
+    made = study(CROSSING)
+    voronec, multipliers = made.costs
+    made = replace(made, costs=(voronec, replace(voronec, formulation="chaplygin", twin="voronec"), multipliers))
+    assert all("; chaplygin has the same code; " in a.text for a in advise(made) if a.best is not None)
+    assert "| as voronec | as voronec |" in to_markdown(made)
+    assert "the same code as voronec" in texts_of(ET.fromstring(draw_study(made)))
+
+
+def test_an_error_below_what_the_reference_resolves_is_a_bound() -> None:
+    faint = [replace(r, error=1e-13, unresolved=True) for r in CROSSING[:6]]
+    (advice,) = advise(study(faint, 1e-12), (1e-6,))
+    assert "error at most 1.1e-12," in advice.text
+
+
+def test_time_spent_waiting_does_not_count() -> None:
+    best, middle, _ = time_repeats(lambda _: time.sleep(2e-3), 1e-3)
+    assert best <= middle < 1e-3
 
 
 def test_the_texts_carry_method_tolerance_reference_and_machine() -> None:
@@ -275,3 +340,30 @@ def test_a_decaying_mode_is_found_and_an_oscillation_is_none() -> None:
     assert decay_rate([[-50.0, 1.0], [0.0, -1.0]]) == pytest.approx(50.0, rel=1e-6)
     assert decay_rate([[0.0, 100.0], [-100.0, 0.0]]) == 0.0
     assert decay_rate([[3.0]]) == 0.0 and decay_rate([[0.0]]) == 0.0
+
+
+def test_the_table_of_methods_has_the_best_other_one_in_compiled_code() -> None:
+    made = study(CROSSING)
+    slow = replace(made, results=tuple(r for r in CROSSING if r.case.method == "dop853"))
+    cells = [method_ratio(made, 1e-6), method_ratio(slow, 1e-6)]
+    ours, theirs = (
+        fastest([r for r in CROSSING if r.case.series[1:] == (m, "c")], 1e-6, 1e-16) for m in ("dop853", "dopri5")
+    )
+    assert ours is not None and theirs is not None
+    assert cells == [f"{theirs.best / ours.best:.2g} (dopri5)", "-"]
+    assert "| toy, s | " in print_methods([made]) and "known to 1e-16 or better" in print_methods([made])
+
+
+def test_what_the_interpreter_takes_is_learnt_from_its_first_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Large implicit steps take it two thousand times as long as compiled code: the finer ones are not tried."""
+    compiled = {1e-3: 1e-4, 1e-6: 4e-3, 1e-9: 7e-3}
+
+    def run(bench: object, case: Case, budget: float) -> Result:
+        return Result(case, calls=100, best=compiled[case.tolerance] * (1 if case.language == "c" else 2000))
+
+    monkeypatch.setattr(pace, "run_case", run)
+    made = pace.Pace(SimpleNamespace(name="m"), False, 1e-3)  # type: ignore[arg-type]
+    for language in ("c", "python"):
+        done = [made.run(Case("m", "radau5", language, t), rung) for rung, t in ((1, 1e-3), (4, 1e-6), (7, 1e-9))]
+        assert [len(results) for results in done] == ([1, 1, 1] if language == "c" else [1, 0, 0])
+    assert made.many == ["radau5", "radau5"]

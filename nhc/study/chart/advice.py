@@ -67,8 +67,9 @@ def _advise(study: Study, target: float) -> Advice:
     if best is None:
         return Advice(target, None, f"no case of this chart reaches {spell_power(target)}{_why_none(study, target)}")
     case = best.case
+    error = f"at most {best.error + floor:.1e}" if best.unresolved else f"{best.error:.1e}"
     text = (
-        f"{case.formulation} with {case.method} in {NAMES[case.language]} at {setting(case)}: error {best.error:.1e}, "
+        f"{case.formulation} with {case.method} in {NAMES[case.language]} at {setting(case)}: error {error}, "
         f"{duration(best.best)} ({best.calls} right-hand sides)"
     )
     return Advice(target, best, "; ".join([text, *_reasons(study, best, target)]))
@@ -95,7 +96,8 @@ def _reasons(study: Study, best: Result, target: float) -> list[str]:
         ]
         return fastest(chosen, target, floor)
 
-    reasons = []
+    twins = [cost.formulation for cost in study.costs if cost.twin == case.formulation]
+    reasons = [f"{' and '.join(twins)} {'have' if len(twins) > 1 else 'has'} the same code"] if twins else []
     method = rival((True, False, True))
     if method is not None:
         work = f"{method.calls} right-hand sides" if method.calls != best.calls else "as many right-hand sides"

@@ -70,7 +70,8 @@ class Reference:
 class Cost:
     """What a formulation costs: the size of its state, the operations and the time in seconds of one right-hand side.
 
-    ``left``: (entry, reason) of what a scene's model leaves out of the ``full_states`` entries of the whole state.
+    ``left``: (entry, reason) of what a scene's model leaves out of the ``full_states`` entries of the whole state;
+    ``twin``: the formulation whose code this one's is, statement for statement, so that its numbers are those of that one.
     """
 
     formulation: str
@@ -82,6 +83,7 @@ class Cost:
     python: float
     left: tuple[tuple[str, str], ...] = ()
     full_states: int = 0
+    twin: str = ""
 
 
 @record

@@ -11,6 +11,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
+from nhc.program.ir import Function, Let, Origin, Result, Section, Statement, Store, Sweep
 from nhc.program.scene_model import reduce_one, scene_model
 from nhc.records import record
 from nhc.simulate.prepare import Job, prepare
@@ -33,13 +34,25 @@ class Shrunk:
 class Prepared:
     """The jobs of a study by name, the one that nhc would choose first; what does not apply, with the reason.
 
-    ``full`` is a job with the whole state, for the reference; ``shrunk`` says what the jobs of these names leave out.
+    ``full`` is a job with the whole state, for the reference; ``shrunk`` says what the jobs of these names leave out;
+    ``twins``: of jobs whose code is that of an earlier one, this one's name.
     """
 
     jobs: dict[str, Job]
     skipped: tuple[tuple[str, str], ...]
     full: Job
     shrunk: dict[str, Shrunk]
+    twins: dict[str, str]
+
+    @property
+    def distinct(self) -> dict[str, Job]:
+        """The jobs without those that have the code of another."""
+        return {name: job for name, job in self.jobs.items() if name not in self.twins}
+
+    @property
+    def repeated(self) -> list[tuple[str, str]]:
+        """(name, reason) of those that are not run for that."""
+        return [(name, f"its code is that of {twin}, statement for statement") for name, twin in self.twins.items()]
 
 
 def prepare_jobs(system: System, scene: Scene, wanted: Sequence[str], needs: Sequence[str], reduced: bool) -> Prepared:
@@ -86,7 +99,36 @@ def prepare_jobs(system: System, scene: Scene, wanted: Sequence[str], needs: Seq
     if full is None:
         formulate(system, names[0])  # raises: it says why nothing that was named applies
         raise AssertionError("a formulation that does not apply was built")
-    return Prepared(jobs, tuple(skipped), full, shrunk)
+    return Prepared(jobs, tuple(skipped), full, shrunk, _find_twins(jobs))
+
+
+def _find_twins(jobs: dict[str, Job]) -> dict[str, str]:
+    """The jobs that would run the same statements as an earlier one: timed apart they would differ by noise alone."""
+    codes = {
+        name: (job.y, job.p, job.stops, job.holds, [(f.name, _bare(f)) for f in job.program.functions])
+        for name, job in jobs.items()
+    }
+    names = list(jobs)
+    found: dict[str, str] = {}
+    for k, name in enumerate(names):
+        first = next((other for other in names[:k] if codes[other] == codes[name]), "")
+        if first:
+            found[name] = first
+    return found
+
+
+def _bare(function: Function) -> tuple[Statement, ...]:
+    """A function's statements without the numbers of the equations that they come from."""
+
+    def bare(statement: Statement) -> Statement:
+        if isinstance(statement, Sweep):
+            body = tuple(replace(one, origin=Origin()) for one in statement.body)
+            return replace(statement, body=body)
+        if isinstance(statement, (Section, Let, Store, Result)):
+            return replace(statement, origin=Origin())
+        return statement
+
+    return tuple(bare(statement) for statement in function.body)
 
 
 def _full_job(system: System, form: Formulation, scene: Scene, needs: Sequence[str]) -> Job:

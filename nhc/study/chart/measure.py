@@ -21,12 +21,21 @@ LONG = 4.0  # budgets; a run that is longer is not worth a warm-up
 Rows = Sequence[Sequence[float]]
 
 
+def choose_clock() -> Callable[[], float]:
+    """The processor's time, in seconds: beside other work a run waits for its turn, which says nothing of the run.
+
+    Where that clock ticks too slowly for short runs, the time of the wall.
+    """
+    fine = time.get_clock_info("process_time").resolution <= 1e-2 * BATCH
+    return time.process_time if fine else time.perf_counter
+
+
 def time_repeats(repeat: Callable[[int], None], budget: float) -> tuple[float, float, int]:
     """(least, median, number) of the seconds of one run; ``repeat(n)`` runs it n times.  The first call is not counted.
 
     A run that takes longer than the budget is measured twice after that, one that is much longer once, without a warm-up.
     """
-    clock = time.perf_counter
+    clock = choose_clock()
 
     def take(count: int) -> float:
         before = clock()

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass, field
 
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.grid import MOST_PYTHON, PYTHON_STRIDE
+from nhc.study.chart.measure import choose_clock
 from nhc.study.chart.single import Bench, run_case
 
 SLOW = {"c": 0.6, "python": 1.2}  # seconds of a case with its repeats, after which its line has no finer ones
-TIMES = 150.0  # the interpreter takes that many times the time of compiled code
+TIMES = 150.0  # the interpreter takes at least that many times the time of compiled code
 Left = list[tuple[str, str]]
 
 
@@ -25,6 +25,7 @@ class Pace:
     many: list[str] = field(default_factory=list)
     _ended: set[tuple[str, str]] = field(default_factory=set)
     _twins: dict[tuple[str, float], Result] = field(default_factory=dict)
+    _times: dict[str, float] = field(default_factory=dict)
 
     def run(self, case: Case, rung: int) -> list[Result]:
         """The case's result; nothing where it is left out."""
@@ -35,19 +36,23 @@ class Pace:
         if language == "python" and twin is not None and not self._may_interpret(twin):
             self.many.append(case.method)
             return []
-        before = time.perf_counter()
+        clock = choose_clock()
+        before = clock()
         made = run_case(self.bench, case, self.budget)
-        if time.perf_counter() - before > SLOW[language] and not self.explicit:
+        if clock() - before > SLOW[language] and not self.explicit:
             self._ended.add(line)
             self.slow.append(f"{case.method} in {'C' if language == 'c' else 'Python'}")
         if language == "c":
             self._twins[case.method, case.tolerance] = made
+        elif twin is not None and made.best > TIMES * twin.best:
+            self._times[case.method] = made.best / twin.best
         return [made]
 
     def _may_interpret(self, twin: Result) -> bool:
         """Whether what took that much in compiled code may be interpreted."""
+        times = self._times.get(twin.case.method, TIMES)
         calls = twin.calls + 4 * twin.jacobians
-        return calls <= MOST_PYTHON and (self.explicit or not TIMES * twin.best > SLOW["python"])
+        return calls <= MOST_PYTHON and (self.explicit or not times * twin.best > SLOW["python"])
 
     def left(self) -> Left:
         """What was left out, with the reason."""

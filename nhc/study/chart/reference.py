@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Sequence
 
 from nhc.records import record
@@ -11,7 +10,7 @@ from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import DONE, ModelError, Task
 from nhc.study.chart.case import Reference
-from nhc.study.chart.measure import energy_error, sizes_of
+from nhc.study.chart.measure import choose_clock, energy_error, sizes_of
 from nhc.study.chart.model import LongModel
 
 METHODS = ("dop853", "radau5", "gauss6")
@@ -93,11 +92,12 @@ def _confirm(
         pairs = list(zip(rows, other, strict=True))
         return max((abs(a[k] - b[k]) / s for a, b in pairs for k, s in enumerate(sizes)), default=0.0)
 
+    clock = choose_clock()
     steps, former = intervals, None
     while steps <= most // 4:
-        before = time.perf_counter()
+        before = clock()
         fine = solve("gauss6", 0.0, duration / steps, most)
-        taken = time.perf_counter() - before
+        taken = clock() - before
         if fine and former:
             other = extrapolate(former, fine)
             distance = distance_of(other)

@@ -46,8 +46,16 @@ def choose_schemes(job: Job, wanted: Sequence[str]) -> tuple[list[str], Left]:
 
 
 def count_steps(wish: float, rows: int) -> int:
-    """A number of steps that meet every row, where it is not much less: what these methods keep, they keep at their steps."""
-    return max(math.ceil(wish), 2) if wish < 0.5 * rows else rows * math.ceil(wish / rows)
+    """A number of steps that meet every row: what these methods keep, they keep at their steps."""
+    return rows * max(math.ceil(wish / rows), 1)
+
+
+def list_steps(tolerances: Sequence[float], anchor: int, order: int, rows: int) -> list[tuple[int, float]]:
+    """(number of steps, tolerance that it stands for), each number once."""
+    found: dict[int, float] = {}
+    for tolerance in tolerances:
+        found.setdefault(count_steps(anchor * (1e-3 / tolerance) ** (1.0 / order), rows), tolerance)
+    return list(found.items())
 
 
 def run_schemes(
@@ -69,10 +77,10 @@ def run_schemes(
         compiled = RepeatedModel(compile_natural(job, name), job) if "c" in languages else None
         bench = Bench(job.formulation.name, job, tuple(times), solution, compiled, NaturalModel(job.program))
         pace = Pace(bench, explicit, budget)
+        ladder = list_steps(tolerances, anchor, STRUCTURE[name].order, len(times) - 1)
         for language in languages:
             most = MOST_STEPS if language == "c" else MOST_PYTHON // 8  # a step of these costs several right-hand sides
-            for rung, tolerance in enumerate(tolerances):
-                count = count_steps(anchor * (1e-3 / tolerance) ** (1.0 / STRUCTURE[name].order), len(times) - 1)
+            for rung, (count, tolerance) in enumerate(ladder):
                 if count > most:
                     slow.append(f"{name} in {'C' if language == 'c' else 'Python'}")
                     continue

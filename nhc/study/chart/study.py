@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from nhc.diagnostics import Source
 from nhc.language import decode
@@ -28,7 +29,7 @@ from nhc.study.chart.grid import (
     TOLERANCES,
     Grid,
 )
-from nhc.study.chart.jobs import Shrunk, prepare_jobs, scene_of_needs
+from nhc.study.chart.jobs import Prepared, Shrunk, prepare_jobs, scene_of_needs
 from nhc.study.chart.measure import describe_machine, time_repeats
 from nhc.study.chart.model import ChartModel, LongModel, compile_chart, compile_long
 from nhc.study.chart.pace import Pace
@@ -63,10 +64,10 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     tolerances = tuple(sorted(grid.tolerances or TOLERANCES, reverse=True))
     results: list[Result] = []
     anchor, costs = 8, list[Cost]()
-    left: list[tuple[str, str]] = list(made.skipped)
-    for done, (name, job) in enumerate(made.jobs.items()):
+    left = [*made.skipped, *made.repeated]
+    for done, (name, job) in enumerate(made.distinct.items()):
         if show is not None:
-            show(done / len(made.jobs), name)
+            show(done / len(made.distinct), name)
         bench = open_bench(name, job, times, solution, methods, compiled)
         costs.append(cost_of(bench, languages, made.shrunk.get(name)))
         found, missing = run_bench(bench, methods, languages, tolerances, bool(grid.tolerances), grid.budget)
@@ -93,7 +94,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         methods=grid.methods or (*METHODS, *dict.fromkeys(r.case.method for r in found)),
         languages=languages,
         points=POINTS,
-        costs=tuple(costs),
+        costs=price_all(made, costs),
         results=tuple(results),
         reference=solution.about,
         left_out=tuple(dict.fromkeys(left)),
@@ -163,6 +164,15 @@ def cost_of(bench: Bench, languages: Sequence[str], shrunk: Shrunk | None) -> Co
     form = job.formulation
     left, full = (shrunk.left, shrunk.full_states) if shrunk is not None else ((), len(job.y))
     return Cost(bench.name, form.number, form.reason, len(job.y), calls, in_c, in_python, left, full)
+
+
+def price_all(made: Prepared, costs: Sequence[Cost]) -> tuple[Cost, ...]:
+    """The costs of all formulations in their order; one whose code is that of another has its numbers."""
+    known = {cost.formulation: cost for cost in costs}
+    for name, twin in made.twins.items():
+        form = made.jobs[name].formulation
+        known[name] = replace(known[twin], formulation=name, number=form.number, reason=form.reason, twin=twin)
+    return tuple(known[name] for name in made.jobs)
 
 
 def _use(value: float) -> None:

@@ -1,7 +1,7 @@
 """Long-run drift: energy, constraints and integrals over several lengths of a scene.
 
-Each series is a deviation from the start; its size is compared in the first and in the last tenth, so that a bounded
-error can be told from a growing one.  Where the energy is not conserved its balance takes its place: p q' - T + V less
+Each series is a deviation from the start; its size is compared in the first and in the last tenth, which tells
+growth.  Where the energy is not conserved its balance takes its place: p q' - T + V less
 the integral of its power (III.2.2), by a rule of fourth order, with the rule's own error beside it: where that hides the balance,
 more rows are taken.
 """

@@ -35,11 +35,15 @@ class Section:
 
 def sections(lab: Laboratory) -> tuple[Section, ...]:
     """The table in its parts; parts without rows are left out."""
+    unit = lab.bench.job.system.spec.time_unit
+    per, of = (f" [1/{unit}]", f" [{unit}]") if unit else ("", "")
     parts = [
-        Section("steady motion", tuple(_motion(lab.motion)) if lab.motion else ()),
-        Section("along the parameter", tuple(_sweep(lab.motion.swept)) if lab.motion and lab.motion.swept else ()),
-        Section("eigenvalues along the scene", tuple(_spectrum(lab))),
-        Section("largest stable step: measured, predicted (-: no theory)", tuple(_limits(lab))),
+        Section("steady motion", tuple(_motion(lab.motion, unit)) if lab.motion else ()),
+        Section(
+            "along the parameter", tuple(_sweep(lab.motion.swept, unit)) if lab.motion and lab.motion.swept else ()
+        ),
+        Section(f"eigenvalues along the scene{per}", tuple(_spectrum(lab))),
+        Section(f"largest stable step{of}: measured, predicted (-: no theory)", tuple(_limits(lab))),
         *(Section(title, tuple(rows)) for title, rows in _drifts(lab)),
         Section("sensitivity to the start", tuple(_sensitivity(lab))),
         Section("distance from singular points (0: singular)", tuple(_distances(lab))),
@@ -53,7 +57,8 @@ def lines(lab: Laboratory) -> list[str]:
     """The table as text."""
     bench = lab.bench
     head = f"{bench.equations.system.name}, scene {bench.job.scene.name}, {bench.formulation.name} ({bench.formulation.number})"
-    found = [head, f"  time {bench.job.time[0]:.6g} to {bench.job.time[1]:.6g}, tolerance {bench.job.tolerance:.3g}"]
+    end = time_of(bench.job.time[1], bench.job.system.spec.time_unit)
+    found = [head, f"  time {bench.job.time[0]:.6g} to {end}, tolerance {bench.job.tolerance:.3g}"]
     for part in sections(lab):
         found += ["", part.title]
         left = max(len(row.what) for row in part.rows)
@@ -68,7 +73,12 @@ _VERDICTS = {
 }
 
 
-def _motion(found: Motion) -> list[Row]:
+def time_of(value: float, unit: str, digits: int = 6) -> str:
+    """A time with its unit, where the spec has one."""
+    return f"{value:.{digits}g} {unit}".rstrip()
+
+
+def _motion(found: Motion, unit: str) -> list[Row]:
     made = found.linearisation
     kind = "equilibrium" if made.steady.equilibrium else "steady motion"
     state = [
@@ -80,7 +90,8 @@ def _motion(found: Motion) -> list[Row]:
     told = verdict(made)
     if found.regularity > SINGULAR:
         rows.append(Row("verdict", "none" if told == "none" else f"{told} to first order", _VERDICTS.get(told, "")))
-    rows += [Row("eigenvalue", _complex(mode), _kind(mode)) for mode in modes(made) if mode.value.imag >= 0]
+    eigenvalue = f"eigenvalue [1/{unit}]" if unit else "eigenvalue"
+    rows += [Row(eigenvalue, _complex(mode), _kind(mode, unit)) for mode in modes(made) if mode.value.imag >= 0]
     rows.append(Row("found from", found.place))
     if found.regularity <= SINGULAR:
         advice = "the coordinates are singular here (gimbal lock): take others, or another motion"
@@ -96,21 +107,22 @@ def _complex(mode: Mode) -> str:
     return f"{real:.9g} +- {x.imag:.9g} i" if x.imag else f"{real:.9g}"
 
 
-def _kind(mode: Mode) -> str:
+def _kind(mode: Mode, unit: str) -> str:
     x = mode.value
-    period = f", period {2 * math.pi / x.imag:.6g}" if x.imag else ""
+    period = f", period {time_of(2 * math.pi / x.imag, unit)}" if x.imag else ""
     if not (mode.grows or mode.decays):
         return f"neither grows nor decays{period}"
-    return f"{'grows' if mode.grows else 'decays'} e-fold in {1 / abs(x.real):.4g}{period}"
+    return f"{'grows' if mode.grows else 'decays'} e-fold in {time_of(1 / abs(x.real), unit, 4)}{period}"
 
 
-def _sweep(found: Sweep) -> list[Row]:
+def _sweep(found: Sweep, unit: str) -> list[Row]:
+    per = f" rad/{unit}" if unit else ""
     rows = [
         Row(
             f"crossing at {c.value + 0.0:.9g}",
             c.kind,
             f"more grow {'above' if c.unstable_above else 'below'}"
-            + (f"; frequency {c.frequency:.6g}" if c.frequency else ""),
+            + (f"; angular frequency {c.frequency:.6g}{per}" if c.frequency else ""),
         )
         for c in found.crossings
     ]
@@ -134,7 +146,7 @@ def _spectrum(lab: Laboratory) -> list[Row]:
 def _step(value: float | None) -> str:
     if value is None:
         return "-"
-    return "any" if math.isinf(value) else ("none found" if value == 0 else f"{value:.4g}")
+    return "any" if math.isinf(value) else ("none found" if value == 0 else f"{value:.3g}")
 
 
 def _limits(lab: Laboratory) -> list[Row]:
@@ -146,35 +158,42 @@ def _limits(lab: Laboratory) -> list[Row]:
 
 def _drifts(lab: Laboratory) -> list[tuple[str, list[Row]]]:
     found = []
+    unit = lab.bench.job.system.spec.time_unit
     for run in lab.runs:
-        how = run.method if not run.step else f"{run.method}, steps of {run.step:.3g}"
+        how = run.method if not run.step else f"{run.method}, steps of {time_of(run.step, unit, 3)}"
         rows = [
             Row(
                 d.what,
                 f"{d.first:.1e}, {d.last:.1e}",
-                _judge(d),
+                judge(d),
             )
             for d in run.drifts
         ]
         if run.why:
-            rows.append(Row("ends", f"at t = {run.reached:.6g}", run.why))
-        found.append((f"drift until t = {run.wanted:.6g} by {how}: first tenth, last tenth", rows))
+            rows.append(Row("ends", f"at t = {time_of(run.reached, unit)}", run.why))
+        found.append((f"drift until t = {time_of(run.wanted, unit)} by {how}: first tenth, last tenth", rows))
     return found
 
 
-def _judge(drift: Drift) -> str:
+def judge(drift: Drift) -> str:
+    """Last over first in a number: that an error is bounded no run can show."""
     if not drift.resolved:
         return f"not resolved: the integral of the power errs by {drift.floor:.1e} itself"
-    return ("grows" if drift.grows else "bounded") + ("" if drift.relative else ", absolute")
+    if max(drift.first, drift.last) <= drift.floor:
+        told = "rounding"
+    else:
+        told = f"{drift.last / drift.first:.2g} times as large" if drift.first else "from zero"
+    return ("grows, " if drift.grows else "") + told + ("" if drift.relative else ", absolute")
 
 
 def _sensitivity(lab: Laboratory) -> list[Row]:
     found = lab.sensitivity
     if found is None:
         return []
+    unit = lab.bench.job.system.spec.time_unit
     law = f"exp({found.rate:.3g} t)" if found.law == "exponential" else f"t^{found.rate:.2g}"
     law = law if found.rate > 0 else "nothing: it decays"
-    horizon = "far beyond the scene" if math.isinf(found.horizon) else f"about t = {found.horizon:.4g}"
+    horizon = "far beyond the scene" if math.isinf(found.horizon) else f"about t = {time_of(found.horizon, unit, 4)}"
     return [
         Row("largest growth", f"{max(found.norms):.4g}", "of relative perturbations, at any time of the scene"),
         Row("growth at the end", f"{found.norms[-1]:.4g}", f"{found.plain:.4g} in the state's own units"),
@@ -188,12 +207,13 @@ def _sensitivity(lab: Laboratory) -> list[Row]:
 
 
 def _distances(lab: Laboratory) -> list[Row]:
+    unit = lab.bench.job.system.spec.time_unit
     sound = any(d.kind == "frame" and d.least >= NEAR for d in lab.distances)  # a divisor's scale may be far too large
     return [
         Row(
             d.what,
             f"{d.least:.4g}",
-            f"at t = {d.t:.6g}" + (", weak" if d.least < NEAR and not _is_small(d, sound) else ""),
+            f"at t = {time_of(d.t, unit)}" + (", weak" if d.least < NEAR and not _is_small(d, sound) else ""),
         )
         for d in lab.distances
     ]

@@ -1,0 +1,88 @@
+"""Names written beside the lines of a panel, where they cover nothing: colours are lost on grey paper and to some eyes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from nhc.records import record
+
+SIZE = 10.5
+_WIDE = 0.56  # of a letter, in sizes
+_APART = 7.0  # pixels from a name to lines that are not its own
+_STEP = 4.0  # pixels between the places that stand for a line
+Place = tuple[float, float]
+
+
+@record
+class Box:
+    """What a name covers, in pixels."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    def holds(self, place: Place) -> bool:
+        return self.left <= place[0] <= self.right and self.top <= place[1] <= self.bottom
+
+    def meets(self, other: Box) -> bool:
+        across = self.left < other.right and other.left < self.right
+        return across and self.top < other.bottom and other.top < self.bottom
+
+    def within(self, other: Box) -> bool:
+        across = other.left <= self.left and self.right <= other.right
+        return across and other.top <= self.top and self.bottom <= other.bottom
+
+
+@record
+class Name:
+    """A text whose base line begins at (x, y)."""
+
+    text: str
+    x: float
+    y: float
+
+
+def place_names(kinds: Sequence[tuple[str, Sequence[Sequence[Place]]]], frame: Box) -> list[Name]:
+    """The name of each kind of lines, above or below a point or a middle of one of them, where it covers no line and no other name.
+
+    It stands nearer to lines of its kind than to others.  Kinds come in the order of their importance, as their lines do; one that
+    has no room beside its lines keeps none.
+    """
+    followed = [[place for line in lines for place in _follow(line)] for _, lines in kinds]
+    made: list[Name] = []
+    boxes: list[Box] = []
+    for k, (text, lines) in enumerate(kinds):
+        half = _WIDE * SIZE * len(text) / 2
+        foreign = [place for j, places in enumerate(followed) if j != k for place in places]
+        anchors = [place for line in lines for place in _anchors(line)]
+        for name in (Name(text, x - half, y + below) for x, y in anchors for below in (-9.0, 16.0)):
+            box = Box(name.x - 2, name.y - SIZE + 1, name.x + 2 * half + 2, name.y + 3)
+            if box.within(frame) and _is_free(box, followed[k], foreign, boxes):
+                boxes.append(box)
+                made.append(name)
+                break
+    return made
+
+
+def _is_free(box: Box, own: Sequence[Place], foreign: Sequence[Place], boxes: Sequence[Box]) -> bool:
+    if any(map(box.meets, boxes)) or any(map(box.holds, own)):
+        return False
+    wide = Box(box.left - _APART, box.top - _APART, box.right + _APART, box.bottom + _APART)
+    return not any(map(wide.holds, foreign))
+
+
+def _anchors(line: Sequence[Place]) -> list[Place]:
+    """Its ends, then its other points and the middles between them."""
+    middles = [((a + c) / 2, (b + d) / 2) for (a, b), (c, d) in pairwise(line)]
+    return [*dict.fromkeys((line[0], line[-1])), *line[1:-1], *middles]
+
+
+def _follow(line: Sequence[Place]) -> list[Place]:
+    """Places along a line that are close together."""
+    found = list(line)
+    for (a, b), (c, d) in pairwise(line):
+        count = int(max(abs(c - a), abs(d - b)) / _STEP)
+        found += [(a + (c - a) * k / (count + 1), b + (d - b) * k / (count + 1)) for k in range(1, count + 1)]
+    return found
