@@ -9,6 +9,10 @@ Echelon = list[tuple[int, list[int]]]
 """Independent rows, each with the column of its 1, in which the rows after it are zero."""
 
 
+_MANY = 8
+"""Rows from which a row is worth being one number."""
+
+
 class Singular(Exception):
     """The matrix has no inverse; of one over a graph: at no state."""
 
@@ -33,20 +37,59 @@ def solve_columns_modulo(
     Raises:
         Singular: the determinant is zero modulo the prime.
     """
-    size = len(matrix)
     table = [[x % prime for x in (*row, *columns)] for row, columns in zip(matrix, right, strict=True)]
-    for k in range(size):
-        pivot = next((i for i in range(k, size) if table[i][k]), None)
+    if len(matrix) > _MANY:
+        return _solve_packed(table, len(matrix), prime)
+    for k in range(len(matrix)):
+        pivot = next((i for i in range(k, len(matrix)) if table[i][k]), None)
         if pivot is None:
             raise Singular
         table[k], table[pivot] = table[pivot], table[k]
         inverse = pow(table[k][k], -1, prime)
         table[k] = [x * inverse % prime for x in table[k]]
-        for i in range(size):
+        for i in range(len(matrix)):
             factor = table[i][k]
             if i != k and factor:
                 table[i] = [(x - factor * y) % prime for x, y in zip(table[i], table[k], strict=True)]
-    return [row[size:] for row in table]
+    return [row[len(matrix) :] for row in table]
+
+
+def _solve_packed(rows: Sequence[Sequence[int]], size: int, prime: int) -> list[list[int]]:
+    """The same for rows of residues, each as one number: below the pivots a row is reduced once, when it is a pivot's own."""
+    columns = len(rows[0]) - size
+    width = (2 * prime.bit_length() + size.bit_length() + 8) // 8  # bytes of a sum of products, one of each pivot's row
+    low, step = (1 << 8 * width) - 1, 8 * width
+    table, pivots = [pack(row, width) for row in rows], list[list[int]]()
+    for k in range(size):
+        heads = [(row & low) % prime for row in table]
+        place = next((i for i, head in enumerate(heads) if head), None)
+        if place is None:
+            raise Singular
+        own, inverse = unpack(table.pop(place) >> step, size - k - 1 + columns, width), pow(heads.pop(place), -1, prime)
+        pivots.append([x * inverse % prime for x in own])
+        packed = pack(pivots[-1], width)
+        table = [
+            (row >> step) + (prime - head) * packed if head else row >> step
+            for row, head in zip(table, heads, strict=True)
+        ]
+    solved = list[int]()  # from the last unknown to the first, the values for all right sides in one number
+    found = list[list[int]]()
+    for row in reversed(pivots):
+        others = row[: len(solved)]
+        total = pack(row[len(solved) :], width) + sum((prime - x) * y for x, y in zip(others, reversed(solved)) if x)
+        found.append([x % prime for x in unpack(total, columns, width)])
+        solved.append(pack(found[-1], width))
+    return found[::-1]
+
+
+def pack(residues: Sequence[int], width: int) -> int:
+    """One after another, ``width`` bytes each: what is done to the number is done to all of them (Kronecker 1882)."""
+    return int.from_bytes(b"".join([x.to_bytes(width, "little") for x in residues]), "little")
+
+
+def unpack(number: int, count: int, width: int) -> list[int]:
+    text = number.to_bytes(count * width, "little")
+    return [int.from_bytes(text[k : k + width], "little") for k in range(0, count * width, width)]
 
 
 def extend_echelon(rows: Echelon, row: Sequence[int], prime: int) -> bool:

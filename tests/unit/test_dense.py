@@ -64,6 +64,22 @@ def test_linear_systems_modulo_a_prime(prime: int) -> None:
         solve_modulo([[1, 2], [2, 4]], [1, 1], prime)
 
 
+@pytest.mark.parametrize("size", [9, 17, 40])
+@pytest.mark.parametrize("prime", [10_007, P])
+def test_large_linear_systems_modulo_a_prime(size: int, prime: int) -> None:
+    """Rows as numbers: with zeros, with rows to be exchanged, with many right sides, and a row that is a sum of others."""
+    draws = random.Random(size)
+    full = [[draws.randrange(prime) for _ in range(size)] for _ in range(size)]
+    few = [[x if abs(i + j + 1 - size) < 2 else 0 for j, x in enumerate(row)] for i, row in enumerate(full)]
+    x = [[draws.randrange(prime) for _ in range(3)] for _ in range(size)]
+    for matrix in (full, few):
+        found = solve_columns_modulo(matrix, [[a % prime for a in row] for row in times(matrix, x)], prime)
+        assert found == x
+        matrix[size // 2] = [a + b for a, b in zip(matrix[0], matrix[-1], strict=True)]
+        with pytest.raises(Singular):
+            solve_columns_modulo(matrix, x, prime)
+
+
 def test_linear_systems_in_doubles() -> None:
     assert solve_double([[0.0, 2.0], [3.0, 1.0]], [4.0, 5.0]) == pytest.approx([1.0, 2.0])
     assert solve_double([[1e-9, 1.0], [1.0, 1.0]], [1.0, 2.0]) == pytest.approx([1.0, 1.0])

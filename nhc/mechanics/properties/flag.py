@@ -21,7 +21,7 @@ from itertools import islice
 from operator import mul
 
 from nhc.algebra.calculus import tangent
-from nhc.algebra.dense import Echelon, extend_echelon
+from nhc.algebra.dense import Echelon, extend_echelon, pack, unpack
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.exact.jets import WIDTH, Jets, Series, make_box, plan_jets
@@ -247,7 +247,7 @@ class _Path:
         carried = [self._carry(column) for column in self.flag.slopes]
         for own, new in zip(self.back, carried, strict=True):
             for powers, rows, scale in zip(own, new, scales, strict=True):
-                powers.append(_pack([-x * scale % p for x in rows]) if rows else 0)
+                powers.append(pack([-x * scale % p for x in rows], WIDTH) if rows else 0)
         for own, node in zip(self.place, self.flag.mixed, strict=True):
             for powers, slope, scale in zip(own, series[node], scales, strict=True):
                 powers.append(slope[made - 1] * scale % p)
@@ -264,7 +264,7 @@ class _Path:
         found = []
         for pairs in self.box.parts:
             total = sum(sum(map(mul, x[i], y[j][last::-1])) for x, y in known for i, j in pairs)
-            found.append(_unpack(total, size) if total else [])
+            found.append(unpack(total, size, WIDTH) if total else [])
         return found
 
     def vectors(self) -> list[Vector]:
@@ -289,12 +289,3 @@ class _Path:
             for row, entry in column:
                 moved[row] = (moved[row] - entry * x) % p
         return moved
-
-
-def _pack(residues: Sequence[int]) -> int:
-    return int.from_bytes(b"".join([x.to_bytes(WIDTH, "little") for x in residues]), "little")
-
-
-def _unpack(number: int, count: int) -> list[int]:
-    text = number.to_bytes(count * WIDTH, "little")
-    return [int.from_bytes(text[k : k + WIDTH], "little") for k in range(0, count * WIDTH, WIDTH)]
