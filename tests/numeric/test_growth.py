@@ -22,7 +22,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.regular.trials import ordinary_points
 from nhc.mechanics.resolve import resolve
-from nhc.pipeline import Options, program
+from nhc.pipeline import Options, check, program
 from nhc.program.model import build_program
 from nhc.program.plan import factor, solve_factored
 
@@ -291,6 +291,29 @@ def test_growth_vectors_of_long_trains() -> None:
         assert classify(system, formulate(system).frame).growth[:4] == (2, 3, 5, 8)
 
     assert growth(trailers, 8, study) < 2.2
+
+
+def four_bars(count: int) -> str:
+    """Two cranks and a coupler each, closed over the ground, with springs from one to the next."""
+    every, energy, rows = range(1, count + 1), [], []
+    for i in every:
+        energy.append(f"a{i}'^2 + b{i}'^2/2 + c{i}'^2 + a{i}'*b{i}'*cos(a{i} - b{i})")
+        rows.append(f"- cos(a{i}) + 2*cos(b{i}) - cos(c{i}) = 2.5")
+        rows.append(f"- sin(a{i}) + 2*sin(b{i}) - sin(c{i}) = 0")
+    potential = [*(f"sin(a{i})" for i in every), *(f"(a{i + 1} - a{i})^2/2" for i in every[:-1])]
+    return assemble(
+        [f"{name}{i}" for i in every for name in "abc"],
+        {"T": " + ".join(energy), "V": " + ".join(potential), "holonomic": rows},
+    )
+
+
+def test_what_check_asks_of_closed_loops() -> None:
+    """Positions where they close took steps with full matrices, and each loop's integral was held against all before it."""
+
+    def examine(text: str) -> None:
+        assert not check(Source("many.yaml", text), explain=False).diagnostics
+
+    assert growth(four_bars, 8, examine) < 1.6
 
 
 def test_coframes_are_sought_among_few_sets_of_columns() -> None:
