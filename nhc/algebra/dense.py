@@ -1,12 +1,17 @@
-"""Small dense matrices: linear systems, ranks and kernels modulo a prime; linear systems, signs and eigenvalues in doubles."""
+"""Matrices of numbers: linear systems, ranks and kernels modulo a prime; linear systems, signs and eigenvalues in doubles."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from heapq import heapify, heappop, heappush
 
 Echelon = list[tuple[int, list[int]]]
 """Independent rows, each with the column of its 1, in which the rows after it are zero."""
+
+
+_MANY = 8
+"""Rows from which a row is worth being one number."""
 
 
 class Singular(Exception):
@@ -33,20 +38,75 @@ def solve_columns_modulo(
     Raises:
         Singular: the determinant is zero modulo the prime.
     """
-    size = len(matrix)
     table = [[x % prime for x in (*row, *columns)] for row, columns in zip(matrix, right, strict=True)]
-    for k in range(size):
-        pivot = next((i for i in range(k, size) if table[i][k]), None)
+    if len(matrix) > _MANY:
+        pivots, others = _echelon(table, len(matrix), prime)
+        if len(pivots) < len(matrix):
+            raise Singular
+        return _reduce_back(pivots, others, prime)
+    for k in range(len(matrix)):
+        pivot = next((i for i in range(k, len(matrix)) if table[i][k]), None)
         if pivot is None:
             raise Singular
         table[k], table[pivot] = table[pivot], table[k]
         inverse = pow(table[k][k], -1, prime)
         table[k] = [x * inverse % prime for x in table[k]]
-        for i in range(size):
+        for i in range(len(matrix)):
             factor = table[i][k]
             if i != k and factor:
                 table[i] = [(x - factor * y) % prime for x, y in zip(table[i], table[k], strict=True)]
-    return [row[size:] for row in table]
+    return [row[len(matrix) :] for row in table]
+
+
+def _echelon(rows: Sequence[Sequence[int]], size: int, prime: int) -> tuple[list[tuple[int, list[int]]], list[int]]:
+    """Rows of residues by elimination in their first ``size`` columns, each row as one number that is reduced when it is a pivot's.
+
+    Returns each pivot's column with the entries after its 1, and the columns without a pivot.
+    """
+    total = len(rows[0]) if rows else size
+    width = (
+        2 * prime.bit_length() + total.bit_length() + 8
+    ) // 8  # bytes of a sum of products, one of each pivot's row
+    low, step = (1 << 8 * width) - 1, 8 * width
+    table, pivots, others = [pack(row, width) for row in rows], list[tuple[int, list[int]]](), list[int]()
+    for k in range(size):
+        heads = [(row & low) % prime for row in table]
+        place = next((i for i, head in enumerate(heads) if head), None)
+        if place is None:
+            others.append(k)
+            table = [row >> step for row in table]
+            continue
+        own, inverse = unpack(table.pop(place) >> step, total - k - 1, width), pow(heads.pop(place), -1, prime)
+        pivots.append((k, [x * inverse % prime for x in own]))
+        packed = pack(pivots[-1][1], width)
+        table = [
+            (row >> step) + (prime - head) * packed if head else row >> step
+            for row, head in zip(table, heads, strict=True)
+        ]
+    return pivots, [*others, *range(size, total)]
+
+
+def _reduce_back(pivots: Sequence[tuple[int, Sequence[int]]], others: Sequence[int], prime: int) -> list[list[int]]:
+    """Of each pivot's row what is left in the ``others`` when the columns of all pivots are zero but for their 1."""
+    width = (2 * prime.bit_length() + len(pivots).bit_length() + 8) // 8
+    solved, found = list[tuple[int, int]](), list[list[int]]()
+    for k, row in reversed(pivots):
+        total = pack([row[j - k - 1] if j > k else 0 for j in others], width)
+        total += sum((prime - row[j - k - 1]) * y for j, y in solved if row[j - k - 1])
+        found.append([x % prime for x in unpack(total, len(others), width)])
+        solved.append((k, pack(found[-1], width)))
+    return found[::-1]
+
+
+def pack(residues: Sequence[int], width: int) -> int:
+    """One after another, ``width`` bytes each: what is done to the number is done to all of them (Kronecker 1882)."""
+    return int.from_bytes(b"".join([x.to_bytes(width, "little") for x in residues]), "little")
+
+
+def unpack(number: int, count: int, width: int) -> list[int]:
+    """The ``count`` entries of such a number, each up to 256^width."""
+    text = number.to_bytes(count * width, "little")
+    return [int.from_bytes(text[k : k + width], "little") for k in range(0, count * width, width)]
 
 
 def extend_echelon(rows: Echelon, row: Sequence[int], prime: int) -> bool:
@@ -66,6 +126,8 @@ def extend_echelon(rows: Echelon, row: Sequence[int], prime: int) -> bool:
 
 def rank_modulo(matrix: Sequence[Sequence[int]], prime: int) -> int:
     """The rank of a matrix modulo a prime."""
+    if len(matrix) > _MANY:
+        return len(_echelon([[x % prime for x in row] for row in matrix], len(matrix[0]), prime)[0])
     rows: Echelon = []
     for row in matrix:
         if len(rows) < len(row):
@@ -75,21 +137,13 @@ def rank_modulo(matrix: Sequence[Sequence[int]], prime: int) -> int:
 
 def null_space(matrix: Sequence[Sequence[int]], width: int, prime: int) -> list[list[int]]:
     """A basis of the x with matrix @ x = 0 modulo a prime, in reduced form: each vector ends with a 1 that is 0 in the others."""
-    rows: Echelon = []
-    for row in matrix:
-        if extend_echelon(rows, row, prime):
-            pivot, new = rows[-1]
-            rows[:-1] = [
-                (column, [(x - known[pivot] * y) % prime for x, y in zip(known, new, strict=True)])
-                for column, known in rows[:-1]
-            ]
-    pivots = {column for column, _ in rows}
-    basis = []
-    for free in (j for j in range(width) if j not in pivots):
+    pivots, others = _echelon([[x % prime for x in row] for row in matrix], width, prime)
+    reduced, basis = _reduce_back(pivots, others, prime), []
+    for number, free in enumerate(others):
         vector = [0] * width
         vector[free] = 1
-        for column, row in rows:
-            vector[column] = -row[free] % prime
+        for (column, _), row in zip(pivots, reduced, strict=True):
+            vector[column] = -row[number] % prime
         basis.append(vector)
     return basis
 
@@ -123,6 +177,39 @@ def solve_double(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> l
     for k in reversed(range(size)):
         x[k] = (table[k][size] - sum(table[k][j] * x[j] for j in range(k + 1, size))) / table[k][k]
     return x
+
+
+def solve_positive(rows: Sequence[Mapping[int, float]], right: Sequence[float]) -> list[float]:
+    """x with matrix @ x = right for a symmetric positive matrix of few entries, given by these; fewest entries first.
+
+    Raises:
+        Singular: a pivot is no larger than rounding.
+    """
+    table, left, order = [dict(row) for row in rows], list(right), list[int]()
+    waiting = [(len(row), k) for k, row in enumerate(table)]
+    heapify(waiting)
+    taken = [False] * len(table)
+    while waiting:
+        degree, k = heappop(waiting)
+        if taken[k] or degree != len(table[k]):
+            continue
+        taken[k], row = True, table[k]
+        order.append(k)
+        pivot = row.pop(k, 0.0)
+        if not pivot > 1e-14 * rows[k].get(k, 0.0):
+            raise Singular
+        for i, x in row.items():
+            factor, other = x / pivot, table[i]
+            for j, y in row.items():
+                other[j] = other.get(j, 0.0) - factor * y
+            del other[k]
+            left[i] -= factor * left[k]
+            heappush(waiting, (len(other), i))
+        left[k] /= pivot
+        table[k] = {j: y / pivot for j, y in row.items()}
+    for k in reversed(order):
+        left[k] -= sum(y * left[j] for j, y in table[k].items())
+    return left
 
 
 class RowSpace:

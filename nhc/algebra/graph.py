@@ -227,9 +227,12 @@ class Graph(NodeStore):
         """x^m * sqrt(k x)^n, in either order, as one power of the root; None where neither is the other's root.
 
         x^2/sqrt(x) would be 0/0 at x = 0, where sqrt(x)^3 is 0.  So would max(0, u)^2/sqrt(|u|), which is sqrt(max(0, u))^3.
+        The slope of log|u|, sign(u)/|u|, is 1/u.
         """
-        if self.op[x] == "sqrt":
+        if self.op[x] == "sqrt" or self.op[y] == "sign":
             x, m, y, n = y, n, x, m
+        if self.op[x] == "sign" and self.op[y] == "abs" and self.a[x] == self.a[y]:
+            return self.power(self.a[x], n) if m == 1 and n % 2 else None
         if self.op[y] != "sqrt":
             return None
         inner = self.a[y]

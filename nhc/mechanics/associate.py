@@ -19,13 +19,14 @@ from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.gather import gather
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.motion import Motion
-from nhc.mechanics.moving.moved import Moved, Weights
+from nhc.mechanics.moving.moved import Moved, Spread, Weights
 from nhc.mechanics.system import System
 from nhc.mechanics.turning import Direction, moving, virtual_work
 from nhc.mechanics.turns import Vector, cross
 from nhc.records import record
 
 if TYPE_CHECKING:
+    from nhc.mechanics.frame import Frame
     from nhc.mechanics.trees.tree import Elimination
 
 Matrix = tuple[tuple[Node, ...], ...]
@@ -46,7 +47,7 @@ class Equations:
     ``assemble`` makes both, when they are first asked for: a ``tree`` solves for the rates without them.
     ``definite``: the matrix is symmetric and positive wherever the motion is regular, so that LDL^T needs no pivoting.
     ``reactions`` are the rows of the constraints' own vectors (empty for the bordered system, whose unknowns they are);
-    ``react`` makes them.
+    ``react`` makes them, and ``sweeps`` the reactions themselves, in other ways.
     ``kinetic`` makes T on the motion where the rows' axes have shorter words for it than the spec, else it gives None.
     ``guards`` are (quantity, scale) pairs that must not vanish for the frame to exist.
     """
@@ -59,7 +60,7 @@ class Equations:
     definite: bool
     multipliers: tuple[Node, ...]
     react: Callable[[], tuple[Row, ...]]
-    sweep: Callable[[], tuple[Node, ...] | None]
+    sweeps: Callable[[], tuple[tuple[Node, ...], ...]]
     kinetic: Callable[[], Node | None]
     guards: tuple[tuple[Node, Node], ...]
     tree: Elimination | None = None
@@ -97,6 +98,7 @@ class Projector:
         self._constants, self._speeds = g.mask(system.p), g.mask(motion.w)
         on_motion = moving(system, motion.velocities)
         self._known = dict(zip(moved.frame.free_vectors, moved.weights, strict=True)) if moved else {}
+        self._moved = moved is not None
         self.carried = moved.carried if moved else (False,) * len(kinetic.u)
         self.u = list(moved.u) if moved else substitute(g, kinetic.atoms, on_motion)
         to_motion = dict(zip(kinetic.u, self.u, strict=True))
@@ -165,27 +167,59 @@ class Projector:
         """T on the motion, in the values of its forms."""
         return self._to_motion.of([self.kinetic.tau])[0]
 
-    def work_on_constraints(self, moved: Moved) -> tuple[Node, ...] | None:
+    def work_on_constraints(self, spread: Spread, *, by_columns: bool) -> tuple[Node, ...] | None:
         """lambda_alpha with the rates' symbols, all by one reverse sweep of the virtual power over the constraints' forms.
 
-        None where a form of T has a term domega of its own.
+        Of the rates, the forms' own come by one forward sweep, or ``by_columns``, vector by vector, which may be shorter of few.
+        None where there are rotations, or where forms on moving axes have a term domega of their own.
         """
         g, system = self.system.graph, self.system
-        own = [k for k, carried in enumerate(self.carried) if not carried and not self.kinetic.is_exact(k)]
-        if own or self._gyro or system.rotations:
+        if self._gyro or system.rotations or (self._moved and self._own):
             return None
-        spread = moved.spread()
-        rates = [
-            g.sum([g.mul(column[k], rate) for column, rate in zip(self.columns, self.motion.rates, strict=True)])
-            for k in range(len(self.carried))
-        ]
+        rates = self._changes(by_columns)
         momenta = [g.add(a, b) for a, b in zip(self.pi_drift, self._momenta(rates), strict=True)]
         explicit = gradient(g, self.kinetic.tau, system.q), gradient(g, self._potential, system.q)
         slopes = self._to_motion.of(explicit[0]), self._on_places.of(explicit[1])
         applied = [g.sum(parts) for parts in zip(self._applied()[0], *slopes, strict=True)]
+        turns = self._turns()
         weighted = [*zip(spread.forms, momenta, strict=True)]
-        weighted += [(v, g.neg(force)) for v, force in zip(spread.velocities, applied, strict=True)]
+        weighted += [(v, g.sub(turn, force)) for v, turn, force in zip(spread.velocities, turns, applied, strict=True)]
         return tuple(pullback_gradient(g, weighted, spread.held))
+
+    def spread(self, frame: Frame) -> Spread:
+        """What the constraints' forms give to T's forms and to the velocities, on the axes of the spec."""
+        g, system = self.system.graph, self.system
+        velocities = frame.all_kinematics
+        forms = substitute(g, self.kinetic.atoms, moving(system, velocities))
+        return Spread(tuple(forms), velocities, frame.omega[: system.l])
+
+    def _changes(self, by_columns: bool) -> list[Node]:
+        """What the rates of the kept velocities give to those of T's forms."""
+        g, w, rates = self.system.graph, self.motion.w, self.motion.rates
+        if not by_columns:
+            return tangent(g, self.u, dict(zip(w, rates, strict=True)))
+        return [
+            g.sum([g.mul(column[k], rate) for column, rate in zip(self.columns, rates, strict=True)])
+            for k in range(len(self.carried))
+        ]
+
+    @cached_property
+    def _own(self) -> list[int]:
+        """The forms of T with a term domega of their own."""
+        return [k for k, carried in enumerate(self.carried) if not carried and not self.kinetic.is_exact(k)]
+
+    def _turns(self) -> list[Node]:
+        """pi_k (d/dt dW_k/dq'_i - dW_k/dq_i), the terms pi_k domega_k(X, .) of the forms that have them."""
+        g, system = self.system.graph, self.system
+        own = self._own
+        if not own:
+            return [g.zero] * system.n
+        held = [g.symbol(f"pi_{k}", "test") for k in own]
+        total = g.dot(held, [self.kinetic.atoms[k] for k in own])
+        rates = tangent(g, gradient(g, total, system.v), self._along.seeds)
+        turns = [g.sub(rate, slope) for rate, slope in zip(rates, gradient(g, total, system.q), strict=True)]
+        put = self._values | {symbol: self.pi[k] for symbol, k in zip(held, own, strict=True)}
+        return substitute(g, turns, put)
 
     def _add_turning(self, moved: Moved) -> list[Vector]:
         """Adds omega x p of all that turns, p T's slopes with the points at rest, and the loads, to the rates of the momenta.

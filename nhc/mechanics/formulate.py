@@ -61,7 +61,7 @@ class _Route:
     guards: tuple[tuple[Node, Node], ...]
     rows: list[Row]
     react: Callable[[], tuple[Row, ...]]
-    sweep: Callable[[], tuple[Node, ...] | None]
+    sweeps: Callable[[], tuple[tuple[Node, ...], ...]]
     kinetic: Callable[[], Node | None]
 
     def cost(self, graph: Graph) -> int:
@@ -91,7 +91,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         definite=not bordered and (kinetic.is_positive() or _is_definite(system, rows)),
         multipliers=_multipliers(system) if bordered else (),
         react=route.react,
-        sweep=route.sweep,
+        sweeps=route.sweeps,
         kinetic=route.kinetic,
         guards=route.guards,
     )
@@ -151,7 +151,7 @@ def _from_leaves(system: System, formulation: Formulation, tree: Elimination, ki
         definite=True,
         multipliers=(),
         react=react,
-        sweep=lambda: None,
+        sweeps=lambda: (),
         kinetic=lambda: None,
         guards=formulation.frame.guards if formulation.frame is not None else (),
         tree=tree,
@@ -204,14 +204,19 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
         made = [projector.row(e, w) for e, w in zip(frame.vectors[: system.l], weights, strict=True)]
         return tuple(_polish(system.graph, made))
 
-    def sweep() -> tuple[Node, ...] | None:
-        return projector.work_on_constraints(moved) if moved is not None else None
+    def sweeps() -> tuple[tuple[Node, ...], ...]:
+        if frame is None or not system.l:
+            return ()
+        spread = moved.spread() if moved is not None else projector.spread(frame)
+        ways = (False, True) if system.n * system.l <= _FEW_ROWS else (False,)
+        found = [projector.work_on_constraints(spread, by_columns=way) for way in ways]
+        return tuple(way for way in found if way is not None)
 
     def kinetic_energy() -> Node | None:
         return projector.kinetic_energy() if moved is not None else None
 
     guards = frame.guards if frame is not None else ()
-    return _Route(motion, guards, _polish(system.graph, rows, motion.velocities), react, sweep, kinetic_energy)
+    return _Route(motion, guards, _polish(system.graph, rows, motion.velocities), react, sweeps, kinetic_energy)
 
 
 def _assemble(rows: Sequence[Row]) -> tuple[Matrix, tuple[Node, ...]]:
@@ -259,15 +264,19 @@ def accelerations(equations: Equations) -> tuple[Node, ...]:
     return tuple(total_derivative(system, node, motion.velocities, rates) for node in motion.velocities)
 
 
-def reaction_values(equations: Equations) -> tuple[Node, ...]:
-    """lambda_alpha with the rates' symbols: the rows of the constraints' own vectors, or one sweep where that is shorter."""
+def reaction_ways(equations: Equations) -> list[tuple[Node, ...]]:
+    """lambda_alpha with the rates' symbols: by sweeps, and by the rows of the constraints' own vectors where these are few."""
     g, system = equations.system.graph, equations.system
-    swept = equations.sweep()
-    if swept is not None and system.n * system.l > _FEW_ROWS:
-        return swept
-    rates = equations.motion.rates
-    values = tuple(g.sub(g.dot(row.mass, rates), row.force) for row in equations.reactions)
-    return values if swept is None or count(g, values) <= count(g, swept) else swept
+    found = list(equations.sweeps())
+    if not found or system.n * system.l <= _FEW_ROWS:
+        rates = equations.motion.rates
+        found.append(tuple(g.sub(g.dot(row.mass, rates), row.force) for row in equations.reactions))
+    return found
+
+
+def reaction_values(equations: Equations) -> tuple[Node, ...]:
+    """The shortest of the ways."""
+    return min(reaction_ways(equations), key=lambda way: count(equations.system.graph, way))
 
 
 def bordered_system(equations: Equations) -> tuple[list[list[Node]], list[Node]]:

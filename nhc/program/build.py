@@ -13,7 +13,7 @@ from nhc.algebra.rewriting.related import relate_angles
 from nhc.algebra.rewriting.sharing import share_parts
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.rewriting.values import share_values
-from nhc.mechanics.formulate import accelerations, reaction_values
+from nhc.mechanics.formulate import accelerations, reaction_ways
 from nhc.mechanics.frame import form_value, kept_forms
 from nhc.mechanics.system import Form
 from nhc.program.ir import Argument, Function, Origin
@@ -78,10 +78,16 @@ class Planner(PlannerBase):
         )
 
     def reactions(self) -> FunctionPlan:
+        if self.equations.multipliers:
+            return self._reactions(self.equations.multipliers)
+        ways = reaction_ways(self.equations)
+        plans = [self._reactions(self.after_rates("reactions", way)) for way in ways]
+        return (
+            plans[0] if len(plans) == 1 else min(plans, key=lambda plan: count(self.graph, rewrite(self, plan).roots()))
+        )
+
+    def _reactions(self, values: Sequence[Node]) -> FunctionPlan:
         system = self.system
-        values: Sequence[Node] = self.equations.multipliers
-        if not values:
-            values = self.after_rates("reactions", reaction_values(self.equations))
         nodes = [
             (value, f"reaction of {form.name}: Q_i gains lambda_{k + 1} a_{k + 1}i", form.place)
             for k, (value, form) in enumerate(zip(values, system.constraints, strict=True))

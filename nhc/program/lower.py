@@ -54,7 +54,7 @@ class Lowering:
         self.namer = Namer(graph, reserved)
         self.names: dict[Node, str] = {}
         self.body: list[Statement] = []
-        self.needed, self.kids = self._arrange(reachable(graph, self._roots()))
+        self.needed, self.kids = self._arrange(reachable(graph, plan.roots()))
         self.waiting: set[Node] = set()
         self.turned: dict[Node, Node] = {}
         self._done: set[Node] = set()
@@ -65,18 +65,6 @@ class Lowering:
     def _arrange(self, needed: list[Node]) -> tuple[Sequence[Node], Sequence[tuple[Node, ...]]]:
         """What is needed in an order in which it can be computed, and the operands of all nodes."""
         return part_powers(self.graph, needed)
-
-    def _roots(self) -> list[Node]:
-        plan = self.plan
-        roots = [target.node for target in plan.targets]
-        if plan.result is not None:
-            roots.append(plan.result)
-        for guard in plan.guards:
-            roots += [guard.value, guard.scale]
-        for solve in plan.solves:
-            roots += [n for row in (*solve.matrix, *solve.columns) for n in row]
-        roots += [target.node for sweep in plan.sweeps for target in sweep.targets]
-        return roots
 
     # --- which nodes get a name -----------------------------------------------------------------------------
 
@@ -96,7 +84,7 @@ class Lowering:
             boundary = find_constants(self.graph, self.kids, self.needed, self.parameter_mask)
         if self.swept:
             boundary |= find_shared(self.graph, self.needed, self.swept)
-        return choose_names(self.graph, self.kids, self.needed, self._roots(), boundary)
+        return choose_names(self.graph, self.kids, self.needed, self.plan.roots(), boundary)
 
     # --- statements ---------------------------------------------------------------------------------------
 
@@ -123,7 +111,7 @@ class Lowering:
 
     def _turn(self, named: Collection[Node]) -> None:
         targets = [target.node for target in self.plan.targets]
-        self.turned = find_turned(self.graph, self.kids, targets, self._roots(), self.needed, named, self._constant)
+        self.turned = find_turned(self.graph, self.kids, targets, self.plan.roots(), self.needed, named, self._constant)
 
     def _prepare(self, roots: Iterable[Node]) -> None:
         """Write the lets that the roots need and that are not written yet, each after those that it needs itself."""

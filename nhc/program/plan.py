@@ -77,6 +77,18 @@ class FunctionPlan:
     sweeps: tuple[SweepPlan, ...] = ()
     calls: tuple[tuple[str, str, int], ...] = ()
 
+    def roots(self) -> list[Node]:
+        """All nodes that the function computes for its results, guards, solves and sweeps."""
+        found = [target.node for target in self.targets]
+        if self.result is not None:
+            found.append(self.result)
+        for guard in self.guards:
+            found += [guard.value, guard.scale]
+        for solve in self.solves:
+            found += [n for row in (*solve.matrix, *solve.columns) for n in row]
+        found += [target.node for sweep in self.sweeps for target in sweep.targets]
+        return found
+
 
 def map_nodes(plan: FunctionPlan, change: Callable[[list[Node]], list[Node]]) -> FunctionPlan:
     """The plan with its nodes changed, all at once; with sweeps as it is, since these share nodes with what is before them."""

@@ -15,9 +15,11 @@ from nhc.language.spec import Definition, Scene
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.expressions import Resolver, define_names
 from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import check_scene_name, start_of
 from nhc.mechanics.system import System
+from nhc.simulate.edges import continue_beyond
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.pacing import AUTO
@@ -74,6 +76,8 @@ def open_scene(
     form = formulate(system, formulation)
     equations = equations_of(system, form)
     start, notes = projected_start(system, chosen) if project else (start_of(system, chosen), ())
+    if event is not None:
+        event = continue_beyond(system.graph, event, start.values(system), intervals(system))
     implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
     plain = not (wanted or until or natural or checks or whole or draw)  # else more is asked than the scene needs
     weak = (method in RUNGE_KUTTA or method == AUTO) and not (stay or whole)

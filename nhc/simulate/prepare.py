@@ -24,6 +24,7 @@ from nhc.program.needed import Column, list_checks, list_columns, needed_functio
 from nhc.program.structure import Structure, structure_of
 from nhc.program.watch import Watch, watch_function
 from nhc.records import record
+from nhc.simulate.stepping_over import Jumping, find_jumping
 
 _NOTHING = Sketch()
 
@@ -50,6 +51,7 @@ class Job:
     ``watch``: what each watched value means; ``recipe``: what another formulation of the same job is made by;
     ``holds``: see :func:`nhc.program.hold.hold_functions`;
     ``stops``: see :mod:`nhc.program.clock`; ``symbols``: the state's entries in the system's graph;
+    ``jumping``: see :mod:`nhc.simulate.stepping_over`;
     ``kept``: the velocities of the state, or None where the state was reduced for this start alone.
     """
 
@@ -74,6 +76,7 @@ class Job:
     kept: tuple[Form, ...] | None = None
     sketch: Sketch = _NOTHING
     recipe: Recipe | None = None
+    jumping: Jumping | None = None
 
     @property
     def events(self) -> int:
@@ -114,14 +117,13 @@ def prepare(
     columns = list_columns(planner, tuple(needs) or tuple(need.name for need in scene.need))
     checked = list_checks(planner) if checks else []
     sketch = planned_sketch(planner) if draw else _NOTHING
-    drawn = [Column(f"drawn {k}", "drawn", node) for k, node in enumerate(sketch.nodes)]
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
     watch, watched = watch_function(planner, event, weak, known if fixed else {})
     structure = structure_of(planner) if natural else Structure()
     beside = _Beside(structure.functions) if natural else _beside_steps(planner, known, hold)
     functions = (
         *build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",)),
-        needed_function(planner, [*columns, *checked, *drawn]),
+        needed_function(planner, [*columns, *checked, *_drawn(sketch)]),
         *(() if watch is None else (watch,)),
         *(beside.functions if not natural else (*beside.functions, *build_functions(planner, ("velocities", "state")))),
     )
@@ -149,7 +151,12 @@ def prepare(
         kept=tuple(planner.kept_forms()),
         sketch=sketch,
         recipe=None if natural else Recipe(equations, tuple(needs), event, jacobian, hold, checks, draw, weak),
+        jumping=find_jumping(planner),
     )
+
+
+def _drawn(sketch: Sketch) -> list[Column]:
+    return [Column(f"drawn {k}", "drawn", node) for k, node in enumerate(sketch.nodes)]
 
 
 @record

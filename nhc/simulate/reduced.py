@@ -20,6 +20,7 @@ from nhc.program.scene_planner import ScenePlanner
 from nhc.program.structure import Structure
 from nhc.program.watch import watch_function
 from nhc.simulate.prepare import Job
+from nhc.simulate.stepping_over import find_jumping
 
 _LARGE = 5000
 """Operations beyond which looking for what can be left out takes longer than it saves in a run."""
@@ -87,4 +88,5 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         holds=(),
         stops=find_stops(system, start.p, start.time),
         symbols=planner.y_nodes,
+        jumping=find_jumping(planner),
     )

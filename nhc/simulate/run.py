@@ -20,6 +20,7 @@ from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_natural, write_source
+from nhc.simulate.stepping_over import tell_jumps
 from nhc.simulate.switching import Follower, Leg
 from nhc.simulate.task import EVENT, STOPPED, ModelError, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
@@ -121,6 +122,8 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     legs = follower.run(task)
     seconds = time.perf_counter() - before
     found = _gather(workshop, legs)
+    if task.step > 0:
+        notes += _tell_jumps(legs)
     bounded = adaptive and settings.step <= 0 and method not in PEERS and not follower.notes
     if bounded and found.outcome.steps > MANY_STEPS:  # else stability or a singular place may have made them many
         notes += (
@@ -128,6 +131,15 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
             f" {tolerance:.3g}; see whether the end changes with a smaller `--tol`",
         )
     return replace(found, seconds=seconds, notes=(*notes, *follower.notes))
+
+
+def _tell_jumps(legs: Sequence[Leg]) -> tuple[str, ...]:
+    found = [
+        tell_jumps(job.system, job.jumping, job.symbols, job.p, leg.task.times, leg.outcome.states)
+        for leg in legs
+        if (job := leg.job).jumping is not None
+    ]
+    return tuple(dict.fromkeys(note for notes in found for note in notes))
 
 
 def tell_finest(tolerance: float) -> tuple[str, ...]:

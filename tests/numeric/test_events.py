@@ -53,6 +53,25 @@ def test_a_target_that_is_passed_within_a_step_is_met(angle: float, method: str,
 
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), METHODS)
+@pytest.mark.parametrize(
+    "expression", ["sqrt(x - 0.5)", "-(y + 2)*(x - 0.5)^(3/4)", "sqrt(x - 0.5)^3/(2 + t)", "3*acos(1.5 - x)"]
+)
+def test_a_zero_at_the_end_of_what_has_a_value(expression: str, method: str, step: float, compiled: bool) -> None:
+    """Beyond x = 1/2 there is no value to change its sign: the run failed a step before."""
+    found = until(expression, method, step, compiled)
+    assert found.ended == "event"
+    assert found.times[-1] == pytest.approx(math.pi / 3, abs=1e-8)
+
+
+@pytest.mark.parametrize("expression", ["sqrt(x - 1)", "sqrt(x - 2)", "sqrt(x - 0.5) + 1"])
+def test_what_has_no_value_at_the_start_or_ends_without_a_zero(expression: str) -> None:
+    found = until(expression, "dop853", 0.0, True)
+    assert found.ended == "failed"
+    assert "`--until` has no value" in found.reason
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("method", "step"), METHODS)
 def test_what_only_comes_near_is_no_event(method: str, step: float, compiled: bool) -> None:
     assert until("(x - 0.5)^2 + 1e-9", method, step, compiled).ended == "done"
     assert until("x + 1.0000001", method, step, compiled).ended == "done"

@@ -306,3 +306,33 @@ def test_warnings_keep_to_the_ranges_that_a_spec_expects(
     text = STEPS.replace("[x, y, z]", f"{{{names}}}").replace("V_OF", potential).replace("ROW", row)
     _, _, told = described(text)
     assert [d.message.split("`")[1] for d in told if d.code == "W0416"] == said
+
+
+SLIDE = """nhc: 1
+system: slide
+coordinates: [x, y]
+parameters: {{k: 4, mu: 0.5}}
+T: (x'^2 + y'^2)/2
+V: k*x^2/2
+forces: {{x: {force}}}
+scenes: {{a: {{initial: {{x: 1, y': 1}}, time: [0, 5]}}}}
+"""
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize(
+    ("force", "method", "step", "changes"),
+    [
+        ("-mu*sign(x')", "rk4", 0.01, 3),
+        ("-mu*sign(x')", "gauss6", 0.02, 3),
+        ("-mu*sign(x')", "dop853", 0.0, 0),
+        ("-mu*x'^2*sign(x')", "rk4", 0.01, 0),
+        ("-mu*sign(y')", "rk4", 0.01, 0),
+    ],
+)
+def test_fixed_steps_tell_what_they_go_over(force: str, method: str, step: float, changes: int, compiled: bool) -> None:
+    """Friction by the sign of a velocity: sliding to and fro, and on one side only; drag whose sign is at rest where it changes."""
+    job = open_scene(Source("slide.yaml", SLIDE.format(force=force)), method=method)
+    notes = [note for note in run(job, Settings(method, 1e-6, step, 201, compiled)).notes if "forces jump" in note]
+    assert len(notes) == (changes > 0)
+    assert all(f"`x'`, which changes {changes} times" in note for note in notes)

@@ -322,27 +322,30 @@ def test_gathered_sums_keep_their_value_and_their_operands() -> None:
     assert split(g, shared, g.mask((m,)), 0) == (g.one, g.one, shared)
 
 
-@pytest.mark.parametrize("text", [*(planar_tree(seed) for seed in range(8)), spec_path("bicycle").read_text()])
+GALLERY = ("bicycle", "snakeboard", "rattleback", "affine_voronec", "cvt", "rolling_disk")
+
+
+@pytest.mark.parametrize(
+    "text", [*(planar_tree(seed) for seed in range(8)), *(spec_path(name).read_text() for name in GALLERY)]
+)
 def test_reactions_by_one_sweep(text: str) -> None:
-    """What one reverse sweep of the virtual power gives is what the rows of the constraints' own vectors give."""
+    """What one reverse sweep of the virtual power gives is what the rows of the constraints' own vectors give, on all axes."""
     system = system_of(text)
-    g, kinetic, swept_count = system.graph, kinetic_structure(system), 0
+    g, kinetic, swept_count = system.graph, kinetic_structure(system), [0, 0]
     for formulation in applicable(system):
-        moved = None if formulation.frame is None else move(system, kinetic, formulation.frame)
-        if moved is None:
+        if formulation.frame is None:
             continue
-        route = _route(system, formulation, kinetic, moved)
-        swept = route.sweep()
-        if swept is None:
-            continue
-        swept_count += 1
-        rates = route.motion.rates
-        rows = [
-            g.sub(g.sum(g.mul(m, rate) for m, rate in zip(row.mass, rates, strict=True)), row.force)
-            for row in route.react()
-        ]
-        assert are_equal(g, swept, rows)
-    assert swept_count > 0
+        for moved in (move(system, kinetic, formulation.frame), None):
+            route = _route(system, formulation, kinetic, moved)
+            rates = route.motion.rates
+            rows = [
+                g.sub(g.sum(g.mul(m, rate) for m, rate in zip(row.mass, rates, strict=True)), row.force)
+                for row in route.react()
+            ]
+            for swept in route.sweeps():
+                swept_count[moved is None] += 1
+                assert are_equal(g, swept, rows)
+    assert swept_count[True] > 0
 
 
 SIGNED = """nhc: 1

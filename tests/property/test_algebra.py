@@ -303,3 +303,16 @@ def test_tangent_is_linear_in_its_seeds() -> None:
     parts = g.add(g.mul(u, derivative(g, node, x)), g.mul(v, derivative(g, node, y)))
     assert is_zero(g, g.sub(whole, parts))
     assert evaluate(g, [whole], {x: 0.3, y: 0.4, u: 0.0, v: 0.0}, Floats)[0] == 0.0
+
+
+def test_the_slope_of_a_logarithm_is_a_reciprocal() -> None:
+    """sign(y)/|y|, as log|y| and powers of |y| have it, is 0/0 at no other place than 1/y, and that is shorter."""
+    g = Graph()
+    y, z = g.symbol("y"), g.symbol("z")
+    sign, size = g.function("sign", y), g.function("abs", y)
+    assert derivative(g, g.function("log", size), y) == g.inverse(y)
+    assert g.mul(g.inverse(size), g.mul(z, sign)) == g.div(z, y)
+    assert g.mul(sign, g.power(size, -3)) == g.power(y, -3)
+    for kept in (g.mul(sign, g.power(size, -2)), g.mul(g.power(sign, 2), g.inverse(size)), g.div(size, sign)):
+        assert {g.op[node] for node in g.kids[kept]} & {"sign", "abs", "pow"}
+    assert is_zero(g, g.sub(g.mul(sign, g.power(size, -3)), g.mul(g.power(sign, 5), g.power(size, -3))))

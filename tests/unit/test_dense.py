@@ -18,6 +18,7 @@ from nhc.algebra.dense import (
     solve_columns_modulo,
     solve_double,
     solve_modulo,
+    solve_positive,
     symmetric_eigenvalues,
 )
 from nhc.algebra.exact.residues import PRIMES
@@ -42,7 +43,7 @@ def times(left: Matrix, right: Matrix) -> Matrix:
 @pytest.mark.parametrize("seed", range(20))
 def test_ranks_and_kernels_modulo_a_prime_are_those_of_rational_numbers(seed: int) -> None:
     rng = random.Random(seed)
-    rows, columns = rng.randint(1, 6), rng.randint(1, 6)
+    rows, columns = rng.randint(1, 12), rng.randint(1, 12)
     matrix = draw(rng, rows, columns, rng.randint(1, 5))
     expected = sympy.Matrix(matrix).rank()
     assert rank_modulo(matrix, P) == expected
@@ -64,11 +65,46 @@ def test_linear_systems_modulo_a_prime(prime: int) -> None:
         solve_modulo([[1, 2], [2, 4]], [1, 1], prime)
 
 
+@pytest.mark.parametrize("size", [9, 17, 40])
+@pytest.mark.parametrize("prime", [10_007, P])
+def test_large_linear_systems_modulo_a_prime(size: int, prime: int) -> None:
+    """Rows as numbers: with zeros, with rows to be exchanged, with many right sides, and a row that is a sum of others."""
+    draws = random.Random(size)
+    full = [[draws.randrange(prime) for _ in range(size)] for _ in range(size)]
+    few = [[x if abs(i + j + 1 - size) < 2 else 0 for j, x in enumerate(row)] for i, row in enumerate(full)]
+    x = [[draws.randrange(prime) for _ in range(3)] for _ in range(size)]
+    for matrix in (full, few):
+        found = solve_columns_modulo(matrix, [[a % prime for a in row] for row in times(matrix, x)], prime)
+        assert found == x
+        matrix[size // 2] = [a + b for a, b in zip(matrix[0], matrix[-1], strict=True)]
+        with pytest.raises(Singular):
+            solve_columns_modulo(matrix, x, prime)
+
+
 def test_linear_systems_in_doubles() -> None:
     assert solve_double([[0.0, 2.0], [3.0, 1.0]], [4.0, 5.0]) == pytest.approx([1.0, 2.0])
     assert solve_double([[1e-9, 1.0], [1.0, 1.0]], [1.0, 2.0]) == pytest.approx([1.0, 1.0])
     with pytest.raises(Singular):
         solve_double([[1.0, 2.0], [2.0, 4.0]], [1.0, 1.0])
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_positive_systems_of_few_entries(seed: int) -> None:
+    """Along a random tree with a few more entries, and full ones: as elimination with all entries has it."""
+    draws = random.Random(seed)
+    size = draws.randint(1, 12)
+    rows: list[dict[int, float]] = [{k: 9.0} for k in range(size)]
+    ends = [(draws.randrange(k), k) for k in range(1, size)] + [(0, draws.randrange(size)) for _ in range(3)]
+    every = [(i, j) for i in range(size) for j in range(i)]
+    for i, j in ends if seed % 2 else every:
+        if i != j:
+            rows[i][j] = rows[j][i] = draws.uniform(-0.7, 0.7)
+    right = [draws.uniform(-1, 1) for _ in range(size)]
+    expected = solve_double([[row.get(j, 0.0) for j in range(size)] for row in rows], right)
+    assert solve_positive(rows, right) == pytest.approx(expected, rel=1e-12, abs=1e-13)
+    rows[0] = {0: 0.0}
+    with pytest.raises(Singular):
+        solve_positive(rows, right)
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -7,10 +7,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from operator import mul
 
 from nhc.algebra.calculus import reachable, tangent
-from nhc.algebra.dense import Singular, solve_double
+from nhc.algebra.dense import Singular, solve_positive
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 
@@ -30,8 +29,8 @@ def find_common_zero(
     moving = [s for s in symbols if any(g.depends(root, g.deps[s]) for root in roots)]
     if not moving:
         return None
-    flat = [*roots, *(x for s in moving for x in tangent(g, roots, {s: g.one}))]
-    if len(reachable(g, flat)) > _LARGE:
+    search = _Search(g, roots, moving)
+    if len(reachable(g, search.flat)) > _LARGE:
         return None
     starts = [dict(point) for point in points[:_TRIES]]
     values = [found for found in (_values(g, roots, point) for point in starts) if found is not None]
@@ -39,7 +38,7 @@ def find_common_zero(
     largest = max(sizes, default=0.0)
     scales = [size or largest or 1.0 for size in sizes]
     for start in starts:
-        found = _descend(g, flat, moving, start, scales) if scales else None
+        found = search.descend(start, scales) if scales else None
         if found is not None:
             return found
     return None
@@ -53,45 +52,70 @@ def _values(graph: Graph, nodes: Sequence[Node], point: Mapping[Node, float]) ->
     return found if all(map(math.isfinite, found)) else None
 
 
-def _descend(
-    graph: Graph, flat: Sequence[Node], moving: Sequence[Node], start: Point, scales: Sequence[float]
-) -> Point | None:
-    count, damping, point, moved = len(scales), 1e-3, start, math.inf
-    values = _values(graph, flat, point)
-    for _ in range(_STEPS):
-        if values is None:
-            return None
-        rest = [x / scale for x, scale in zip(values[:count], scales, strict=True)]
-        off = max(map(abs, rest))
-        if off == 0.0 or (off < _SMALL and moved < _NEAR):
-            return point
-        slopes = [
-            [x / scale for x, scale in zip(values[k : k + count], scales, strict=True)]
-            for k in range(count, len(values), count)
-        ]
-        step = _step(slopes, rest, damping)
-        if step is None:
-            return None
-        tried = {**point, **{s: point[s] + d for s, d in zip(moving, step, strict=True)}}
-        new = _values(graph, flat, tried)
-        if new is not None and _squares(new, scales) < _squares(values, scales):
-            point, values, damping, moved = tried, new, damping / 8, max(map(abs, step))
-        else:
-            damping *= 5
-    return None
+class _Search:
+    """Expressions and their slopes that do not vanish identically, all in ``flat``, with the places of these."""
+
+    def __init__(self, graph: Graph, roots: Sequence[Node], moving: Sequence[Node]) -> None:
+        self.graph, self.moving, self.count = graph, moving, len(roots)
+        columns = [tangent(graph, roots, {s: graph.one}) for s in moving]
+        entries = [(j, k, x) for j, column in enumerate(columns) for k, x in enumerate(column) if x != graph.zero]
+        self.flat = [*roots, *(x for _, _, x in entries)]
+        self.places = [(j, k) for j, k, _ in entries]
+
+    def descend(self, start: Point, scales: Sequence[float]) -> Point | None:
+        """A common zero, by steps from a point; None where they do not lead to any."""
+        graph, flat, count = self.graph, self.flat, self.count
+        damping, point, moved = 1e-3, start, math.inf
+        values = _values(graph, flat, point)
+        for _ in range(_STEPS):
+            if values is None:
+                return None
+            rest = [x / scale for x, scale in zip(values[:count], scales, strict=True)]
+            off = max(map(abs, rest))
+            if off == 0.0 or (off < _SMALL and moved < _NEAR):
+                return point
+            slopes: list[dict[int, float]] = [{} for _ in self.moving]
+            for (j, k), x in zip(self.places, values[count:], strict=True):
+                slopes[j][k] = x / scales[k]
+            step = _step(slopes, rest, damping)
+            if step is None:
+                return None
+            tried = {**point, **{s: point[s] + d for s, d in zip(self.moving, step, strict=True)}}
+            new = _values(graph, flat, tried)
+            if new is not None and _squares(new, scales) < _squares(values, scales):
+                point, values, damping, moved = tried, new, damping / 8, max(map(abs, step))
+            else:
+                damping *= 5
+        return None
 
 
 def _squares(values: Sequence[float], scales: Sequence[float]) -> float:
     return math.fsum((x / scale) ** 2 for x, scale in zip(values, scales, strict=False))
 
 
-def _step(slopes: Sequence[Sequence[float]], rest: Sequence[float], damping: float) -> list[float] | None:
-    """-(J^T J + damping)^-1 J^T rest; ``slopes`` are the columns of J."""
-    normal = [[sum(map(mul, a, b)) for b in slopes] for a in slopes]
-    size = max(row[k] for k, row in enumerate(normal)) or 1.0
-    for k, row in enumerate(normal):
-        row[k] += damping * size
+def _step(slopes: Sequence[dict[int, float]], rest: Sequence[float], damping: float) -> list[float] | None:
+    """-(J^T J + damping)^-1 J^T rest, or the same as -J^T (J J^T + damping)^-1 rest; ``slopes`` are the columns of J."""
+    rows: list[dict[int, float]] = [{} for _ in rest]
+    for j, column in enumerate(slopes):
+        for k, x in column.items():
+            rows[k][j] = x
+    size = damping * (max(sum(x * x for x in column.values()) for column in slopes) or 1.0)
     try:
-        return solve_double(normal, [-sum(map(mul, a, rest)) for a in slopes])
+        if len(rows) < len(slopes):
+            weights = solve_positive(_products(slopes, len(rows), size), rest)
+            return [-sum(x * weights[k] for k, x in column.items()) for column in slopes]
+        right = [-sum(x * rest[k] for k, x in column.items()) for column in slopes]
+        return solve_positive(_products(rows, len(slopes), size), right)
     except (Singular, ArithmeticError):
         return None
+
+
+def _products(vectors: Sequence[dict[int, float]], size: int, added: float) -> list[dict[int, float]]:
+    """The sum of the vectors' products with themselves, row by row, with what is added to its diagonal."""
+    found = [{k: added} for k in range(size)]
+    for vector in vectors:
+        for i, x in vector.items():
+            row = found[i]
+            for j, y in vector.items():
+                row[j] = row.get(j, 0.0) + x * y
+    return found

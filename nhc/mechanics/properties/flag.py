@@ -16,18 +16,19 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, cached_property
 from itertools import islice
 from operator import mul
 
-from nhc.algebra.calculus import tangent
-from nhc.algebra.dense import Echelon, extend_echelon
+from nhc.algebra.calculus import reachable, tangent
+from nhc.algebra.dense import Echelon, extend_echelon, pack, unpack
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.exact.jets import WIDTH, Jets, Series, make_box, plan_jets
 from nhc.algebra.exact.modular import enough_points
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.graph import Graph, Node
+from nhc.mechanics.properties.backwards import Backwards, Sweep
 
 Field = tuple[Node, ...]
 Vector = list[int]
@@ -108,13 +109,25 @@ class _Flag:
             columns = [[field[i] for field in fields] for i in range(len(variables))]
             combination = tuple(graph.dot(weights, column) for column in columns), weights
         self.mixed, self.weights = tuple(combination[0]), tuple(combination[1])
-        columns = [tangent(graph, self.mixed, {variable: graph.one}) for variable in variables]
-        self.slopes = [[(c, entry) for c, entry in enumerate(column) if entry != graph.zero] for column in columns]
         self.nodes = [x for field in (*fields, self.mixed) for x in field]
+        self.backwards = Backwards(graph, self.mixed, self.variables)
+        self.plan = plan_jets(graph, [*self.nodes, *self.backwards.factors], (*self.variables, *self.weights))
+        self.graph, self.moving = graph, graph.mask((*self.variables, *self.weights))
+
+    @cached_property
+    def slopes(self) -> list[list[tuple[int, Node]]]:
+        """The Jacobian matrix by column, each its entries that are not zero."""
+        g = self.graph
+        columns = [tangent(g, self.mixed, {variable: g.one}) for variable in self.variables]
+        return [[(c, entry) for c, entry in enumerate(column) if entry != g.zero] for column in columns]
+
+    @cached_property
+    def weighted(self) -> list[Node]:
+        """What depends on the weights, in the order of its making."""
+        g, mask, given = self.graph, self.graph.mask(self.weights), set(self.weights)
         entries = [entry for column in self.slopes for _, entry in column]
-        self.plan = plan_jets(graph, [*self.nodes, *entries], (*self.variables, *self.weights))
-        mask, given = graph.mask(self.weights), set(self.weights)
-        self.weighted = [node for node in self.plan.nodes if graph.deps[node] & mask and node not in given]
+        nodes = reachable(g, [*self.plan.nodes, *entries])
+        return [node for node in nodes if g.deps[node] & mask and node not in given]
 
     def ranks(self, point: FieldPoint) -> tuple[int, ...]:
         """The growth vector at a point.
@@ -228,10 +241,13 @@ class _Path:
         self.back: list[Series] = [
             [[1 << 8 * WIDTH * c if i == 0 else 0] for i in monomials] for c in range(len(place))
         ]
+        self.sweep = Sweep(flag.backwards, self.jets, self.back, self.box, flag.moving)
         self.newest: list[list[Vector]] = []
 
     def _weigh(self, point: FieldPoint, weights: Vector) -> None:
         point.evaluate([], dict(zip(self.flag.weights, weights, strict=True)))
+        entries = [entry for column in self.flag.slopes for _, entry in column]
+        point.evaluate(entries)
         point.fill(self.flag.weighted)
 
     def _turn(self, point: FieldPoint, own: Vector) -> list[list[tuple[int, int]]]:
@@ -244,10 +260,10 @@ class _Path:
         p, series, made = self.prime, self.jets.series, len(self.place[0][0])
         counts = [made + i % (self.missing + 1) for i in range(len(self.box.parts))]  # the power of s
         scales = [pow(count, -1, p) for count in counts]
-        carried = [self._carry(column) for column in self.flag.slopes]
+        carried = self.sweep.extend(made - 1)
         for own, new in zip(self.back, carried, strict=True):
             for powers, rows, scale in zip(own, new, scales, strict=True):
-                powers.append(_pack([-x * scale % p for x in rows]) if rows else 0)
+                powers.append(pack([-x * scale % p for x in rows], WIDTH) if rows else 0)
         for own, node in zip(self.place, self.flag.mixed, strict=True):
             for powers, slope, scale in zip(own, series[node], scales, strict=True):
                 powers.append(slope[made - 1] * scale % p)
@@ -264,7 +280,7 @@ class _Path:
         found = []
         for pairs in self.box.parts:
             total = sum(sum(map(mul, x[i], y[j][last::-1])) for x, y in known for i, j in pairs)
-            found.append(_unpack(total, size) if total else [])
+            found.append(unpack(total, size, WIDTH) if total else [])
         return found
 
     def vectors(self) -> list[Vector]:
@@ -289,12 +305,3 @@ class _Path:
             for row, entry in column:
                 moved[row] = (moved[row] - entry * x) % p
         return moved
-
-
-def _pack(residues: Sequence[int]) -> int:
-    return int.from_bytes(b"".join([x.to_bytes(WIDTH, "little") for x in residues]), "little")
-
-
-def _unpack(number: int, count: int) -> list[int]:
-    text = number.to_bytes(count * WIDTH, "little")
-    return [int.from_bytes(text[k : k + WIDTH], "little") for k in range(0, count * WIDTH, WIDTH)]

@@ -20,7 +20,7 @@ from nhc.algebra.exact.relations import find_relations, without
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.properties.conserved import Candidate, combine
-from nhc.mechanics.properties.leaf import Leaf, has_values, leaf_of, rank_on
+from nhc.mechanics.properties.leaf import Leaf, has_values, leaf_of, parts_on, rank_on
 from nhc.mechanics.properties.named import named_text
 from nhc.mechanics.properties.primitives import find_primitives
 from nhc.mechanics.system import Form, System
@@ -54,16 +54,17 @@ def find_position_integrals(
     """
     found: list[PositionIntegral] = []
     leaf = leaf_of(system, [x for e in (*frame.free_vectors, frame.drift) for x in e])
-    for form in system.constraints:
-        if form.equation is not None and _is_new(system, leaf, found, form.equation):
-            found.append(PositionIntegral(form.equation, *_texts(system, form.equation), (form.name,)))
+    held = [(form.equation, form.name) for form in system.constraints if form.equation is not None]
+    for k in _new(system, leaf, [], [node for node, _ in held]):
+        node, name = held[k]
+        found.append(PositionIntegral(node, *_texts(system, node), (name,)))
     for candidates in _stages(system, closed):
         if len(found) >= hidden:
             break
-        for node in _search(system, leaf, frame, candidates):
-            if len(found) < hidden and _is_new(system, leaf, found, node):
-                names = tuple(form.name for form in system.constraints if _is_used(system, leaf, node, form))
-                found.append(PositionIntegral(node, *_texts(system, node), names))
+        nodes = _search(system, leaf, frame, candidates)
+        nodes = [nodes[k] for k in _new(system, leaf, [f.node for f in found], nodes, hidden)]
+        for node, names in zip(nodes, _users(system, leaf, nodes), strict=True):
+            found.append(PositionIntegral(node, *_texts(system, node), names))
     return tuple(found)
 
 
@@ -73,17 +74,29 @@ def _texts(system: System, node: Node) -> tuple[str, str]:
     return text, named_text(system, plain, _WHOLE) if text.endswith("…") else text
 
 
-def _is_new(system: System, leaf: Leaf, found: Sequence[PositionIntegral], node: Node) -> bool:
-    rows = [gradient(system.graph, x, (*system.q, system.t)) for x in (*(f.node for f in found), node)]
-    return rank_on(system.graph, rows, leaf) == len(rows)
+def _new(system: System, leaf: Leaf, known: Sequence[Node], nodes: Sequence[Node], most: int = 0) -> list[int]:
+    """Numbers of the nodes that are independent of those known and of each other, up to ``most`` with those known (0: all)."""
+    g, chosen = system.graph, list[int]()
+    slopes = [gradient(g, x, (*system.q, system.t)) for x in (*known, *nodes)]
+    first = len(known)
+    if first + len(nodes) <= (most or len(slopes)) and rank_on(g, slopes, leaf) == len(slopes):
+        return list(range(len(nodes)))
+    for k in range(len(nodes)):
+        if most and first + len(chosen) >= most:
+            break
+        rows = [*slopes[:first], *(slopes[first + i] for i in (*chosen, k))]
+        if rank_on(g, rows, leaf) == len(rows):
+            chosen.append(k)
+    return chosen
 
 
-def _is_used(system: System, leaf: Leaf, node: Node, form: Form) -> bool:
-    """Whether df needs this constraint: it is no combination of the others."""
-    g = system.graph
-    others = [[*f.coefficients, f.constant] for f in system.constraints if f is not form]
-    slope = gradient(g, node, (*system.q, system.t))
-    return rank_on(g, [*others, slope], leaf) > len(others)
+def _users(system: System, leaf: Leaf, nodes: Sequence[Node]) -> list[tuple[str, ...]]:
+    """Names of the constraints that each node's differential needs: it is no combination of the others."""
+    g, forms = system.graph, system.constraints
+    rows = [[*form.coefficients, form.constant] for form in forms]
+    rows += [list(gradient(g, node, (*system.q, system.t))) for node in nodes]
+    parts = parts_on(g, rows, len(forms), leaf) if nodes else []
+    return [tuple(form.name for form, used in zip(forms, part, strict=True) if used) for part in parts]
 
 
 # --- candidates -------------------------------------------------------------------------------------------

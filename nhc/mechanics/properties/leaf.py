@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import derivative, reachable, substitute
-from nhc.algebra.dense import rank_modulo
+from nhc.algebra.dense import null_space, rank_modulo
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.exact.modular import is_zero, rank
@@ -103,17 +103,41 @@ def rank_on(graph: Graph, rows: Sequence[Sequence[Node]], leaf: Leaf, prime: int
     """The generic rank on a leaf, modulo a prime of choice."""
     if not leaf.steps or not rows:
         return rank(graph, rows)
-    flat, width, ranks = [x for row in rows for x in row], len(rows[0]), list[int]()
     prime = prime or primes_of(graph)[0]
+    return max(rank_modulo(matrix, prime) for matrix in _matrices(graph, rows, leaf, prime))
+
+
+def parts_on(graph: Graph, rows: Sequence[Sequence[Node]], first: int, leaf: Leaf) -> list[list[bool]]:
+    """For each row after the ``first`` ones, which are independent and which it is a combination of: which of them it needs.
+
+    None where it is no such combination.
+    """
+    prime = primes_of(graph)[0]
+    used = [[False] * first for _ in rows[first:]]
+    for matrix in _matrices(graph, rows, leaf, prime):
+        for vector in null_space(list(zip(*matrix, strict=True)), len(rows), prime):
+            own = max(k for k, x in enumerate(vector) if x) - first
+            if own >= 0:
+                used[own] = [before or bool(x) for before, x in zip(used[own], vector[:first], strict=True)]
+    return used
+
+
+def _matrices(graph: Graph, rows: Sequence[Sequence[Node]], leaf: Leaf, prime: int) -> list[list[list[int]]]:
+    """The rows at some random points of a leaf.
+
+    Raises:
+        Unlucky: they have no values on it.
+    """
+    flat, width, found = [x for row in rows for x in row], len(rows[0]), list[list[list[int]]]()
     seeds = range(_FIRST_SEED, _FIRST_SEED + MOST_DRAWS)
     for _, point in draw_points(graph, flat, prime, seeds, settle=leaf.settle):
         try:
             values = point.evaluate(flat)
         except Unlucky:
             continue
-        ranks.append(rank_modulo([values[k : k + width] for k in range(0, len(values), width)], prime))
-        if len(ranks) == _POINTS:
-            return max(ranks)
+        found.append([values[k : k + width] for k in range(0, len(values), width)])
+        if len(found) == _POINTS:
+            return found
     raise Unlucky
 
 

@@ -13,6 +13,7 @@ from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
+from nhc.language import Spec
 from nhc.mechanics.regular.trials import ordinary_points, trial_points, velocity_units
 from nhc.mechanics.system import Form, System
 
@@ -26,7 +27,15 @@ def given_states(system: System) -> list[dict[Node, float]]:
 
     Near the scenes' starts where there are scenes: a mechanism may have other positions, in which it does not move.
     """
-    equations = [form.equation for form in system.constraints if form.equation is not None]
+    equations = tuple(form.equation for form in system.constraints if form.equation is not None)
+    known: dict[tuple[Node, ...], tuple[Spec, list[dict[Node, float]]]] = system.graph.memory.setdefault("given", {})
+    key = (*equations, *system.q, *system.v)
+    if key not in known or known[key][0] is not system.spec:
+        known[key] = system.spec, _find_states(system, equations)
+    return [dict(state) for state in known[key][1]]
+
+
+def _find_states(system: System, equations: Sequence[Node]) -> list[dict[Node, float]]:
     near = ordinary_points(system)[1:-_OF_NO_SCENE:2]
     found: list[dict[Node, float]] = []
     for point in near or trial_points(system)[-_DRAWN:]:

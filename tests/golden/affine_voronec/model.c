@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:484b4404b924f3fd)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:c926ec9843491202)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -713,7 +713,7 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z107 = z53 * (2.0 - 0.5 * (z28 * z86) + c_z * z106 + 0.5 * (z20 * z105));
     const double z108 = c_t * z6;
     const double z109 = y_dot * z74 + (0.06 * z35 - 0.5 * (z6 * z95)) - 0.3 * (z2 * (z65 - z68)) + y_2 * z104;
-    const double z110 = x_dot * z69 + (z6 * z101 + 2.0 * z70) + x * z78 - s_z * (0.06 * (x_dot * z108) +
+    const double z110 = x_dot * z69 + (2.0 * z70 + z6 * z101) + x * z78 - s_z * (0.06 * (x_dot * z108) +
         z109);
     const double z111 = 2.0 * (z * (0.2 * z39 - z2 * z64)) + (c_z * (0.3 * z71 - z25 * z75) + z110);
     const double z112 = c_t * z15;

@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:354ec74fa17ca273).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:f055e2f96392cd8d).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -673,7 +673,7 @@ def jacobian(
         z108 = c_t * z6
         s21 = y_dot * z74 + (0.06 * z35 - 0.5 * (z6 * z95))
         z109 = s21 - 0.3 * (z2 * (z65 - z68)) + y_2 * z104
-        s22 = x_dot * z69 + (z6 * z101 + 2.0 * z70) + x * z78
+        s22 = x_dot * z69 + (2.0 * z70 + z6 * z101) + x * z78
         z110 = s22 - s_z * (0.06 * (x_dot * z108) + z109)
         s23 = c_z * (0.3 * z71 - z25 * z75) + z110
         z111 = 2.0 * (z * (0.2 * z39 - z2 * z64)) + s23

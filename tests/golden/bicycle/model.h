@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:4ba5efbc8e89c502)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:56bf3c925af62151)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -67,7 +67,7 @@
  * accelerations: 153 +-, 264 *, 3 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 183 *, 2 /, 12 calls
- * reactions: 396 +-, 616 *, 3 /, 12 calls
+ * reactions: 367 +-, 549 *, 3 /, 12 calls
  * energy: 116 +-, 186 *, 3 /, 10 calls
  * jacobian: 3683 +-, 5097 *, 7 /, 17 calls
  * outputs: 56 +-, 101 *, 3 /, 15 calls

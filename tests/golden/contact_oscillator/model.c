@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:761f74db92e1fbd3)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:66317cebc86282c7)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -301,7 +301,7 @@ int contact_oscillator_reactions(double t, const double *y, const double *p, dou
     const double z2 = x - y_dot * z_dot;
     const double z = y[2];
     /* (I.4.1) 10:5 */
-    lambda[0] = z2 + y_2 * ((z - y_2 * z2) / z1); /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = z2 + (z - y_2 * z2) * (y_2 / z1); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */

@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:670a2d84b121abcd).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:e428b3d4685c39e8).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -267,7 +267,7 @@ def reactions(
         z2 = x - y_dot * z_dot
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 10:5
-            z2 + y_2 * ((z - y_2 * z2) / z1),
+            z2 + (z - y_2 * z2) * (y_2 / z1),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

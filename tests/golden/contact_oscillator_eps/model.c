@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:7bf68289dc461dc7)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:c3e2880f86a7bec8)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -301,14 +301,13 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
     const double z = y[2];
     const double eps = p[0]; /* strength of the coupling */
     const double z2 = 1.0 + eps * (z * z);
-    const double z3 = y_2 / z1;
     const double y_dot = y[3];
     const double z_dot = y[4];
-    const double z4 = y_dot * z_dot;
+    const double z3 = y_dot * z_dot;
     const double x = y[0];
-    const double z5 = x * (z2 - (y_2 * z2 - eps * (x * z)) * z3) - (z4 - z3 * (z + y_2 * z4));
+    const double z4 = y_2 * (x * (y_2 * z2 - eps * (x * z)) - (z + y_2 * z3)) / z1;
     /* (I.4.1) 12:5 */
-    lambda[0] = z5; /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = x * z2 - (z3 + z4); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */

@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:b3ca3146a5468e89).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:775f2038e79d6b48).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -277,13 +277,11 @@ def reactions(
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "reactions")
         z2 = 1.0 + eps * (z * z)
-        z3 = y_2 / z1
-        z4 = y_dot * z_dot
-        s1 = x * (z2 - (y_2 * z2 - eps * (x * z)) * z3)
-        z5 = s1 - (z4 - z3 * (z + y_2 * z4))
+        z3 = y_dot * z_dot
+        z4 = y_2 * (x * (y_2 * z2 - eps * (x * z)) - (z + y_2 * z3)) / z1
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 12:5
-            z5,
+            x * z2 - (z3 + z4),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:32b4b80f6100fc76)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:3aa83ab560a189d1)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -346,7 +346,7 @@ int cvt_reactions(double t, const double *y, const double *p, double *lambda)
     const double z1 = 1.0 + s_xi * s_xi;
     const double z2 = y_2 - c_xi * (x_dot * xi_dot);
     /* (I.4.1) 10:5 */
-    lambda[0] = z2 + s_xi * ((x - s_xi * z2) / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
+    lambda[0] = z2 + (x - s_xi * z2) * (s_xi / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */

@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:1a92dcfc4e6e282a).
+"""cvt, emitted by nhc 0.1.0 (nhc:781384b506a79073).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -276,7 +276,7 @@ def reactions(
         z2 = y_2 - c_xi * (x_dot * xi_dot)
         lambda_: list[float] = [
             # reaction of belt: Q_i gains lambda_1 a_1i (I.4.1) 10:5
-            z2 + s_xi * ((x - s_xi * z2) / z1),
+            z2 + (x - s_xi * z2) * (s_xi / z1),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

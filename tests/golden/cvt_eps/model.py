@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:72a8a057f837905e).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:4bb889cb0b1613c1).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -281,7 +281,7 @@ def reactions(
         z2 = y_2 - c_xi * (x_dot * xi_dot)
         lambda_: list[float] = [
             # reaction of belt: Q_i gains lambda_1 a_1i (I.4.1) 12:5
-            z2 + s_xi * ((x - s_xi * z2) / z1),
+            z2 + (x - s_xi * z2) * (s_xi / z1),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:678b1ebe48b1cede)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:2e14df1cf052ddbb)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -437,33 +437,34 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
     const double k1 = 1.0 / r;
     const double b = p[4]; /* half the track [m] */
     const double k2 = b * k1;
-    const double m = p[0]; /* mass [kg] */
     const double J_w = p[2]; /* of a wheel about its axle [kg*m^2] */
-    const double k3 = m + 2.0 * (k1 * (J_w * k1));
+    const double k3 = J_w * k1;
+    const double m = p[0]; /* mass [kg] */
+    const double k4 = m + 2.0 * (k1 * k3);
     const double d = p[5]; /* from the axle to the centre of mass [m] */
-    const double k4 = m * d;
+    const double k5 = m * d;
     const double tau_R = p[6]; /* torque on the right wheel [N*m] */
     const double tau_L = p[7]; /* torque on the left wheel [N*m] */
-    const double k5 = k1 * (tau_R + tau_L);
+    const double k6 = k1 * (tau_R + tau_L);
     const double I = p[1]; /* of the whole about the vertical through the centre of mass [kg*m^2] */
-    const double k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
-    const double k7 = k2 * (tau_R - tau_L);
-    const double k8 = 1.0 / k6;
-    const double k9 = k1 / k3;
+    const double k7 = d * k5 + (I + 2.0 * (k2 * (J_w * k2)));
+    const double k8 = k2 * (tau_R - tau_L);
+    const double k9 = 1.0 / k4;
+    const double k10 = 1.0 / k7;
 
     /* from the state */
     const double v = y[5];
     const double w = y[6];
     const double z1 = v * w;
-    const double z2 = (z1 * k4 - k7) * k8;
-    const double z3 = k2 * z2;
-    const double z4 = (k4 * (w * w) + k5) * k9;
+    const double z2 = (z1 * k5 - k8) * k10;
+    const double z3 = (k5 * (w * w) + k6) * k9;
+    const double z4 = b * z2;
     /* (I.4.1) 29:5 */
     lambda[0] = m * (z1 - d * z2); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 30:5 */
-    lambda[1] = k1 * (tau_R + J_w * (z3 - z4)); /* reaction of roll_R: Q_i gains lambda_2 a_2i */
+    lambda[1] = k1 * (tau_R - k3 * (z3 - z4)); /* reaction of roll_R: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 31:5 */
-    lambda[2] = k1 * (tau_L - J_w * (z3 + z4)); /* reaction of roll_L: Q_i gains lambda_3 a_3i */
+    lambda[2] = k1 * (tau_L - k3 * (z3 + z4)); /* reaction of roll_L: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX)) {
         /* the coframe is singular */
@@ -471,12 +472,12 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
             return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
         /* the mass matrix is singular */
-        if (!(fabs(k3) > 0.0)) {
-            return diff_drive_refuse(fabs(k3), 0.0, DIFF_DRIVE_SINGULAR_2);
+        if (!(fabs(k4) > 0.0)) {
+            return diff_drive_refuse(fabs(k4), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(k6) > 0.0)) {
-            return diff_drive_refuse(fabs(k6), 0.0, DIFF_DRIVE_SINGULAR_2);
+        if (!(fabs(k7) > 0.0)) {
+            return diff_drive_refuse(fabs(k7), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         return diff_drive_finish(3, lambda);
     }

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:6d367d70721e40de).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:1c187c9c54244655).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -379,31 +379,32 @@ def reactions(
         # from the parameters alone
         k1 = 1.0 / r
         k2 = b * k1
-        k3 = m + 2.0 * (k1 * (J_w * k1))
+        k3 = J_w * k1
+        k4 = m + 2.0 * (k1 * k3)
         # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise _refuse(abs(k3), 0.0, 2, "reactions")
-        k4 = m * d
-        k5 = k1 * (tau_R + tau_L)
-        k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
+        if not abs(k4) > 0.0:
+            raise _refuse(abs(k4), 0.0, 2, "reactions")
+        k5 = m * d
+        k6 = k1 * (tau_R + tau_L)
+        k7 = d * k5 + (I + 2.0 * (k2 * (J_w * k2)))
         # the mass matrix is singular
-        if not abs(k6) > 0.0:
-            raise _refuse(abs(k6), 0.0, 2, "reactions")
-        k7 = k2 * (tau_R - tau_L)
-        k8 = 1.0 / k6
-        k9 = k1 / k3
+        if not abs(k7) > 0.0:
+            raise _refuse(abs(k7), 0.0, 2, "reactions")
+        k8 = k2 * (tau_R - tau_L)
+        k9 = 1.0 / k4
+        k10 = 1.0 / k7
         # from the state
         z1 = v * w
-        z2 = (z1 * k4 - k7) * k8
-        z3 = k2 * z2
-        z4 = (k4 * (w * w) + k5) * k9
+        z2 = (z1 * k5 - k8) * k10
+        z3 = (k5 * (w * w) + k6) * k9
+        z4 = b * z2
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 29:5
             m * (z1 - d * z2),
             # reaction of roll_R: Q_i gains lambda_2 a_2i (I.4.1) 30:5
-            k1 * (tau_R + J_w * (z3 - z4)),
+            k1 * (tau_R - k3 * (z3 - z4)),
             # reaction of roll_L: Q_i gains lambda_3 a_3i (I.4.1) 31:5
-            k1 * (tau_L - J_w * (z3 + z4)),
+            k1 * (tau_L - k3 * (z3 + z4)),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

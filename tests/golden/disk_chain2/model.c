@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:7bab4be533fda192)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:61331cff416d324a)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -492,26 +492,25 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
 
     /* from the parameters alone */
     const double k1 = m * R;
-    const double k2 = I + m * (R * R);
-    const double k3 = R * k / k2;
+    const double k2 = m * R * R;
+    const double k3 = I + k2;
+    const double k4 = k2 / k3;
 
     /* from the state */
-    const double z1 = x1 - x2;
-    const double z2 = k * z1;
-    const double z3 = k1 * (phi1_dot * theta1_dot);
-    const double z4 = y1_ - y2;
-    const double z5 = k1 * ((z1 * c_phi1 + z4 * s_phi1) * k3);
-    const double z6 = k * z4;
-    const double z7 = k1 * (phi2_dot * theta2_dot);
-    const double z8 = k1 * ((z1 * c_phi2 + z4 * s_phi2) * k3);
+    const double z1 = k1 * (phi1_dot * theta1_dot);
+    const double z2 = x1 - x2;
+    const double z3 = y1_ - y2;
+    const double z4 = (z2 * c_phi1 + z3 * s_phi1) * k4;
+    const double z5 = k1 * (phi2_dot * theta2_dot);
+    const double z6 = (z2 * c_phi2 + z3 * s_phi2) * k4;
     /* (I.4.1) 27:5 */
-    lambda[0] = z2 - s_phi1 * z3 - c_phi1 * z5; /* reaction of roll_x1: Q_i gains lambda_1 a_1i */
+    lambda[0] = k * (z2 - c_phi1 * z4) - s_phi1 * z1; /* reaction of roll_x1: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 28:5 */
-    lambda[1] = z6 + c_phi1 * z3 - s_phi1 * z5; /* reaction of roll_y1: Q_i gains lambda_2 a_2i */
+    lambda[1] = c_phi1 * z1 + k * (z3 - s_phi1 * z4); /* reaction of roll_y1: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 29:5 */
-    lambda[2] = c_phi2 * z8 - (z2 + s_phi2 * z7); /* reaction of roll_x2: Q_i gains lambda_3 a_3i */
+    lambda[2] = -(s_phi2 * z5 + k * (z2 - c_phi2 * z6)); /* reaction of roll_x2: Q_i gains lambda_3 a_3i */
     /* (I.4.1) 30:5 */
-    lambda[3] = s_phi2 * z8 - (z6 - c_phi2 * z7); /* reaction of roll_y2: Q_i gains lambda_4 a_4i */
+    lambda[3] = c_phi2 * z5 - k * (z3 - s_phi2 * z6); /* reaction of roll_y2: Q_i gains lambda_4 a_4i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (0 times it is NaN then, and nothing is larger) */
     if (!(fabs(J) > 0.0 * (lambda[0] + lambda[1] + lambda[2] + lambda[3]))) {
@@ -520,8 +519,8 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
             return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(k2) > 0.0)) {
-            return disk_chain2_refuse(fabs(k2), 0.0, DISK_CHAIN2_SINGULAR_2);
+        if (!(fabs(k3) > 0.0)) {
+            return disk_chain2_refuse(fabs(k3), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         return disk_chain2_finish(4, lambda);
     }

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:9dfce98e2ffa3e2e)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:42d9e1a2fd8f708b)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -49,7 +49,7 @@
  * accelerations: 9 +-, 23 *, 1 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 6 *, 0 /, 4 calls
- * reactions: 13 +-, 26 *, 1 /, 4 calls
+ * reactions: 13 +-, 25 *, 1 /, 4 calls
  * energy: 9 +-, 18 *, 0 /, 0 calls
  * jacobian: 5 +-, 21 *, 1 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls

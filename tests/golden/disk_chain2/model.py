@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:fceeaa2bcf35b5a4).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:e5998333a53c8911).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -50,7 +50,7 @@ velocities: 0 +-, 6 *, 0 /, 4 calls
 accelerations: 9 +-, 23 *, 1 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 4 +-, 6 *, 0 /, 4 calls
-reactions: 13 +-, 26 *, 1 /, 4 calls
+reactions: 13 +-, 25 *, 1 /, 4 calls
 energy: 9 +-, 18 *, 0 /, 0 calls
 jacobian: 5 +-, 21 *, 1 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
@@ -448,33 +448,32 @@ def reactions(
             raise _refuse(abs(J), 0.0, 2, "reactions")
         # from the parameters alone
         k1 = m * R
-        k2 = I + m * (R * R)
+        k2 = m * R * R
+        k3 = I + k2
         # the mass matrix is singular
-        if not abs(k2) > 0.0:
-            raise _refuse(abs(k2), 0.0, 2, "reactions")
-        k3 = R * k / k2
+        if not abs(k3) > 0.0:
+            raise _refuse(abs(k3), 0.0, 2, "reactions")
+        k4 = k2 / k3
         # from the state
-        z1 = x1 - x2
-        z2 = k * z1
         s_phi1 = math.sin(phi1)
-        z3 = k1 * (phi1_dot * theta1_dot)
+        z1 = k1 * (phi1_dot * theta1_dot)
+        z2 = x1 - x2
         c_phi1 = math.cos(phi1)
-        z4 = y1 - y2
-        z5 = k1 * ((z1 * c_phi1 + z4 * s_phi1) * k3)
-        z6 = k * z4
+        z3 = y1 - y2
+        z4 = (z2 * c_phi1 + z3 * s_phi1) * k4
         s_phi2 = math.sin(phi2)
-        z7 = k1 * (phi2_dot * theta2_dot)
+        z5 = k1 * (phi2_dot * theta2_dot)
         c_phi2 = math.cos(phi2)
-        z8 = k1 * ((z1 * c_phi2 + z4 * s_phi2) * k3)
+        z6 = (z2 * c_phi2 + z3 * s_phi2) * k4
         lambda_: list[float] = [
             # reaction of roll_x1: Q_i gains lambda_1 a_1i (I.4.1) 27:5
-            z2 - s_phi1 * z3 - c_phi1 * z5,
+            k * (z2 - c_phi1 * z4) - s_phi1 * z1,
             # reaction of roll_y1: Q_i gains lambda_2 a_2i (I.4.1) 28:5
-            z6 + c_phi1 * z3 - s_phi1 * z5,
+            c_phi1 * z1 + k * (z3 - s_phi1 * z4),
             # reaction of roll_x2: Q_i gains lambda_3 a_3i (I.4.1) 29:5
-            c_phi2 * z8 - (z2 + s_phi2 * z7),
+            -(s_phi2 * z5 + k * (z2 - c_phi2 * z6)),
             # reaction of roll_y2: Q_i gains lambda_4 a_4i (I.4.1) 30:5
-            s_phi2 * z8 - (z6 - c_phi2 * z7),
+            c_phi2 * z5 - k * (z3 - s_phi2 * z6),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

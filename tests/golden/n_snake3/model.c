@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:95739c44831aa83f)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:5ce97eccca00c68a)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -587,23 +587,25 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double z30 = v * z27 + z19 * z26;
     const double z31 = v1_x2 * z23 + c2 * z28 - (z20 * z29 + s2 * z30);
     const double z32 = v1_x2 * z29 - s2 * z28 + (z20 * z23 - c2 * z30);
-    const double z33 = s1 * k1;
-    const double z34 = k3 * (s1 * z30 + z6 * z32) - m * (c1 * z28 + z3 * z31) - k * (z1 * z33 - k1 * (z2 *
-        (s1 - z6)));
-    const double z35 = k2 * (c1 * z30) - k3 * (z10 * z32) + k4 * (s1 * z28) + m * (z11 * z31);
-    const double z36 = (z35 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z34) / z18;
-    const double z37 = z16 * z34 - z17 * z36;
-    const double z38 = m * (z31 + (z3 * z37 - z11 * z36));
-    const double z39 = k1 * (k * z2 - J * (k1 * z32 - (k1 * (z6 * z37) - z3 * z36)));
-    const double z40 = s2 * z38 - c2 * z39;
-    const double z41 = z40 + k1 * (k * (z1 - z2) - J * (k1 * z30 - (z33 * z37 + c1 * z36)));
-    const double z42 = c1 * z41 - s1 * (m * (z28 + (c1 * z37 - z8 * z36)) + s2 * z39 + c2 * z38);
+    const double z33 = k3 * (s1 * z30 + z6 * z32) - m * (c1 * z28 + z3 * z31) - k * (k1 * (z1 * s1 - z2 * (s1
+        - z6)));
+    const double z34 = k2 * (c1 * z30) - k3 * (z10 * z32) + k4 * (s1 * z28) + m * (z11 * z31);
+    const double z35 = (z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z33) / z18;
+    const double z36 = z16 * z33 - z17 * z35;
+    const double z37 = a * z35;
+    const double z38 = c1 * z36 - s1 * z37;
+    const double z39 = s1 * z36 + c1 * z37;
+    const double z40 = m * (z31 + (c2 * z38 + s2 * z39));
+    const double z41 = k1 * (k * z2 - k2 * (z32 - (s2 * z38 - c2 * z39)));
+    const double z42 = s2 * z40 - c2 * z41;
+    const double z43 = z42 + k1 * (k * (z1 - z2) - k2 * (z30 - z39));
+    const double z44 = m * (v * w) - (c1 * z43 - s1 * (m * (z28 + z38) + s2 * z41 + c2 * z40));
     /* (I.4.1) 25:5 */
-    lambda[0] = m * (v * w) - z42; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
+    lambda[0] = z44; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 26:5 */
-    lambda[1] = m * (z24 * v1_x2) + z40 + z41; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
+    lambda[1] = m * (z24 * v1_x2) + z42 + z43; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 27:5 */
-    lambda[2] = k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z39; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
+    lambda[2] = k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z41; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z18) > 1e-13 * z12)) {
         /* the coframe is singular */
@@ -728,10 +730,10 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z30 = v1_x2 * z26 - z22 * z28;
     const double z31 = k1 * (c2 * z29 - s2 * z30);
     const double z32 = m * c1 + c2 * z26 + s2 * z28;
-    const double z33 = s1 * k3 + s2 * z26 - c2 * z28;
-    const double z34 = z19 * z32 + v * z33;
-    const double z35 = z19 * z33 - v * z32;
-    const double z36 = c1 * z34 + s1 * z35;
+    const double z33 = c2 * z28 - (s1 * k3 + s2 * z26);
+    const double z34 = z19 * z32 - v * z33;
+    const double z35 = z19 * z33 + v * z32;
+    const double z36 = c1 * z34 - s1 * z35;
     const double z37 = z25 * z26 + z27 * z28 + z31 + c2 * z31 - k1 * z36;
     const double z38 = z27 * z26 - z25 * z28 + s2 * z31;
     const double z39 = w - k1 * z22;
@@ -756,7 +758,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z58 = k6 * z57;
     const double z59 = z49 * z16 + z17 * z57;
     const double z60 = k3 * z59;
-    const double z61 = z19 * z38 - (z39 * z35 + (z42 * k3 + z43 + c1 * z58 - 2.0 * (s1 * z60)));
+    const double z61 = z19 * z38 + (z39 * z35 - (z42 * k3 + z43 + c1 * z58 - 2.0 * (s1 * z60)));
     const double z62 = m * z57;
     const double z63 = z3 * z62;
     const double z64 = k3 * z57;
@@ -804,9 +806,9 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z105 = k * z51 + c2 * (z103 + s1 * z92 + c1 * z93) + s2 * (z104 - c1 * z92 + s1 * z93);
     const double z106 = z44 * (z97 + z105 - z17 * z102);
     const double z107 = z44 * (z105 - z17 * z101);
-    const double z108 = z40 * z33 - z41 * z32 + s1 * z37 - c1 * z38;
-    const double z109 = z44 * (z40 * z82 + z41 * z81 - s1 * z86 + c1 * z87 - z17 * z108);
-    const double z110 = z36 + a * (z40 * z32 + z41 * z33 - s1 * z38 - c1 * z37);
+    const double z108 = z40 * z33 + z41 * z32 - s1 * z37 + c1 * z38;
+    const double z109 = z44 * (z40 * z82 + z41 * z81 - s1 * z86 + c1 * z87 + z17 * z108);
+    const double z110 = z36 + a * (z40 * z32 - z41 * z33 - s1 * z38 - c1 * z37);
     const double z111 = z85 + a * (z40 * z81 - z41 * z82 - s1 * z87 - c1 * z86) + z17 * z110;
     const double z112 = z44 * z111;
     /* (I.2.15) */
@@ -827,7 +829,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     J[37] = z16 * z77 - z17 * z98;
     J[38] = z17 * z106 - z16 * z102;
     J[39] = z16 * z101 - z17 * z107;
-    J[40] = z17 * z109 - z16 * z108;
+    J[40] = z16 * z108 + z17 * z109;
     J[41] = -(z16 * z110 + z17 * z112);
     J[44] = -z98;
     J[45] = z106;

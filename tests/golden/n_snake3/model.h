@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:9838c837958486dd)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:d574edae91ca0fcc)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -31,7 +31,7 @@
  * accelerations: 53 +-, 97 *, 3 /, 6 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 11 +-, 15 *, 0 /, 6 calls
- * reactions: 66 +-, 118 *, 3 /, 4 calls
+ * reactions: 66 +-, 115 *, 3 /, 4 calls
  * energy: 13 +-, 23 *, 1 /, 4 calls
  * jacobian: 190 +-, 301 *, 3 /, 6 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls

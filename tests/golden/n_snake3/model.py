@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:ce1faddf01216163).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:ead7d4e03cb7b194).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -32,7 +32,7 @@ velocities: 5 +-, 11 *, 1 /, 6 calls
 accelerations: 53 +-, 97 *, 3 /, 6 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 11 +-, 15 *, 0 /, 6 calls
-reactions: 66 +-, 118 *, 3 /, 4 calls
+reactions: 66 +-, 115 *, 3 /, 4 calls
 energy: 13 +-, 23 *, 1 /, 4 calls
 jacobian: 190 +-, 301 *, 3 /, 6 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
@@ -507,28 +507,29 @@ def reactions(
         z30 = v * z27 + z19 * z26
         z31 = v1_x2 * z23 + c2 * z28 - (z20 * z29 + s2 * z30)
         z32 = v1_x2 * z29 - s2 * z28 + (z20 * z23 - c2 * z30)
-        z33 = s1 * k1
         s3 = k3 * (s1 * z30 + z6 * z32) - m * (c1 * z28 + z3 * z31)
-        z34 = s3 - k * (z1 * z33 - k1 * (z2 * (s1 - z6)))
+        z33 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
         s4 = k2 * (c1 * z30) - k3 * (z10 * z32) + k4 * (s1 * z28)
-        z35 = s4 + m * (z11 * z31)
-        s5 = z35 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z34
-        z36 = s5 / z18
-        z37 = z16 * z34 - z17 * z36
-        z38 = m * (z31 + (z3 * z37 - z11 * z36))
-        z39 = k1 * (k * z2 - J * (k1 * z32 - (k1 * (z6 * z37) - z3 * z36)))
-        z40 = s2 * z38 - c2 * z39
-        s6 = k1 * (k * (z1 - z2) - J * (k1 * z30 - (z33 * z37 + c1 * z36)))
-        z41 = z40 + s6
-        s7 = s1 * (m * (z28 + (c1 * z37 - z8 * z36)) + s2 * z39 + c2 * z38)
-        z42 = c1 * z41 - s7
+        z34 = s4 + m * (z11 * z31)
+        s5 = z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z17 * z33
+        z35 = s5 / z18
+        z36 = z16 * z33 - z17 * z35
+        z37 = a * z35
+        z38 = c1 * z36 - s1 * z37
+        z39 = s1 * z36 + c1 * z37
+        z40 = m * (z31 + (c2 * z38 + s2 * z39))
+        z41 = k1 * (k * z2 - k2 * (z32 - (s2 * z38 - c2 * z39)))
+        z42 = s2 * z40 - c2 * z41
+        z43 = z42 + k1 * (k * (z1 - z2) - k2 * (z30 - z39))
+        s6 = c1 * z43 - s1 * (m * (z28 + z38) + s2 * z41 + c2 * z40)
+        z44 = m * (v * w) - s6
         lambda_: list[float] = [
             # reaction of wheel1: Q_i gains lambda_1 a_1i (I.4.1) 25:5
-            m * (v * w) - z42,
+            z44,
             # reaction of wheel2: Q_i gains lambda_2 a_2i (I.4.1) 26:5
-            m * (z24 * v1_x2) + z40 + z41,
+            m * (z24 * v1_x2) + z42 + z43,
             # reaction of wheel3: Q_i gains lambda_3 a_3i (I.4.1) 27:5
-            k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z39,
+            k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z41,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -651,10 +652,10 @@ def jacobian(
         z30 = v1_x2 * z26 - z22 * z28
         z31 = k1 * (c2 * z29 - s2 * z30)
         z32 = m * c1 + c2 * z26 + s2 * z28
-        z33 = s1 * k3 + s2 * z26 - c2 * z28
-        z34 = z19 * z32 + v * z33
-        z35 = z19 * z33 - v * z32
-        z36 = c1 * z34 + s1 * z35
+        z33 = c2 * z28 - (s1 * k3 + s2 * z26)
+        z34 = z19 * z32 - v * z33
+        z35 = z19 * z33 + v * z32
+        z36 = c1 * z34 - s1 * z35
         z37 = z25 * z26 + z27 * z28 + z31 + c2 * z31 - k1 * z36
         z38 = z27 * z26 - z25 * z28 + s2 * z31
         z39 = w - k1 * z22
@@ -681,8 +682,8 @@ def jacobian(
         z58 = k6 * z57
         z59 = z49 * z16 + z17 * z57
         z60 = k3 * z59
-        s5 = z39 * z35 + (z42 * k3 + z43 + c1 * z58 - 2.0 * (s1 * z60))
-        z61 = z19 * z38 - s5
+        s5 = z39 * z35 - (z42 * k3 + z43 + c1 * z58 - 2.0 * (s1 * z60))
+        z61 = z19 * z38 + s5
         z62 = m * z57
         z63 = z3 * z62
         z64 = k3 * z57
@@ -742,10 +743,10 @@ def jacobian(
         z105 = s18 + s2 * (z104 - c1 * z92 + s1 * z93)
         z106 = z44 * (z97 + z105 - z17 * z102)
         z107 = z44 * (z105 - z17 * z101)
-        z108 = z40 * z33 - z41 * z32 + s1 * z37 - c1 * z38
-        s19 = z40 * z82 + z41 * z81 - s1 * z86 + c1 * z87 - z17 * z108
+        z108 = z40 * z33 + z41 * z32 - s1 * z37 + c1 * z38
+        s19 = z40 * z82 + z41 * z81 - s1 * z86 + c1 * z87 + z17 * z108
         z109 = z44 * s19
-        z110 = z36 + a * (z40 * z32 + z41 * z33 - s1 * z38 - c1 * z37)
+        z110 = z36 + a * (z40 * z32 - z41 * z33 - s1 * z38 - c1 * z37)
         s20 = z85 + a * (z40 * z81 - z41 * z82 - s1 * z87 - c1 * z86)
         z111 = s20 + z17 * z110
         z112 = z44 * z111
@@ -808,7 +809,7 @@ def jacobian(
             # (I.2.15)
             z16 * z101 - z17 * z107,
             # (I.2.15)
-            z17 * z109 - z16 * z108,
+            z16 * z108 + z17 * z109,
             # (I.2.15)
             -(z16 * z110 + z17 * z112),
             0.0,

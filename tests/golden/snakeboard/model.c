@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:2b7b45fac0c33731)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:c0724319df133832)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -637,15 +637,15 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
 
     /* sines and cosines */
     const double z10 = theta + p_b;
-    const double z50 = t * nu;
+    const double z23 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s1 = sin(z10);
     const double c1 = cos(z10);
-    const double s2 = sin(z50);
-    const double c2 = cos(z50);
+    const double s2 = sin(z23);
+    const double c2 = cos(z23);
 
     /* what else is read */
     const double v = y[6];
@@ -664,10 +664,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
-    const double k5 = 1.0 / J_r;
-    const double k6 = 1.0 / J_w;
-    const double k7 = J + J_w;
-    const double k8 = J_r - (m - J);
+    const double k5 = J + J_w;
 
     /* from the state */
     const double z1 = s_p_f * s_p_f;
@@ -689,65 +686,53 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double z18 = c_p_b * z14 + s_p_b * z12;
     const double z19 = l * (z13 + c_p_b * z18);
     const double z20 = z8 * z19;
-    const double z21 = J * (z9 * z9) + m * (z8 * (z16 * z17 + z19 * z20));
-    const double z22 = l * c_p_f;
-    const double z23 = p_b_dot * c_p_b;
-    const double z24 = p_f_dot * c_p_f;
-    const double z25 = s_p_f * z24;
-    const double z26 = k1 * z25;
-    const double z27 = p_b_dot * s_p_b;
-    const double z28 = p_f_dot * s_p_f;
-    const double z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27
-        + c_p_b * z28)));
-    const double z30 = z8 * z8 * (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26));
-    const double z31 = l * z28;
-    const double z32 = v * z9;
-    const double z33 = p_b_dot + z32;
-    const double z34 = s1 * z33;
-    const double z35 = l * z27;
-    const double z36 = l * c_p_b;
-    const double z37 = p_f_dot + z32;
-    const double z38 = z15 * z37;
-    const double z39 = v * (z30 * z19 + z8 * (c1 * z31 + z22 * z34 + (z35 * z18 + z36 * z38)));
-    const double z40 = z8 * z39;
-    const double z41 = c1 * z33;
-    const double z42 = z18 * z37;
-    const double z43 = v * (z30 * z16 + z8 * (s1 * z31 - z22 * z41 + (z35 * z15 - z36 * z42)));
-    const double z44 = z8 * z43;
-    const double z45 = z8 * (z18 * z19 + z15 * z16);
-    const double z46 = v * (z7 * z30 + z8 * (z18 * z41 - s1 * z38 + (z15 * z34 - c1 * z42)));
-    const double z47 = z45 * z46;
-    const double z48 = m * ((z22 * z16 - z7 * z18) * z40 - (z22 * z19 + z7 * z15) * z44) + J * z47;
-    const double z49 = J_w * z45;
-    const double z51 = J_r * z46;
-    const double z52 = tau * s2 + z51;
-    const double z53 = sigma * c2;
-    const double z54 = J_w * z46;
-    const double z55 = z53 + z54;
-    const double z56 = z53 - z54;
-    const double z57 = z9 * (z52 - (z51 - (z55 - (z54 + (z56 + k7 * z46))))) - m * (z17 * z43) - m * (z20 *
-        z39);
-    const double z58 = z57 / z21;
-    const double z59 = z9 * z58;
-    const double z60 = z59 - k6 * z56;
-    const double z61 = z59 + k6 * z55;
-    const double z62 = z45 * z9;
-    const double z63 = J_r * (z59 + k5 * z52);
-    const double z64 = z49 * z60 + (z49 * z61 - ((z62 * k8 + 2.0 * (J_w * z62)) * z58 - z45 * z63));
-    const double z65 = z8 * (c1 * z19 + s1 * z16);
-    const double z66 = z65 * z46;
-    const double z67 = m * ((c1 * z7 + z36 * z16) * z40 + (s1 * z7 - z36 * z19) * z44) - J * z66;
-    const double z68 = J_w * z65;
-    const double z69 = z65 * z9;
-    const double z70 = z68 * z60 + (z68 * z61 - ((k8 * z69 + 2.0 * (J_w * z69)) * z58 - z65 * z63));
+    const double z21 = m * z8;
+    const double z22 = J * (z9 * z9) + (z16 * z17 + z19 * z20) * z21;
+    const double z24 = tau * s2;
+    const double z25 = p_b_dot * c_p_b;
+    const double z26 = p_f_dot * c_p_f;
+    const double z27 = s_p_f * z26;
+    const double z28 = k1 * z27;
+    const double z29 = p_b_dot * s_p_b;
+    const double z30 = p_f_dot * s_p_f;
+    const double z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29
+        + c_p_b * z30)));
+    const double z32 = z8 * z8 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const double z33 = v * z9;
+    const double z34 = p_b_dot + z33;
+    const double z35 = c1 * z34;
+    const double z36 = p_f_dot + z33;
+    const double z37 = z15 * z36;
+    const double z38 = s1 * z34;
+    const double z39 = z18 * z36;
+    const double z40 = v * (z7 * z32 + z8 * (z18 * z35 - s1 * z37 + (z15 * z38 - c1 * z39)));
+    const double z41 = J_r * z40;
+    const double z42 = sigma * c2;
+    const double z43 = J_w * z40;
+    const double z44 = l * z30;
+    const double z45 = l * c_p_f;
+    const double z46 = l * z29;
+    const double z47 = l * c_p_b;
+    const double z48 = v * (z32 * z16 + z8 * (s1 * z44 - z45 * z35 + (z46 * z15 - z47 * z39)));
+    const double z49 = z9 * (z24 + z41 - (z41 - (z42 + z43 - (z43 + (z42 - z43 + k5 * z40))))) - m * (z17 *
+        z48);
+    const double z50 = v * (z32 * z19 + z8 * (c1 * z44 + z45 * z38 + (z46 * z18 + z47 * z37)));
+    const double z51 = (z49 - m * (z20 * z50)) / z22;
+    const double z52 = z8 * (z24 - J * (z40 + z9 * z51));
+    const double z53 = z21 * (z48 + z17 * z51);
+    const double z54 = z16 * z52 + z7 * z53;
+    const double z55 = z21 * (z50 + z20 * z51);
+    const double z56 = z19 * z52 + z7 * z55;
+    const double z57 = z19 * z53 - z16 * z55;
     /* (I.4.1) 28:5 */
-    lambda[0] = z48 + J_r * z47 + 2.0 * (J_w * z47) - z64; /* reaction of back: Q_i gains lambda_1 a_1i */
+    lambda[0] = -(z15 * z54 + z18 * z56 + z45 * z57); /* reaction of back: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 29:5 */
-    lambda[1] = z67 - J_r * z66 - 2.0 * (J_w * z66) + z70; /* reaction of front: Q_i gains lambda_2 a_2i */
+    lambda[1] = s1 * z54 + c1 * z56 - z47 * z57; /* reaction of front: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(J_r * J_w) > 0.0 * (lambda[0] + lambda[1])
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z21) > 1e-13 * z21)) {
+        && fabs(z22) > 1e-13 * z22)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -761,8 +746,8 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z21) > 1e-13 * z21)) {
-            return snakeboard_refuse(fabs(z21), 1e-13 * z21, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z22) > 1e-13 * z22)) {
+            return snakeboard_refuse(fabs(z22), 1e-13 * z22, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(2, lambda);
     }

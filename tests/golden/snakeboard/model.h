@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:61675d2f6cf000ae)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:b86fd878cae7f795)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -42,7 +42,7 @@
  * accelerations: 62 +-, 117 *, 4 /, 9 calls
  * state: 10 +-, 17 *, 0 /, 6 calls
  * residuals: 9 +-, 15 *, 0 /, 6 calls
- * reactions: 82 +-, 155 *, 4 /, 9 calls
+ * reactions: 64 +-, 119 *, 2 /, 9 calls
  * energy: 24 +-, 42 *, 1 /, 6 calls
  * jacobian: 164 +-, 299 *, 2 /, 9 calls
  * outputs: 10 +-, 18 *, 1 /, 5 calls

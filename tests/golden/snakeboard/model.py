@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:6a8b067c1c6954fd).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:b78c65ff08afaffe).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -45,7 +45,7 @@ velocities: 18 +-, 34 *, 1 /, 7 calls
 accelerations: 62 +-, 117 *, 4 /, 9 calls
 state: 10 +-, 17 *, 0 /, 6 calls
 residuals: 9 +-, 15 *, 0 /, 6 calls
-reactions: 82 +-, 155 *, 4 /, 9 calls
+reactions: 64 +-, 119 *, 2 /, 9 calls
 energy: 24 +-, 42 *, 1 /, 6 calls
 jacobian: 164 +-, 299 *, 2 /, 9 calls
 outputs: 10 +-, 18 *, 1 /, 5 calls
@@ -592,10 +592,7 @@ def reactions(
         k2 = 1.0 - k1
         k3 = abs(l)
         k4 = 2.0 + k3
-        k5 = 1.0 / J_r
-        k6 = 1.0 / J_w
-        k7 = J + J_w
-        k8 = J_r - (m - J)
+        k5 = J + J_w
         # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
@@ -627,75 +624,58 @@ def reactions(
         z18 = c_p_b * z14 + s_p_b * z12
         z19 = l * (z13 + c_p_b * z18)
         z20 = z8 * z19
-        z21 = J * (z9 * z9) + m * (z8 * (z16 * z17 + z19 * z20))
+        z21 = m * z8
+        z22 = J * (z9 * z9) + (z16 * z17 + z19 * z20) * z21
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z21) > 1e-13 * z21:
-            raise _refuse(abs(z21), 1e-13 * z21, 2, "reactions")
-        z22 = l * c_p_f
-        z23 = p_b_dot * c_p_b
-        z24 = p_f_dot * c_p_f
-        z25 = s_p_f * z24
-        z26 = k1 * z25
-        z27 = p_b_dot * s_p_b
-        z28 = p_f_dot * s_p_f
-        s4 = 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27 + c_p_b * z28)))
-        z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - s4
-        z30 = z8 * z8 * (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26))
-        z31 = l * z28
-        z32 = v * z9
-        z33 = p_b_dot + z32
-        z34 = s1 * z33
-        z35 = l * z27
-        z36 = l * c_p_b
-        z37 = p_f_dot + z32
-        z38 = z15 * z37
-        s5 = z8 * (c1 * z31 + z22 * z34 + (z35 * z18 + z36 * z38))
-        z39 = v * (z30 * z19 + s5)
-        z40 = z8 * z39
-        z41 = c1 * z33
-        z42 = z18 * z37
-        s6 = z8 * (s1 * z31 - z22 * z41 + (z35 * z15 - z36 * z42))
-        z43 = v * (z30 * z16 + s6)
-        z44 = z8 * z43
-        z45 = z8 * (z18 * z19 + z15 * z16)
-        s7 = z8 * (z18 * z41 - s1 * z38 + (z15 * z34 - c1 * z42))
-        z46 = v * (z7 * z30 + s7)
-        z47 = z45 * z46
-        s8 = (z22 * z16 - z7 * z18) * z40 - (z22 * z19 + z7 * z15) * z44
-        z48 = m * s8 + J * z47
-        z49 = J_w * z45
-        z50 = t_ * nu
-        s2 = math.sin(z50)
-        z51 = J_r * z46
-        z52 = tau * s2 + z51
-        c2 = math.cos(z50)
-        z53 = sigma * c2
-        z54 = J_w * z46
-        z55 = z53 + z54
-        z56 = z53 - z54
-        s9 = z9 * (z52 - (z51 - (z55 - (z54 + (z56 + k7 * z46)))))
-        z57 = s9 - m * (z17 * z43) - m * (z20 * z39)
-        z58 = z57 / z21
-        z59 = z9 * z58
-        z60 = z59 - k6 * z56
-        z61 = z59 + k6 * z55
-        z62 = z45 * z9
-        z63 = J_r * (z59 + k5 * z52)
-        s10 = z49 * z61 - ((z62 * k8 + 2.0 * (J_w * z62)) * z58 - z45 * z63)
-        z64 = z49 * z60 + s10
-        z65 = z8 * (c1 * z19 + s1 * z16)
-        z66 = z65 * z46
-        s11 = (c1 * z7 + z36 * z16) * z40 + (s1 * z7 - z36 * z19) * z44
-        z67 = m * s11 - J * z66
-        z68 = J_w * z65
-        z69 = z65 * z9
-        s12 = z68 * z61 - ((k8 * z69 + 2.0 * (J_w * z69)) * z58 - z65 * z63)
-        z70 = z68 * z60 + s12
+        if not abs(z22) > 1e-13 * z22:
+            raise _refuse(abs(z22), 1e-13 * z22, 2, "reactions")
+        z23 = t_ * nu
+        s2 = math.sin(z23)
+        z24 = tau * s2
+        z25 = p_b_dot * c_p_b
+        z26 = p_f_dot * c_p_f
+        z27 = s_p_f * z26
+        z28 = k1 * z27
+        z29 = p_b_dot * s_p_b
+        z30 = p_f_dot * s_p_f
+        s4 = 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29 + c_p_b * z30)))
+        z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - s4
+        z32 = z8 * z8 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28))
+        z33 = v * z9
+        z34 = p_b_dot + z33
+        z35 = c1 * z34
+        z36 = p_f_dot + z33
+        z37 = z15 * z36
+        z38 = s1 * z34
+        z39 = z18 * z36
+        s5 = z8 * (z18 * z35 - s1 * z37 + (z15 * z38 - c1 * z39))
+        z40 = v * (z7 * z32 + s5)
+        z41 = J_r * z40
+        c2 = math.cos(z23)
+        z42 = sigma * c2
+        z43 = J_w * z40
+        z44 = l * z30
+        z45 = l * c_p_f
+        z46 = l * z29
+        z47 = l * c_p_b
+        s6 = z8 * (s1 * z44 - z45 * z35 + (z46 * z15 - z47 * z39))
+        z48 = v * (z32 * z16 + s6)
+        s7 = z41 - (z42 + z43 - (z43 + (z42 - z43 + k5 * z40)))
+        z49 = z9 * (z24 + z41 - s7) - m * (z17 * z48)
+        s8 = z8 * (c1 * z44 + z45 * z38 + (z46 * z18 + z47 * z37))
+        z50 = v * (z32 * z19 + s8)
+        z51 = (z49 - m * (z20 * z50)) / z22
+        z52 = z8 * (z24 - J * (z40 + z9 * z51))
+        z53 = z21 * (z48 + z17 * z51)
+        z54 = z16 * z52 + z7 * z53
+        z55 = z21 * (z50 + z20 * z51)
+        z56 = z19 * z52 + z7 * z55
+        z57 = z19 * z53 - z16 * z55
         lambda_: list[float] = [
             # reaction of back: Q_i gains lambda_1 a_1i (I.4.1) 28:5
-            z48 + J_r * z47 + 2.0 * (J_w * z47) - z64,
+            -(z15 * z54 + z18 * z56 + z45 * z57),
             # reaction of front: Q_i gains lambda_2 a_2i (I.4.1) 29:5
-            z67 - J_r * z66 - 2.0 * (J_w * z66) + z70,
+            s1 * z54 + c1 * z56 - z47 * z57,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

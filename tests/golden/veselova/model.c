@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:ce4de6c5791ed49d)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:800aa1597247c261)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -490,15 +490,15 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double z16 = z15 / s_theta;
     const double z17 = c_theta * z16;
     const double z18 = c_phi * w_x + s_phi * w_y;
-    const double z19 = s_theta * s_psi;
-    const double z20 = c_psi * z18;
-    const double z21 = c_theta * z18;
-    const double z22 = s_theta * c_psi;
-    const double z23 = I1 * ((z19 * z17 - z20) * (s_psi * z21 + z22 * z16)) + I2 * ((z22 * z17 + s_psi * z18)
-        * (c_psi * z21 - z19 * z16));
+    const double z19 = s_theta * c_psi;
+    const double z20 = c_theta * z18;
+    const double z21 = s_theta * s_psi;
+    const double z22 = c_psi * z18;
+    const double z23 = I2 * ((z19 * z17 + s_psi * z18) * (c_psi * z20 - z21 * z16)) + I1 * ((z21 * z17 - z22)
+        * (s_psi * z20 + z19 * z16));
     const double z24 = s_psi * k1;
     const double z25 = c_theta * k2;
-    const double z26 = s_theta * ((z20 - z15 * z6) * z24 - z15 * z25);
+    const double z26 = s_theta * ((z22 - z15 * z6) * z24 - z15 * z25);
     const double z27 = w_y * z26;
     const double z28 = (w_x * z26 + z12 * z27) / z14;
     const double z29 = ((c_psi * c_phi - s_phi * z6) * z24 - s_phi * z25) * (s_theta * (z11 * z27 - z12 *

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:fda83af5e3d0ba00).
+"""veselova, emitted by nhc 0.1.0 (nhc:6896edd156b81984).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -405,15 +405,15 @@ def reactions(
         z16 = z15 / s_theta
         z17 = c_theta * z16
         z18 = c_phi * w_x + s_phi * w_y
-        z19 = s_theta * s_psi
-        z20 = c_psi * z18
-        z21 = c_theta * z18
-        z22 = s_theta * c_psi
-        s2 = I2 * ((z22 * z17 + s_psi * z18) * (c_psi * z21 - z19 * z16))
-        z23 = I1 * ((z19 * z17 - z20) * (s_psi * z21 + z22 * z16)) + s2
+        z19 = s_theta * c_psi
+        z20 = c_theta * z18
+        z21 = s_theta * s_psi
+        z22 = c_psi * z18
+        s2 = I2 * ((z19 * z17 + s_psi * z18) * (c_psi * z20 - z21 * z16))
+        z23 = s2 + I1 * ((z21 * z17 - z22) * (s_psi * z20 + z19 * z16))
         z24 = s_psi * k1
         z25 = c_theta * k2
-        z26 = s_theta * ((z20 - z15 * z6) * z24 - z15 * z25)
+        z26 = s_theta * ((z22 - z15 * z6) * z24 - z15 * z25)
         z27 = w_y * z26
         z28 = (w_x * z26 + z12 * z27) / z14
         s3 = (c_psi * c_phi - s_phi * z6) * z24 - s_phi * z25
