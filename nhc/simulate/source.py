@@ -15,6 +15,7 @@ from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
 from nhc.simulate.kernel import Kernel, print_kernel
 from nhc.simulate.methods.natural import Scheme
+from nhc.simulate.methods.step import ASIDE
 from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
 from nhc.simulate.methods.watching import LOW, MOST_HALVINGS
 from nhc.stamp import PLACEHOLDER
@@ -211,6 +212,7 @@ def write_source(
         "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),
         "methods": tuple(describe(method, kernel) for method in methods),
         "limits": LIMITS,
+        "aside": ASIDE,
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
 
