@@ -123,12 +123,10 @@ def linearise_at(model: SteadyModel, steady: Steady, family: int | None = None) 
 
 def _beside_turns(basis: Matrix, turns: Sequence[Turn], y: Sequence[float], rest: Sequence[int]) -> Matrix:
     """The part of the basis across turns that nothing depends on: these are null directions, and the rest is a quotient by them."""
-    # what is on the axis of a turn is not moved by it: as far from it as it is found there is rounding, and no direction
-    least = [RANK * (np.linalg.norm(t.matrix) * (1.0 + np.linalg.norm(y)) + np.linalg.norm(t.shift)) for t in turns]
-    rows = [turn.at(y)[list(rest)] for turn in turns]
-    moved = np.array([row for row, rounding in zip(rows, least, strict=True) if np.linalg.norm(row) > rounding])
-    if not len(moved):
+    moving = [turn for turn in turns if turn.moves(y, rest)]
+    if not moving:
         return basis
+    moved = np.array([turn.at(y) for turn in moving])[:, list(rest)]
     inside = moved @ basis.T
     # a turn may lead off the constraints: what it does there is no perturbation
     beside = moved - inside @ basis
