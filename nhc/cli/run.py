@@ -240,6 +240,7 @@ def _report(found: Trajectory, target: Path | None) -> int:
 def _advise(found: Trajectory, lost: bool) -> list[str]:
     """What can be done about a singular place; ``lost``: the constraints have no full rank there."""
     from nhc.simulate.outcomes import find_lost
+    from nhc.simulate.peers import PEERS
     from nhc.simulate.task import CROSSED
 
     job, outcome = found.job, found.outcome
@@ -249,6 +250,8 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
         return []
     if job.watch.kinds[find_lost(job, outcome)] in ("mass", "whole"):
         return ["look at T there, or take coordinates that are regular, such as a `rotation:` for angles in space"]
+    if found.method in PEERS:
+        return [f"leave `--method {found.method}` out: nhc's own methods go on with another choice of velocities"]
     if job.recipe is None or not job.recipe.weak:
         return ["leave `--stay` out: the run then goes on with another choice of velocities"]
     return [

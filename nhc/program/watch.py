@@ -43,7 +43,7 @@ class Watch:
     """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass, rank or whole, and deep for a frame's lower levels.
 
     ``events``, ``signs``, ``close`` count the user's events, the determinants, and the values that tell a singularity by
-    closeness; those after them tell weakness.
+    closeness; those after them tell weakness, first of ``frames`` determinants of coframes, each at the levels ``WEAK``.
     """
 
     about: tuple[str, ...] = ()
@@ -51,6 +51,7 @@ class Watch:
     events: int = 0
     signs: int = 0
     close: int = 0
+    frames: int = 0
 
     @property
     def dips(self) -> int:
@@ -119,7 +120,7 @@ def watch_function(
         kinds.append("deep" if NOTHING < level <= DEEP and measure.kind == "frame" else measure.kind)
     if not nodes:
         return None, Watch()
-    watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close)
+    watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close, len(frames) if weak else 0)
     return planner.lower_out("watch", "values whose change of sign ends a run", nodes, about, solves=solves), watch
 
 

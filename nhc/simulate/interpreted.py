@@ -74,11 +74,17 @@ class InterpretedModel(TextModel):
     """The Python counterpart of ``CompiledModel``."""
 
     def __init__(
-        self, program: Program, events: int, holds: Sequence[Sequence[str]] = (), dips: int | None = None
+        self,
+        program: Program,
+        events: int,
+        holds: Sequence[Sequence[str]] = (),
+        dips: int | None = None,
+        frames: tuple[int, int] = (0, 0),
     ) -> None:
         super().__init__(program)
         self.events, self.holds = events, tuple(holds)
         self.dips = sys.maxsize if dips is None else dips
+        self.frames = frames
         names = {function.name for function in program.functions}
         self.watched = "watch" in names
         self.beating = "beats" in names

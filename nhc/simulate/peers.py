@@ -1,8 +1,8 @@
 """Solvers from elsewhere over the emitted Python: peers to compare with, and multistep methods.
 
 They need the extras ``sim`` (SciPy: P. Virtanen et al., Nature Methods 17 (2020) 261-272) and ``sundials`` (CVODE:
-A. C. Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363-396).  They know nothing of nhc's alarms and bring no
-state back to the constraints.
+A. C. Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363-396).  They know nothing of nhc's alarms, but for SciPy's at
+determinants that change their sign, and bring no state back to the constraints.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Any
 
 from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.task import DONE, EVENT, SINGULAR, STOPPED, UNDERFLOW, News, Outcome, Task
+from nhc.simulate.task import CROSSED, DONE, EVENT, SINGULAR, STOPPED, UNDERFLOW, News, Outcome, Task
 
 SCIPY = {
     "scipy-dop853": "DOP853",
@@ -75,13 +75,16 @@ class PeerModel(InterpretedModel):
     def _scipy(self, task: Task, method: str, rhs: Callable[..., Any], absolute: list[float]) -> Outcome:
         from scipy.integrate import solve_ivp
 
-        def watch(t: float, y: Any) -> float:
-            return self.watch(t, y, task.p)[0]
+        def watch(place: int) -> Callable[..., float]:
+            def value(t: float, y: Any) -> float:
+                return self.watch(t, y, task.p)[place]
+
+            value.terminal = True  # type: ignore[attr-defined]
+            return value
 
         def slopes(t: float, y: Any) -> list[list[float]]:
             return self.jacobian(t, y, task.p)
 
-        watch.terminal = True  # type: ignore[attr-defined]
         found = solve_ivp(
             rhs,
             (task.times[0], task.times[-1]),
@@ -90,15 +93,18 @@ class PeerModel(InterpretedModel):
             t_eval=list(task.times),
             rtol=max(task.tolerance, 2.3e-14),
             atol=absolute,
-            events=watch if self.events else None,
+            events=[watch(place) for place in range(min(self.dips, len(self.watch(task.times[0], task.y, task.p))))],
             **({"jac": slopes} if method in WITH_JACOBIAN else {}),
         )
         states = [[float(x) for x in row] for row in found.y.T]
         kind = {0: DONE, 1: EVENT}.get(int(found.status), UNDERFLOW)
+        which = 0
         t, y = (float(found.t[-1]), states[-1]) if states else (task.times[0], list(task.y))
         if kind == EVENT:
-            t, y = float(found.t_events[0][0]), [float(x) for x in found.y_events[0][0]]
-        return Outcome(kind, 0, t, y, 0.0, len(states), 0, int(found.nfev), int(found.njev), states)
+            which = next(k for k, times in enumerate(found.t_events) if len(times))
+            t, y = float(found.t_events[which][0]), [float(x) for x in found.y_events[which][0]]
+            kind = EVENT if which < self.events else CROSSED
+        return Outcome(kind, which, t, y, 0.0, len(states), 0, int(found.nfev), int(found.njev), states)
 
     def _cvode(self, task: Task, method: str, rhs: Callable[..., Any], absolute: list[float]) -> Outcome:
         from sksundae.cvode import CVODE

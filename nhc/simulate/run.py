@@ -73,20 +73,24 @@ def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str
     """The compiled model, or the emitted Python where there is no compiler; notes say so."""
     notes: tuple[str, ...] = ()
     if method in PEERS:
-        return PeerModel(job.program, job.events), ()
+        return PeerModel(job.program, job.events, dips=job.watch.dips), ()
     if compiled:
         try:
             if method in STRUCTURE:
                 sources = write_natural(job.program, STRUCTURE[method])
             else:
-                sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds, dips=job.watch.dips)
+                watch, methods = job.watch, [RUNGE_KUTTA[method]]
+                sources = write_source(
+                    job.program, methods, job.events, job.holds, dips=watch.dips, frames=(watch.weak, watch.frames)
+                )
             path = build(sources, f"{job.program.system}_run.c", loop_flags(len(job.y)))
             return CompiledModel(path, job.program.system, len(job.y), job.width), ()
         except CompileError as error:
             notes = (f"{error}; running the emitted Python, which is some hundred times slower",)
     if method in STRUCTURE:
         return NaturalModel(job.program), notes
-    return InterpretedModel(job.program, job.events, job.holds, job.watch.dips), notes
+    frames = job.watch.weak, job.watch.frames
+    return InterpretedModel(job.program, job.events, job.holds, job.watch.dips, frames), notes
 
 
 def list_times(start: float, end: float, points: int) -> tuple[float, ...]:

@@ -10,11 +10,14 @@ from nhc.emit.environment import File, render_file
 from nhc.program.hold import SINGULAR_HOLD, TORN_HOLD
 from nhc.program.ir import Beats, Function, Load, Program
 from nhc.program.stepping import LIMITS
+from nhc.program.watch import WEAK
 from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
 from nhc.simulate.kernel import Kernel, print_kernel
 from nhc.simulate.methods.natural import Scheme
+from nhc.simulate.methods.step import ASIDE
 from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
+from nhc.simulate.methods.watching import LOW, MOST_HALVINGS
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
@@ -160,13 +163,15 @@ def write_source(
     trig: str = "inline",
     dips: int | None = None,
     lanes: bool = False,
+    frames: tuple[int, int] = (0, 0),
 ) -> dict[str, str]:
     """File name -> text of ``<s>.h``, ``<s>.c`` and ``<s>_run.c``; the last one includes the others.
 
     ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
-    its values being the user's and those from ``dips`` on being sought where they only touch zero; ``holds`` are called in this
-    order after each step, each with what stands in for it.  ``trig``: the inlined sine and cosine were faster in every run, but are
-    for doubles only.  ``lanes``: many starts side by side, where an explicit method without ``holds`` and linear systems allows it.
+    its values being the user's, those from ``dips`` on being sought where they only touch zero; ``frames``: the first value that
+    tells how weak a coframe is, and the number of coframes; ``holds`` are called in this order after each step, each with what
+    stands in for it.  ``trig``: the inlined sine and cosine were faster in every run, but are for doubles only.  ``lanes``: many
+    starts side by side, where an explicit method without ``holds`` and linear systems allows it.
     """
     functions = {function.name: function for function in program.functions}
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
@@ -193,10 +198,7 @@ def write_source(
         "paced": bool(explicit),
         "slopes": max(3, *(len(m.rows) + 1 for m in explicit)) if explicit else 3,
         "shapes": max([5, *(CUBIC + len(m.dense) for m in explicit)]),
-        "watched": size(watch),
-        "events": events,
-        "dips": dips is not None and dips < size(watch),
-        "first_dip": dips,
+        **_describe_watch(size(watch), events, dips, *frames),
         "parts": parts,
         **_describe_beats(beats, functions, methods),
         "holds": tuple(holds),
@@ -210,8 +212,26 @@ def write_source(
         "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),
         "methods": tuple(describe(method, kernel) for method in methods),
         "limits": LIMITS,
+        "aside": ASIDE,
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
+
+
+def _describe_watch(watched: int, events: int, dips: int | None, weak: int, frames: int) -> dict[str, object]:
+    """The watched values in their order, and what those are made of that tell how weak coframes are."""
+    return {
+        "watched": watched,
+        "events": events,
+        "dips": dips is not None and dips < watched,
+        "first_dip": dips,
+        "weak": weak,
+        "frames": frames,
+        "levels": len(WEAK),
+        "deepest": float(WEAK[0] ** 2),
+        "between": float(WEAK[0] ** 2 - WEAK[1] ** 2),
+        "low": LOW**2,
+        "most_halvings": MOST_HALVINGS,
+    }
 
 
 def _describe_beats(

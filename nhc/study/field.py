@@ -18,7 +18,7 @@ from nhc.mechanics.linearize import Leaf
 from nhc.records import record
 from nhc.study.tape import Tapes
 from nhc.study.turns import Turn
-from nhc.study.units import Matrix, Units, Vector, choose_units, cleaned, trials
+from nhc.study.units import Matrix, Units, Vector, beside, choose_units, cleaned, trials
 
 RANK = 1e-9
 """Singular values below this part of the largest one count as zero."""
@@ -86,7 +86,7 @@ class SteadyModel:
         solution = _solve(matrix, numbers[n : n + unknowns])
         values.update(zip(flow.unknowns, (float(x) for x in solution), strict=True))
         tails = [x for row in (*flow.velocity_slopes, *flow.residual_slopes) for x in row]
-        slopes = self.tapes.numbers(tails, values).reshape(n + unknowns, size)
+        slopes = self._slopes(tails, y, values).reshape(n + unknowns, size)
         rates = _solve(matrix, slopes[n:])[:kept]
         field, jacobian = np.concatenate([numbers[:n], solution[:kept]]), np.vstack([slopes[:n], rates])
         if self.units is not None:
@@ -96,6 +96,19 @@ class SteadyModel:
         if self.turning is not None:
             field, jacobian = field - self.turning.at(y), jacobian - self.turning.matrix
         return field, jacobian
+
+    def _slopes(self, tails: Sequence[Node], y: Sequence[float], values: dict[Node, float]) -> Vector:
+        """Derivatives of what is regular at y.  As it is written, that of a drag v*sqrt(v^2) is 0/0 at rest, and on all sides of it
+        next to nothing: what the derivatives beside y agree on is theirs at y.
+        """
+        try:
+            return self.tapes.numbers(tails, values)
+        except ArithmeticError:
+            found = np.array([self.tapes.numbers(tails, values | self.values(near)) for near in beside(y)])
+            mean = found.mean(axis=0)
+            if not np.max(np.abs(found - mean), initial=0.0) <= RANK * (1.0 + np.max(np.abs(mean), initial=0.0)):
+                raise
+            return np.asarray(mean)
 
     def mass(self, y: Sequence[float]) -> Matrix:
         """The matrix of the kept velocities' rates at y (with multipliers: the bordered one)."""

@@ -123,9 +123,10 @@ def linearise_at(model: SteadyModel, steady: Steady, family: int | None = None) 
 
 def _beside_turns(basis: Matrix, turns: Sequence[Turn], y: Sequence[float], rest: Sequence[int]) -> Matrix:
     """The part of the basis across turns that nothing depends on: these are null directions, and the rest is a quotient by them."""
-    if not turns:
+    moving = [turn for turn in turns if turn.moves(y, rest)]
+    if not moving:
         return basis
-    moved = np.array([turn.at(y) for turn in turns])[:, list(rest)]
+    moved = np.array([turn.at(y) for turn in moving])[:, list(rest)]
     inside = moved @ basis.T
     # a turn may lead off the constraints: what it does there is no perturbation
     beside = moved - inside @ basis

@@ -14,7 +14,7 @@ from nhc.mechanics.regular.trials import sampled_rows
 from nhc.study.equations import all_but, bound, equations, exact_equations, turned
 from nhc.study.field import RANK, SINGULAR, Hold, SteadyModel
 from nhc.study.roots import newton_step, refined, undecided
-from nhc.study.turns import Turn
+from nhc.study.turns import Turn, combined
 from nhc.study.units import Matrix, Vector, beside, is_steady, trials
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
@@ -295,9 +295,10 @@ def _accepted(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Seque
         raise NotSteady(what, size, model.outside(state), entries=_fastest(model, value))
     y, places = _settled(model, turns, y, holds)
     count = len(model.flow.y)
-    y = np.concatenate(
-        [y[:count], np.where(np.abs(y[count:]) > 1e-12 * scale, y[count:], 0.0)]
-    )  # slower turns are rounding
+    speeds = np.where(np.abs(y[count:]) > 1e-12 * scale, y[count:], 0.0)  # slower turns are rounding
+    if turns and not combined(speeds, turns).moves(y[:count], rest):  # nor is there any about an axis through all of it
+        speeds = np.zeros_like(speeds)
+    y = np.concatenate([y[:count], speeds])
     state, own = turned(model, turns, y)
     size = float(np.max(np.abs(equations(model, turns, y, holds)[0]), initial=0.0))
     n, turning = model.flow.system.n, own.turning if turns else None

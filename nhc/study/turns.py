@@ -11,6 +11,9 @@ import numpy as np
 from nhc.mechanics.flow import Flow
 from nhc.study.units import Matrix, Vector
 
+AXIS = 1e-9
+"""Of the way of a turn over a state of the usual size: what goes less lies on its axis."""
+
 
 @dataclass(frozen=True, eq=False)
 class Turn:
@@ -22,6 +25,11 @@ class Turn:
     def at(self, y: Sequence[float] | Vector) -> Vector:
         """S y + s."""
         return np.asarray(self.matrix @ np.asarray(y) + self.shift)
+
+    def moves(self, y: Sequence[float] | Vector, rest: Sequence[int]) -> bool:
+        """Whether it moves these entries of a state: what lies on its axis, as well as that is found, it does not."""
+        reach = np.linalg.norm(self.matrix) * (1.0 + np.linalg.norm(y)) + np.linalg.norm(self.shift)
+        return bool(np.linalg.norm(self.at(y)[list(rest)]) > AXIS * reach)
 
     def inside(self, states: Vector, time: float = 1.0) -> Turn:
         """The same over a state and a time that are measured in these units."""

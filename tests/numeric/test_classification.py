@@ -267,6 +267,20 @@ def test_each_constraint_in_disguise_is_told_its_own_integral() -> None:
         assert ratio.is_number and ratio != 0, text
 
 
+def test_a_constraint_whose_integral_is_found_with_that_of_another_is_told_both() -> None:
+    """Planetary gears: both meshes are integrable, and what is found of the second has the first one's integral in it."""
+    rows = ("sun: 20*(s' - c') + 15*(p' - c') = 0", "ring: 50*(r' - c') - 15*(p' - c') = 0")
+    system = constrained("s, c, r, p", *rows)
+    bag = Bag(system.spec.origin)
+    describe(system, formulate(system), bag)
+    notes = [note for d in bag.diagnostics if d.code == "W0410" for note in d.notes]
+    first, second = (sympy.sympify(note.split("`")[-2].removesuffix(" = const")) for note in notes)
+    s, c, r, p = sympy.symbols("s c r p")
+    motion = {r: c + (c - s) * sympy.Rational(2, 5), p: c + (c - s) * sympy.Rational(4, 3)}
+    assert notes[0].startswith("its integral is `") and notes[1].startswith("with that of `sun` it makes `")
+    assert sympy.simplify(first.subs(motion)) == sympy.simplify(second.subs(motion)) == 0 and second.has(r)
+
+
 def test_what_is_declared_holonomic_is_not_in_disguise() -> None:
     """The length of a quaternion and a `holonomic:` equation are integrable by the user's own word; x' = 2 y' is not."""
     text = """

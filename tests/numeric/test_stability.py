@@ -364,3 +364,12 @@ def test_a_state_beside_the_scene_may_be_out_of_the_domain(tmp_path: Path, capsy
     )
     assert main(["stability", str(spec)]) == 0
     assert "drift until t = 50 by dop853" in capsys.readouterr().out
+
+
+def test_a_drag_without_a_slope_at_rest() -> None:
+    """c v sqrt(v^2) has the slope 0 there, which its derivative as it is written does not tell: 0/0."""
+    text = "nhc: 1\nsystem: parachute\ncoordinates: [x, z]\nT: (x'^2 + z'^2)/2\nV: 9.81*z + x^2\ndefine: {v: sqrt(x'^2 + z'^2)}\n"
+    drag = "forces: {x: -v*x', z: -v*z'}\nscenes: {drop: {initial: {x: 1}, time: [0, 4]}}\n"
+    found = stability(Source("parachute.yaml", text + drag), PLAIN)
+    assert found.spectrum is not None and found.spectrum.times[0] > 0.0 and len(found.spectrum.times) > 2
+    assert found.sensitivity is not None and {name for name, _ in found.missing} <= {"steady motion"}

@@ -171,3 +171,24 @@ def test_a_small_speed_that_was_set_by_hand_is_no_disturbance() -> None:
     request = Request("reference", settings=("w=0.02",))
     found = linearize(read(str(spec_path("n_trailer3"))), request)
     assert state(found)["w"] == pytest.approx(0.02, rel=1e-11)
+
+
+DRAG = "forces: {x: -v*x'/9, y: -v*y'/9, z: -v*z'/9}\n"
+
+
+@pytest.mark.parametrize(
+    ("start", "side", "drag"),
+    [("z=-1, x=0.1", -1, ""), ("z=-1", -1, ""), ("z=1, x=1e-3, y=1e-4", 1, ""), ("z=-1, x=0.1, y'=0.1", -1, DRAG)],
+)
+def test_on_the_axis_of_a_turn_it_is_no_direction(start: str, side: int, drag: str) -> None:
+    """A weight on a spring hangs or stands: two planes swing alike, although the start was beside the axis or went round it.
+
+    A drag v sqrt(v^2) does nothing to first order, although its derivative as it is written is 0/0 at rest.
+    """
+    text = "nhc: 1\nsystem: spring\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nV: 25*(r - 1)^2 + 10*z\n" + drag
+    found = find(text + "define: {r: sqrt(x^2 + y^2 + z^2), v: sqrt(x'^2 + y'^2 + z'^2)}\n", start)
+    length = 1 - side * 10 / 50
+    swing = cmath.sqrt(side * 10 / length)
+    up = 1j * math.sqrt(50)
+    assert found.linearisation.turns == 0 and along(found) == {}
+    assert matches(eigenvalues(found.linearisation), [swing, swing, -swing, -swing, up, -up], 1e-9)

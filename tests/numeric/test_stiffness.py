@@ -123,3 +123,16 @@ def test_refused_steps_count_against_the_limit_of_all_legs() -> None:
         pace.count(Outcome(TOO_MANY, 0, 0.5, [1.0], 1e-3, steps=25, rejected=15))
     assert left == [40, 40, 20]
     assert pace.most == 0
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("method", ["radau5", "gauss4", "gauss6", "midpoint"])
+def test_implicit_methods_start_where_the_jacobian_has_no_value(method: str, compiled: bool) -> None:
+    """A fall from rest, dragged by v sqrt(v^2): the derivative as it is written is 0/0 at rest.  z = -log(cosh(sqrt(g c) t))/c."""
+    text = (
+        "nhc: 1\nsystem: parachute\ncoordinates: [x, z]\nT: (x'^2 + z'^2)/2\nV: 9*z\ndefine: {v: sqrt(x'^2 + z'^2)}\n"
+    )
+    text += "forces: {x: -v*x'/4, z: -v*z'/4}\nscenes: {drop: {time: [0, 2], need: [z]}}\n"
+    job = open_scene(Source("parachute.yaml", text), method=method)
+    found = run(job, Settings(method, 1e-6, step=0.0 if method == "radau5" else 0.005, points=3, compiled=compiled))
+    assert found.ended == "done" and found.rows[-1][0] == pytest.approx(-4 * math.log(math.cosh(3)), rel=1e-5)

@@ -82,6 +82,7 @@ class Oscillator:
     watched: bool = False
     holds: tuple[str, ...] = ()
     dips: int = 1
+    frames: tuple[int, int] = (0, 0)
     parts: tuple[tuple[float, float], ...] = ()
 
     def rhs(self, t: float, y: list[float], p: list[float]) -> list[float]:

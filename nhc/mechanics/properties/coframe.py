@@ -57,13 +57,22 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
 
 def _warn_of_lost_digits(system: System, forms: Sequence[Form], bag: Bag) -> None:
     """Forms that are hardly independent of each other on what the constraints allow, at ordinary states."""
-    least = independence(system, forms, ordinary_points(system))
-    if least >= _CLEAR or least == 0.0:  # what is 0 is singular, which is said otherwise
+    found = [independence(system, forms, [point]) for point in ordinary_points(system)]
+    least = min(
+        (value for value in found if value > _ROUNDING), default=1.0
+    )  # of what is singular something else is said
+    if least >= _CLEAR:
         return
+    own = len(system.quasi) > 3 * len(system.rotations)
+    first = (
+        "leave `quasi_velocities` out, and nhc chooses"
+        if own
+        else "give `quasi_velocities` that the constraints leave free"
+    )
     lost = min(16, math.ceil(-2 * math.log10(least)))
     bag.warning(
         "W0425",
         f"the quasi-velocities are hardly independent under the constraints: about {lost} of 16 digits are lost",
-        system.spec.key_span("quasi_velocities" if len(system.quasi) > 3 * len(system.rotations) else "rotation"),
-        help=("leave `quasi_velocities` out, and nhc chooses; or take velocities of other bodies of the chain",),
+        system.spec.key_span("quasi_velocities" if own else "rotation"),
+        help=(f"{first}; or take velocities of other bodies of the chain",),
     )

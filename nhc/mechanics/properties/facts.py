@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -212,12 +212,11 @@ def _warn_integrable(
                 ),
             )
             continue
-        own = [i.text for i in integrals if i.names == (name,)]
         bag.warning(
             "W0410",
             f"the constraint `{name}` is integrable{given}: it is a holonomic constraint in disguise",
             spans[name],
-            notes=(f"its integral is `{own[0]} = const`",) if own else (),
+            notes=_shown(name, [i for i in integrals if set(i.names) <= set(named)]),
             help=("give its integral under `holonomic:`, so that positions are held to it too",),
         )
     combined = found.hidden - len(written) - len(named)
@@ -232,6 +231,15 @@ def _warn_integrable(
             notes=(f"the growth vector of the allowed directions is ({growth}) in {system.n} coordinates", *texts),
             help=("positions are not held to the integral by the velocities alone: watch the drift",),
         )
+
+
+def _shown(name: str, integrals: Sequence[PositionIntegral]) -> tuple[str, ...]:
+    """The integral of an integrable constraint, or with others that are integrable, too: either can be given for it."""
+    for found in sorted((i for i in integrals if name in i.names), key=lambda i: len(i.names)):
+        others = " and ".join(f"`{other}`" for other in found.names if other != name)
+        whose = f"with that of {others} it makes" if others else "its integral is"
+        return (f"{whose} `{found.text} = const`",)
+    return ()
 
 
 def _rank_loss(system: System, facts: Facts) -> None:

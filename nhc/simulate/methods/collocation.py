@@ -20,7 +20,7 @@ def attempt(s: Step, method: Collocation) -> float:
     Raises:
         NoSolution: the iteration does not converge.
     """
-    jacobian = s.jacobian(s.t, s.y)
+    jacobian = s.jacobian(s.t, s.y, s.slope)
     n, count = len(s.y), len(method.nodes)
     try:
         factors = factor(
@@ -117,7 +117,7 @@ def _polynomial(s: Step, method: Collocation) -> list[Vector]:
 
 def _bend(s: Step, t: float, y: Vector, slope: Vector) -> Vector:
     """h^2 y'' along the motion: J f exactly, the rest by five points in time."""
-    jacobian, delta = s.jacobian(t, y), s.h / 16
+    jacobian, delta = s.jacobian(t, y, slope), s.h / 16
     found = [s.h * s.h * combine(row, [[f] for f in slope], 0) for row in jacobian]
     for place, weight in _PLACES:
         moved = s.rhs(t + place * delta, y)

@@ -20,7 +20,16 @@ from nhc.simulate.methods.rounding import is_faint, reconsider
 from nhc.simulate.methods.step import NoSolution, Step
 from nhc.simulate.methods.stops import cross, foresee, next_bound
 from nhc.simulate.methods.tableau import Explicit, Tableau
-from nhc.simulate.methods.watching import PIECES, find_change, find_deep, find_event, keep_signs, may_dip
+from nhc.simulate.methods.watching import (
+    MOST_HALVINGS,
+    Watching,
+    approaches,
+    find_change,
+    find_event,
+    keep_signs,
+    may_dip,
+    may_touch,
+)
 from nhc.simulate.task import (
     CROSSED,
     DONE,
@@ -40,7 +49,7 @@ _EPSILON = sys.float_info.epsilon
 _LEAST_ERROR = 1e-8  # explicit methods give the error's square
 
 
-class Watched(Placed, Beating, Held, Protocol):
+class Watched(Placed, Beating, Held, Watching, Protocol):
     """A model with values to watch."""
 
     @property
@@ -50,12 +59,7 @@ class Watched(Placed, Beating, Held, Protocol):
     def watched(self) -> bool: ...
 
     @property
-    def dips(self) -> int: ...
-
-    @property
     def holds(self) -> Sequence[Sequence[str]]: ...
-
-    def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
 
 
 @dataclass
@@ -81,6 +85,7 @@ class _Run:
     before: list[float] = field(default_factory=list)
     trend: list[float] = field(default_factory=list)
     span: float = 0.0
+    halved: int = 0
 
     def leave(self, kind: int, status: int = 0) -> Outcome:
         s = self.step
@@ -255,13 +260,20 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
         s.arrived = s.rhs(reach, s.reached)
     cut, which = 2.0, -1
     if model.watched:
-        after = model.watch(reach, s.reached, task.p)
+        before, after = run.before, model.watch(reach, s.reached, task.p)
+        if approaches(before, after, model.frames) and _halves(run):
+            return None
         near = bool(run.trend) and may_dip(run.before, run.trend, after, s.h, run.span, model.dips)
-        near = near and _may_touch(run, after)
+        near = near and may_touch(s, model, run.before, after)
         if run.trend:
             run.span, run.trend = s.h, [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
         if model.events or near or find_change(run.before, after) >= 0:
             cut, which = _find_event(run)
+            weak = model.frames[1] > 0 and which >= model.frames[0]
+            if weak and after[which] > 0.0 < before[which] and _halves(run):
+                run.before = before
+                return None
+        run.halved = 0
         run.before = keep_signs(run.before, after)
     _fill(run, cut)
     run.steps += 1
@@ -278,6 +290,16 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     return _pass_stop(run) if reach == run.bound else None
 
 
+def _halves(run: _Run) -> bool:
+    """Whether the step is not taken but halved, for it comes too near to a singular place or has gone over it."""
+    if run.task.step > 0 or run.halved >= MOST_HALVINGS:
+        return False
+    run.next = 0.5 * abs(run.step.h)
+    run.halved += 1
+    run.rejected += 1
+    return True
+
+
 def _pass_stop(run: _Run) -> Outcome | None:
     """The run goes on behind a stop, where the slope may be another one; nothing moves at a jump."""
     s, task = run.step, run.task
@@ -289,26 +311,6 @@ def _pass_stop(run: _Run) -> Outcome | None:
     s.first = True
     s.slope = s.rhs(s.t, s.y)
     return None
-
-
-def _may_touch(run: _Run, after: list[float]) -> bool:
-    """Whether a value may have touched zero in the step: its heights at nine places on Hermite's cubic, as find_deep sees them."""
-    s, model = run.step, run.model
-    between = list(zip(s.y, s.reached, s.slope, s.arrived, strict=True))
-    places = [run.before]
-    for x in (piece / PIECES for piece in range(1, PIECES)):
-        y = [
-            a + x * (b - a) + x * (1 - x) * ((1 - x) * (s.h * f - b + a) - x * (s.h * g - b + a))
-            for a, b, f, g in between
-        ]
-        try:
-            places.append(model.watch(s.t + x * s.h, y, run.task.p))
-        except ArithmeticError:
-            return True
-        if find_change(run.before, places[-1]) >= 0:
-            return True
-    columns = list(zip(*places, after, strict=True))[model.dips :]
-    return any(find_deep([abs(value) for value in column]) >= 0 for column in columns)
 
 
 def _point(run: _Run, part: float) -> list[float]:

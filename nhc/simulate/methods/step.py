@@ -10,6 +10,8 @@ from typing import Protocol
 from nhc.program.stepping import LIMITS
 
 Vector = list[float]
+ASIDE = 1.0 / 1024
+"""Of a step: where the Jacobian is taken if it has no value at the start."""
 
 
 class Model(Protocol):
@@ -76,9 +78,17 @@ class Step:
         self.calls += 1
         return self.model.rhs(t, y, self.p)
 
-    def jacobian(self, t: float, y: Vector) -> list[Vector]:
+    def jacobian(self, t: float, y: Vector, slope: Vector) -> list[Vector]:
+        """That at a state with this slope, or next to it where it has no value: as it is written a drag v*sqrt(v^2) has no slope at
+        rest.  What it is for bears with that.
+        """
         self.jacobians += 1
-        return self.model.jacobian(t, y, self.p)
+        try:
+            return self.model.jacobian(t, y, self.p)
+        except ArithmeticError:
+            self.jacobians += 1
+            moved = [a + ASIDE * self.h * b for a, b in zip(y, slope, strict=True)]
+            return self.model.jacobian(t + ASIDE * self.h, moved, self.p)
 
     def find_sizes(self, reached: Vector) -> Vector:
         """What the errors of entries are relative to: their own sizes in the run so far, this end included.

@@ -5,6 +5,10 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Sequence
 from math import copysign, inf
+from typing import Protocol
+
+from nhc.program.watch import WEAK
+from nhc.simulate.methods.step import Step
 
 Look = Callable[[float], list[float]]
 """The watched values at a part of the step."""
@@ -12,9 +16,43 @@ Look = Callable[[float], list[float]]
 PIECES = 8
 _GOLDEN = 0.61803398874989485
 _TURNS = 40
+LOW = 0.3
+"""Of what a coframe's entries allow its determinant: below, the place where it vanishes counts as near."""
+MOST_HALVINGS = 8
 _GROWN = 1e3
 _ASIDE = 0.375
 _EPSILON = sys.float_info.epsilon
+
+
+class Watching(Protocol):
+    """A model with watched values: those from ``dips`` on are sought where they only touch zero; ``frames``: where those begin that
+    tell how weak coframes are, and how many coframes these are.
+    """
+
+    @property
+    def dips(self) -> int: ...
+
+    @property
+    def frames(self) -> tuple[int, int]: ...
+
+    def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
+
+
+def approaches(before: Sequence[float], after: Sequence[float], frames: tuple[int, int]) -> bool:
+    """Whether a step leads more than half of the way to a place where a coframe is singular.
+
+    Its determinant, which is not large against what its entries allow, has fallen by half.  The rates have poles there, and methods
+    of high order that take such steps believe themselves far more exact than they are.
+    """
+    first, count = frames
+    deepest, between = float(WEAK[0] ** 2), float(WEAK[0] ** 2 - WEAK[1] ** 2)
+    for i in range(first, first + count * len(WEAK), len(WEAK)):  # the square minus two fractions of what is allowed
+        allowed = (after[i + 1] - after[i]) / between
+        square = after[i] + deepest * allowed
+        former = before[i] + deepest * (before[i + 1] - before[i]) / between
+        if square < 0.25 * former and square < LOW**2 * allowed:
+            return True
+    return False
 
 
 def find_change(before: Sequence[float], after: Sequence[float]) -> int:
@@ -39,6 +77,25 @@ def may_dip(
         return True
     rows = list(zip(before, trend, after, strict=True))[first:]
     return any(b * f * h < 0.0 and abs(b) + min(abs(b), abs(a)) < 3.0 * abs(f * h) for b, f, a in rows)
+
+
+def may_touch(s: Step, model: Watching, before: Sequence[float], after: Sequence[float]) -> bool:
+    """Whether a value may have touched zero in the step: its heights at nine places on Hermite's cubic, as find_deep sees them."""
+    between = list(zip(s.y, s.reached, s.slope, s.arrived, strict=True))
+    places = [before]
+    for x in (piece / PIECES for piece in range(1, PIECES)):
+        y = [
+            a + x * (b - a) + x * (1 - x) * ((1 - x) * (s.h * f - b + a) - x * (s.h * g - b + a))
+            for a, b, f, g in between
+        ]
+        try:
+            places.append(model.watch(s.t + x * s.h, y, s.p))
+        except ArithmeticError:
+            return True
+        if find_change(before, places[-1]) >= 0:
+            return True
+    columns = list(zip(*places, after, strict=True))[model.dips :]
+    return any(find_deep([abs(value) for value in column]) >= 0 for column in columns)
 
 
 def find_deep(heights: Sequence[float]) -> int:

@@ -151,14 +151,26 @@ class Bench:
     @cached_property
     def sizes(self) -> Matrix:
         """The size of each component of the state in the scene; see :func:`nhc.study.units.sizes_of`."""
-        picked = range(0, ROWS, ROWS // 8)
-        slopes = np.max([np.abs(self._slopes_at(k)) for k in picked], axis=0)
+        found = [np.abs(slopes) for k in range(0, ROWS, ROWS // 8) if (slopes := self._slopes_at(k)) is not None]
+        slopes = np.max(found, axis=0) if found else np.zeros((len(self.job.y),) * 2)
         return sizes_of(np.max(np.abs(self.reference), axis=0), slopes, self.duration, self.equations.system.n)
 
-    def _slopes_at(self, row: int) -> Matrix:
-        """The Jacobian at a row of the reference, without what is no more than rounding: that would tie what has nothing to do."""
-        t, y = self.times[row], self.reference[row].tolist()
-        return cleaned(self.jacobian(t, y), [self.jacobian(t, near) for near, _ in trials(y, ())])
+    def jacobian_at(self, row: int) -> Matrix | None:
+        """That at a row of the reference; None where it has no value, as a drag v*sqrt(v^2) has no slope at rest."""
+        try:
+            return self.jacobian(self.times[row], self.reference[row].tolist())
+        except ArithmeticError:
+            return None
+
+    def _slopes_at(self, row: int) -> Matrix | None:
+        """The same without what is no more than rounding: that would tie what has nothing to do."""
+        here, t = self.jacobian_at(row), self.times[row]
+        if here is None:
+            return None
+        try:
+            return cleaned(here, [self.jacobian(t, near) for near, _ in trials(self.reference[row].tolist(), ())])
+        except ArithmeticError:
+            return here
 
     @cached_property
     def column_sizes(self) -> Matrix:

@@ -71,14 +71,16 @@ class Spectrum:
 
 
 def spectrum(bench: Bench) -> Spectrum:
-    """Eigenvalues along the scene, at equally spaced rows of the reference.
+    """Eigenvalues along the scene, at equally spaced rows of the reference, those left out where the Jacobian has no value.
 
     Raises:
-        ArithmeticError: the scene fails, or the model is singular on it.
+        ArithmeticError: the scene fails, or the Jacobian has no value at any of them.
     """
     picked = sorted({round(k * (len(bench.times) - 1) / (_PLACES - 1)) for k in range(_PLACES)})
-    values = [np.linalg.eigvals(bench.jacobian(bench.times[k], bench.reference[k].tolist())) for k in picked]
-    return Spectrum(tuple(bench.times[k] for k in picked), np.array(values, dtype=complex))
+    found = {bench.times[k]: np.linalg.eigvals(slopes) for k in picked if (slopes := bench.jacobian_at(k)) is not None}
+    if not found:
+        raise ArithmeticError("the Jacobian has no value along the scene")
+    return Spectrum(tuple(found), np.array(list(found.values()), dtype=complex))
 
 
 def amplification(method: Tableau, z: NDArray[np.complex128]) -> NDArray[np.complex128]:
