@@ -87,7 +87,8 @@ libm's sine and cosine, then with the inlined ones.  One C program runs both in 
 _COMPILE = """\
 ## Compile time
 
-Processor time of `{compiler} -O2 -c` for whole files with every function, the least of three.
+Processor time of `{compiler} -O2 -c` for whole files with every function, the least of three.  Chains in space take longer:
+two seconds for five universal joints, and more with their number ([decision 23](decisions/0023-loops-along-chains.md)).
 """
 
 
