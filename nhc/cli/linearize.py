@@ -210,7 +210,9 @@ def _notes(found: Findings, formulation: str) -> list[str]:
     """What could not be told, and that this may not be the motion that was meant; ``formulation`` is what was asked for."""
     notes = list(found.linearisation.notes)
     if found.halted:
-        notes.append(f"not the motion asked about: {found.halted}; `--hold` keeps such a velocity")
+        notes.append(f"not the motion asked about: {found.lost}; `--hold` keeps such a velocity")
+    elif found.lost:
+        notes.append(f"taken for a disturbance: {found.lost}; `--hold` keeps such a velocity")
     if found.halted and formulation == "voronec":
         notes.append(_OTHERS)
     return notes

@@ -85,11 +85,14 @@ def _asked(model: SteadyModel, scene: Scene, guess: Sequence[float]) -> list[tup
     return found
 
 
-def describe_halt(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> str:
-    """Which velocities that were asked for have gone with most of the kinetic energy: rest was nearer than what was meant."""
+def has_halted(model: SteadyModel, guess: Sequence[float], y: Sequence[float]) -> bool:
+    """Whether most of the kinetic energy has gone: rest was nearer than what was meant."""
     kinetic = _kinetic(model.flow)
-    if not model.value(y, kinetic) < _LOST * model.value(guess, kinetic):
-        return ""
+    return model.value(y, kinetic) < _LOST * model.value(guess, kinetic)
+
+
+def describe_lost(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> str:
+    """Which velocities that were asked for have gone, with what is left of them."""
     lost = list[str]()
     for _, asked in _asked(model, scene, guess):
         after = model.value(y, asked.node)

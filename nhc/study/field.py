@@ -10,7 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
-from nhc.algebra.calculus import gradient
+from nhc.algebra.calculus import gradient, reachable
 from nhc.algebra.graph import Node
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
@@ -57,6 +57,16 @@ class SteadyModel:
     @cached_property
     def rest(self) -> tuple[int, ...]:
         return tuple(i for i in range(len(self.flow.y)) if i not in self.cyclic)
+
+    @cached_property
+    def angles(self) -> tuple[int, ...]:
+        """Entries of the state that are angles in radians, for sines and cosines are taken of them."""
+        flow, g = self.flow, self.flow.graph
+        count = len(flow.velocities)
+        heads = [*flow.velocities, *flow.right, *(x for row in flow.matrix for x in row)]
+        turned = dict.fromkeys(g.a[node] for node in reachable(g, heads) if g.op[node] in ("sin", "cos"))
+        slopes = [gradient(g, angle, flow.y[:count]) for angle in turned]
+        return tuple(k for k in range(count) if any(abs(g.value(row[k]) or 0) == 1 for row in slopes))
 
     def with_parameter(self, index: int, value: float) -> SteadyModel:
         return replace(self, p=(*self.p[:index], value, *self.p[index + 1 :]))
@@ -232,9 +242,9 @@ class SteadyModel:
         try:
             zero = self.flow.graph.zero
             together = [[k for k, slope in enumerate(row) if slope != zero] for row in self.conditions_as_nodes[1]]
-            units = choose_units(self.field(y)[1], y, self.rest, together)
+            units = choose_units(self.field(y)[1], y, self.rest, together, self.angles)
             if not units.own:  # rounding can look like something slow
-                units = choose_units(self.clean_jacobian(y), y, self.rest, together)
+                units = choose_units(self.clean_jacobian(y), y, self.rest, together, self.angles)
         except OverflowError:
             return self
         if units.own:

@@ -29,7 +29,7 @@ from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.simulate.switching import SOUND
-from nhc.study.asked import SNAP, describe_halt, keep_speeds
+from nhc.study.asked import SNAP, describe_lost, has_halted, keep_speeds
 from nhc.study.field import Hold, SteadyModel
 from nhc.study.linearize import Linearisation, linearise_at
 from nhc.study.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
@@ -62,8 +62,10 @@ class Findings:
     held: tuple[tuple[str, str], ...]
     why: str
     swept: Sweep | None
-    halted: str
-    """What has become of the motion that was asked about, where the one found has lost most of it; else empty."""
+    lost: str
+    """What has become of velocities that were asked for and have gone; else empty."""
+    halted: bool
+    """Whether most of the motion that was asked about has gone."""
 
 
 def steady_model(equations: Equations, formulation: Formulation, p: Sequence[float]) -> SteadyModel:
@@ -107,16 +109,17 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     steady = keep_speeds(model, scene, guess, find_steady(model, guess, holds), holds)
     check_smooth(model, steady)
     made = linearise_at(model, steady)
-    halted = describe_halt(model, scene, guess, steady.y)
+    lost = describe_lost(model, scene, guess, steady.y)
+    halted = bool(lost) and has_halted(model, guess, steady.y)
     point = point_of(flow, scene)
     place = _exact_place(flow, point, model.values(guess), steady)
     paper = symbolic_matrix(flow, model.rest, place) if place else "the state is no expression in the parameters"
     swept = _sweep(model, guess, holds, request.sweep) if request.sweep else None
     if isinstance(paper, str):
-        return Findings(flow, formulation, model, made, (), (), paper, swept, halted)
+        return Findings(flow, formulation, model, made, (), (), paper, swept, lost, halted)
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
     held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
-    return Findings(flow, formulation, model, made, rows, held, "", swept, halted)
+    return Findings(flow, formulation, model, made, rows, held, "", swept, lost, halted)
 
 
 def linearise_whole(equations: Equations, formulation: Formulation, request: Request) -> Findings:

@@ -9,7 +9,7 @@ units stay.  All of them are powers of two, so that nothing is rounded.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,21 +70,29 @@ def cleaned(matrix: Matrix, others: Sequence[Matrix]) -> Matrix:
 
 
 def choose_units(
-    jacobian: Matrix, y: Sequence[float], rest: Sequence[int], together: Sequence[Sequence[int]] = ()
+    jacobian: Matrix,
+    y: Sequence[float],
+    rest: Sequence[int],
+    together: Sequence[Sequence[int]] = (),
+    angles: Sequence[int] = (),
 ) -> Units:
     """Units for a state ``y``; ``rest`` are the entries that matter.
 
     ``jacobian`` (NY, NY) holds no rounding that looks like a number.  ``together``: entries that stand in one condition on the
-    state, so that the size of one tells that of the others.
+    state, so that the size of one tells that of the others.  ``angles``: entries in radians, which have their unit: along
+    a chain of trailers, of which each turns the next, balancing would make the last one's angle as large as it likes.
     """
     states, inner = np.ones(len(y)), list(rest)
+    fixed = {inner.index(k) for k in angles if k in inner}
     own = np.abs(jacobian[np.ix_(inner, inner)])
-    scale = balance(own)
+    scale = balance(own, fixed)
     met = np.array(own)
     for group in together:
         places = [inner.index(k) for k in group if k in inner]
         met[np.ix_(places, places)] += 1.0
     for part in _parts(met):
+        if not fixed.isdisjoint(part):
+            continue
         factor = max((abs(y[inner[k]]) / scale[k] for k in part), default=0.0)
         scale[part] *= _power(factor) if factor > _NEAR or _ZERO < factor < 1.0 / _NEAR else 1.0
     speed = float(np.max(np.sum(own * scale / scale[:, None], axis=1))) if inner else 0.0
@@ -108,13 +116,18 @@ def _power(x: float) -> float:
     return float(2.0 ** round(math.log2(abs(x))))
 
 
-def balance(matrix: Matrix) -> Vector:
-    """The diagonal D, powers of two, for which D^-1 A D has rows and columns of the same length, as far as there is one."""
+def balance(matrix: Matrix, fixed: Collection[int] = ()) -> Vector:
+    """The diagonal D, powers of two, for which D^-1 A D has rows and columns of the same length, as far as there is one.
+
+    It is 1 at ``fixed`` places.
+    """
     made, scale = np.abs(matrix), np.ones(len(matrix))
     np.fill_diagonal(made, 0.0)
     for _ in range(_SWEEPS):
         still = True
         for k in range(len(made)):
+            if k in fixed:
+                continue
             column, row = float(np.sum(made[:, k])), float(np.sum(made[k]))
             if column == 0.0 or row == 0.0:
                 continue
@@ -127,7 +140,8 @@ def balance(matrix: Matrix) -> Vector:
         if still:
             break
     for part in _parts(matrix):
-        scale[part] /= _power(math.exp(float(np.mean(np.log(scale[part])))))
+        if not any(k in fixed for k in part):
+            scale[part] /= _power(math.exp(float(np.mean(np.log(scale[part])))))
     return scale
 
 

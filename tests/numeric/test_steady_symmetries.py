@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import json
 import math
+from pathlib import Path
 
 import pytest
 
@@ -56,6 +57,40 @@ def test_a_car_with_trailers_straight_on_is_stable_whatever_its_heading() -> Non
     # a triple root: its digits are the third root of the rounding
     assert matches(eigenvalues(found.linearisation), [-1.25] * 3, 1e-4)
     assert verdict(found.linearisation) == "stable"
+
+
+def baggage_train(carts: int) -> str:
+    """A tug with carts, each hooked at M behind the axle of the one before and with its own axle at L behind the hook."""
+    of = range(1, carts + 1)
+    lines = ["nhc: 1", "system: train", f"coordinates: [x, y, th0, {', '.join(f'th{i}' for i in of)}]"]
+    lines += ["parameters: {m: 1, J: 0.1, L: 0.7, M: 0.25}", "define:", "  x0: x", "  y0: y"]
+    lines += [f"  x{i}: x{i - 1} - M*cos(th{i - 1}) - L*cos(th{i})" for i in of]
+    lines += [f"  y{i}: y{i - 1} - M*sin(th{i - 1}) - L*sin(th{i})" for i in of]
+    lines.append("T: " + " + ".join(f"m/2*(x{i}'^2 + y{i}'^2) + J/2*th{i}'^2" for i in (0, *of)))
+    lines += ["constraints:", *(f"  - axle{i}: -sin(th{i})*x{i}' + cos(th{i})*y{i}' = 0" for i in (0, *of))]
+    lines += ["quasi_velocities: {v: cos(th0)*x' + sin(th0)*y', w: th0'}"]
+    lines += ["scenes: {bend: {initial: {v: 1, w: 0.2}, time: [0, 1]}}"]
+    return "\n".join(lines) + "\n"
+
+
+def test_a_long_train_is_found_in_its_bend_from_straight_on() -> None:
+    """All hooks and axles go on circles: R_k^2 = R_(k-1)^2 + M^2 - L^2.  The angles add up to two radians."""
+    source, request = Source("s.yaml", baggage_train(12)), Request("bend", holds=("v,w",))
+    here, radius = state(linearize(source, request, Options())), 5.0
+    for k in range(12):
+        further = math.sqrt(radius**2 + 0.25**2 - 0.7**2)
+        angle = math.atan(0.25 / radius) + math.atan(0.7 / further)
+        assert here[f"th{k}"] - here[f"th{k + 1}"] == pytest.approx(angle, rel=1e-9)
+        radius = further
+
+
+def test_what_was_given_and_is_not_kept_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec = tmp_path / "train.yaml"
+    spec.write_text(baggage_train(4))
+    assert main(["linearize", str(spec), "--about", "bend"]) == 0
+    assert "note: taken for a disturbance: w = 0.2 has become " in capsys.readouterr().out
+    assert main(["linearize", str(spec), "--about", "bend", "--hold", "w"]) == 0
+    assert "note: taken" not in capsys.readouterr().out
 
 
 KEPLER = "nhc: 1\nsystem: s\ncoordinates: [x, y]\nparameters: {k: 2}\nT: (x'^2 + y'^2)/2\nV: -k/(x^2 + y^2)^(N/2)\n"
