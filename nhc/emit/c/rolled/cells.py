@@ -90,6 +90,15 @@ class Cells:
         else:
             self.ask((name,))
 
+    def copied_of(self, spot: Spot, names: Sequence[str]) -> list[str]:
+        """Those of a sequence at a spot that single statements must put there."""
+        owner = next((run for run, rooms in self._by_run.items() if any(room is spot.room for room in rooms)), -1)
+        return [
+            name
+            for k, name in enumerate(names)
+            if name in self._home and self._home[name] != (owner, spot.first + spot.step * k)
+        ]
+
     def list_copied(self) -> list[tuple[str, Room, int]]:
         """What loops compute and single statements must put into rooms of others, with its position there."""
         owners = {id(room): run for run, rooms in self._by_run.items() for room in rooms}
@@ -127,13 +136,18 @@ class Layout:
         return self.bases[id(spot.room)] + spot.first, spot.step
 
 
-def furnish(cells: Cells, size: int = 0) -> Layout:
-    """The rooms one behind the other, after the first ``size`` places."""
-    layout = Layout(size, {}, {})
+def furnish(cells: Cells) -> Layout:
+    """The rooms one behind the other.  A name's places to which it is copied come last."""
+    layout = Layout(0, {}, {})
+    copied = cells.list_copied()
+    late = {(id(room), place) for _, room, place in copied}
     for room in cells.rooms:
         low, high = min(room.cells), max(room.cells)
         base = layout.bases[id(room)] = layout.size - low
         layout.size = base + high + 1
         for place, name in room.cells.items():
-            layout.places[name] = *layout.places.get(name, ()), base + place
+            if (id(room), place) not in late:
+                layout.places[name] = *layout.places.get(name, ()), base + place
+    for name, room, place in copied:
+        layout.places[name] = *layout.places[name], layout.bases[id(room)] + place
     return layout

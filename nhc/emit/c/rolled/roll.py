@@ -147,11 +147,15 @@ def _find_slots(made: Rolled, plans: Sequence[Plan], given: frozenset[str]) -> i
             for j, names in enumerate(list_turns(made, plan, number)):
                 key = id(plan), number, j
                 made.slots[key] = slot = _classify(made, plan, names, given)
+                if slot.kind != "array":
+                    continue
                 try:
-                    if slot.kind == "array":
-                        made.spots[key] = made.cells.ask(names)
+                    made.spots[key] = spot = made.cells.ask(names)
                 except UnfitError:
                     return number
+                home = made.families.home
+                if any(home[name][0] in plan.delays for name in made.cells.copied_of(spot, names)):
+                    return number  # copies are made behind the loop
     return None
 
 
