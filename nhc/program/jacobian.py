@@ -22,7 +22,8 @@ LONGEST = 1500
 """Operations of the rates' rows, roughly, beyond which they are not written out."""
 SPARED, SLOWER = 150, 1.5
 """Operations that a sweep over the velocities must save, and how many times as many its passes may take, two at once."""
-
+WORTH = 0.8
+"""Of a pass, what one over forces and accelerations along a tree may take to be preferred: what the passes share is longer."""
 
 _SLOPES = 3
 """Operations of a gradient for each of those that it is the gradient of: about as many at most (Baur and Strassen 1983)."""
@@ -86,14 +87,15 @@ def differentiate_velocities(planner: PlannerBase) -> tuple[list[Sequence[Node]]
 
 
 def differentiate_rates(planner: PlannerBase) -> Slopes:
-    """The rows of the rates: differentiated themselves where a tree keeps them short, else by mass w' - force = 0.
+    """The rows of the rates: differentiated themselves where a tree keeps them short, else by force - mass w' = 0.
 
     The latter takes the factors that are at hand, and no derivative of them.
     """
     g, y = planner.graph, planner.y_nodes
     if not planner.equations.definite:
         return _solve_densely(planner)
-    solve = planner.route.solve
+    route = planner.route
+    solve = None if route.short else route.solve
     rates = (
         planner.known(planner.equations.motion.rates) if solve is None else make_residual(planner, *planner._dense())
     )
@@ -103,6 +105,11 @@ def differentiate_rates(planner: PlannerBase) -> Slopes:
         sparse = _write_sparse(g, kept, y, backward) if solve is None else None
         if sparse is not None:
             return Slopes(tuple(map(tuple, sparse)))
+        if route.residual is not None and route.solve is not None:
+            residual = route.residual(planner.equations.motion.rates)
+            along = sweep_rows(planner, residual, route.solve)
+            if _cost(g, along) <= WORTH * _cost(g, backward):
+                rates, solve, backward = residual, route.solve, along
         active = sum(1 for symbol in y if any(g.deps[node] & g.deps[symbol] for node in rates))
         if 2 * len(backward.offsets) <= active:  # a pass by columns takes about as long as one by rows
             return Slopes((), (backward,))

@@ -20,20 +20,25 @@ if TYPE_CHECKING:
 
 Pairs = list[tuple[Node, Node]]
 Solver = Callable[[Sequence[Node]], list[Node]]
+"""Of x with mass @ x = right, from ``right``."""
+Residual = Callable[[Sequence[Node]], list[Node]]
+"""Of force - mass @ rates, from the rates."""
 
 
 @structure
 class MassRoute:
-    """``values`` of the rates; (pivot, scale) pairs that must not vanish; ``solve(right)`` is x with mass @ x = right.
+    """``values`` of the rates; (pivot, scale) pairs that must not vanish; ``solve``, where there is one.
 
-    Without ``solve`` the rates are so short that they are differentiated themselves.  ``held``: pairs of the reactions' matrix
-    of a held tree, which tell how many digits are left; ``turned``: of the coframe of a detour, whose determinants stand squared
-    in that of the mass matrix.  ``chained``: each pivot waits for the one before it.
+    ``short``: the values are so short that they are differentiated themselves.  ``residual``: along a tree, where one was read.
+    ``held``: pairs of the reactions' matrix of a held tree, which tell how many digits are left; ``turned``: of the coframe of a
+    detour, whose determinants stand squared in that of the mass matrix.  ``chained``: each pivot waits for the one before it.
     """
 
     values: list[Node]
     pivots: Pairs
     solve: Solver | None = None
+    short: bool = False
+    residual: Residual | None = None
     chained: bool = False
     held: Pairs = fresh(factory=list)
     turned: Pairs = fresh(factory=list)
@@ -48,11 +53,14 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
     if full.tree is not None:
         found.append(_along(equations, full.tree, put_in))
     else:
-        found.append(_dense(equations))
+        dense = _dense(equations)
+        found.append(dense)
         tree = _other_tree(full)
         if tree is not None:
-            found.append(_along(equations, tree, put_in))
-        held = _along_held(full, put_in, kept, found[0].solve)
+            along = _along(equations, tree, put_in)
+            dense.residual = along.residual
+            found.append(along)
+        held = _along_held(full, put_in, kept, dense)
         if held is not None:
             found.append(held)
     detour = find_detour(full)
@@ -66,7 +74,7 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
 
 
 def _along_held(
-    full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form], solve: Solver | None
+    full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form], dense: MassRoute
 ) -> MassRoute | None:
     """By a tree that constraints hold, where there are few of them."""
     g = full.system.graph
@@ -78,13 +86,24 @@ def _along_held(
     if held is None:
         return None
     values, pivots, pairs = substitute(g, held.rates, put_in), held.pivots, held.held
-    return MassRoute(values, _in_pairs(g, pivots, put_in), solve, chained=True, held=_in_pairs(g, pairs, put_in))
+    guards, held_by = _in_pairs(g, pivots, put_in), _in_pairs(g, pairs, put_in)
+    return MassRoute(values, guards, dense.solve, residual=dense.residual, chained=True, held=held_by)
 
 
 def _along(equations: Equations, tree: Elimination, put_in: Mapping[Node, Node]) -> MassRoute:
     g = equations.system.graph
-    values, pivots = substitute(g, tree.rates, put_in), _in_pairs(g, tree.pivots, put_in)
-    return MassRoute(values, pivots, chained=True)
+
+    def put(nodes: Sequence[Node]) -> list[Node]:
+        return substitute(g, nodes, put_in)
+
+    return MassRoute(
+        put(tree.rates),
+        _in_pairs(g, tree.pivots, put_in),
+        lambda right: put(tree.solve(right)),
+        short=True,
+        residual=lambda rates: put(tree.residual(rates)),
+        chained=True,
+    )
 
 
 def _by(detour: Detour, equations: Equations, put_in: Mapping[Node, Node]) -> MassRoute:
@@ -93,7 +112,7 @@ def _by(detour: Detour, equations: Equations, put_in: Mapping[Node, Node]) -> Ma
     values = shorten(g, detour.accelerations(substitute(g, inner.values, detour.values)))
     pivots = _in_pairs(g, _in_pairs(g, inner.pivots, detour.values), put_in)
     turned = _in_pairs(g, detour.frame.guards, put_in)
-    return MassRoute(substitute(g, values, put_in), pivots, chained=inner.chained, turned=turned)
+    return MassRoute(substitute(g, values, put_in), pivots, short=True, chained=inner.chained, turned=turned)
 
 
 def _in_pairs(g: Graph, pairs: Sequence[tuple[Node, Node]], put_in: Mapping[Node, Node]) -> Pairs:

@@ -254,6 +254,20 @@ def test_any_right_side_is_solved(text: str) -> None:
     assert are_equal(g, tree.solve(right), dense(found, right))
 
 
+@pytest.mark.parametrize("text", CASES)
+def test_the_residual_is_the_force_without_that_of_the_mass_matrix(text: str) -> None:
+    found, tree = made(text)
+    assert are_equal(found.system.graph, *residuals(found, tree))
+
+
+def residuals(found: Model, tree: Elimination) -> tuple[list[Node], list[Node]]:
+    """force - M rates for any rates: along the tree, and by the matrix."""
+    g, equations = found.system.graph, found.equations
+    rates = [g.symbol(f"r{i}", "test") for i in range(len(equations.motion.w))]
+    by_matrix = [g.sub(f, g.dot(row, rates)) for f, row in zip(equations.force, equations.mass, strict=True)]
+    return tree.residual(rates), by_matrix
+
+
 def test_a_wrong_tree_is_noticed() -> None:
     found, tree = made(rods(1, 5, "cart"))
     rates = tree.rates
@@ -312,7 +326,7 @@ def test_small_and_dense_systems_stay_dense() -> None:
     text = "nhc: 1\nsystem: dense\ncoordinates: [a, b, c]\nparameters: {m: 1}\n"
     text += "T: m/2*(a'^2 + b'^2 + c'^2 + a'*b' + b'*c')\nV: a^2\n"
     found = model(Source("dense.yaml", text))
-    assert Planner(found.equations, found.formulation).route.solve is not None
+    assert not Planner(found.equations, found.formulation).route.chained
 
 
 def points(tree: Tree) -> str:
@@ -382,7 +396,7 @@ def test_a_scene_is_solved_from_the_leaves_too() -> None:
     scenes = "scenes:\n  swing:\n    initial: {th1: 0.3, th4: -0.2}\n    time: [0, 1]\n    need: [th5]\n"
     made = reduce_scene(Source("t.yaml", in_a_row(5, "rods") + scenes), Options(scene="swing"))
     assert "x" not in made.reduction.state
-    assert made.planner.route.solve is None
+    assert made.planner.route.chained
 
 
 def test_a_singular_state_is_refused() -> None:

@@ -13,12 +13,17 @@ import pytest
 import nhc.program.jacobian as routes
 from benchmarks.models import source
 from nhc.algebra.graph import Node
+from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import read
 from nhc.pipeline import Options, program
 from nhc.program.ir import Evaluate, Program, Store, Sweep
 from nhc.program.plan import SweepPlan
+from tests.numeric.test_bodies_on_rotations import Mixed
+from tests.numeric.test_chains import ball_joints, links, spherical
+from tests.numeric.test_spatial_chains import Tree
 from tests.support import CModel, compile_c, error, python_model, spec_path
+from tests.trees import joints
 
 STRAIGHT = (
     "double_pendulum",
@@ -74,6 +79,45 @@ def test_all_routes_agree(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
             assert error([x for row in modules[other].jacobian(t, y) for x in row], expected) < 1e-11
         assert error(expected, _differences(module.rhs, t, y)) < 1e-6
     assert compared >= 3
+
+
+ALONG = {
+    "planar": lambda: Source("t.yaml", links(3, 6, "driven")),
+    "spherical": lambda: Source("t.yaml", spherical(2, 4, "fixed")),
+    "bodies": lambda: joints(3),
+    "Euler's angles": lambda: Source("t.yaml", ball_joints(5, 3, "free")),
+    "rotations": lambda: Source("t.yaml", Tree(2, 3, base="free", frame="body").text()),
+    "a rolling ball": lambda: Source("t.yaml", Mixed(("R", "01"), base="rolling").text()),
+}
+
+
+@pytest.mark.parametrize("name", ALONG)
+def test_a_pass_over_forces_and_accelerations_has_the_slopes_of_the_rates(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Rows by M^-1 of the residual along the tree, rows of the rates themselves, columns, and differences."""
+    given, found = ALONG[name](), {}
+    monkeypatch.setattr(routes, "LONGEST", 0)
+    monkeypatch.setattr(routes, "_write_sparse", lambda *_: None)
+    for key, worth in (("rates", 0.0), ("residual", 10.0)):
+        monkeypatch.setattr(routes, "WORTH", worth)
+        found[key] = program(given, Options(only=("rhs", "jacobian")))
+    monkeypatch.setattr(routes, "sweep_rows", _columns_only)
+    monkeypatch.setattr(routes, "_cost", lambda *_: 1)
+    found["residual by columns"] = program(given, Options(only=("rhs", "jacobian")))
+    bodies = {key: made.functions[-1].body for key, made in found.items()}
+    assert len(set(map(repr, bodies.values()))) == 3
+    modules = {
+        key: python_model(next(iter(render(made, "python", EmitOptions()).values())), f"along_{k}")
+        for k, (key, made) in enumerate(found.items())
+    }
+    rng = random.Random(name)
+    for _ in range(4):
+        t, y = rng.uniform(0, 2), [rng.uniform(0.1, 0.9) for _ in modules["rates"].STATE]
+        expected = [x for row in modules["rates"].jacobian(t, y) for x in row]
+        for other in ("residual", "residual by columns"):
+            assert error([x for row in modules[other].jacobian(t, y) for x in row], expected) < 1e-11
+        assert error(expected, _differences(modules["rates"].rhs, t, y)) < 1e-6
 
 
 @pytest.mark.parametrize("name", ["rolling_disk", "n_trailer3", "snakeboard", "bicycle", "chaplygin_ball_quaternion"])

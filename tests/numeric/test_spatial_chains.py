@@ -14,7 +14,7 @@ from nhc.algebra.exact.modular import are_equal
 from nhc.diagnostics import Source
 from nhc.pipeline import Options, emit, model, program
 from nhc.program.build import Planner
-from tests.numeric.test_chains import dense, made
+from tests.numeric.test_chains import dense, made, residuals
 from tests.support import error, python_model
 from tests.trees import joints
 
@@ -149,6 +149,7 @@ def test_any_right_side_is_solved(case: Tree) -> None:
     g = found.system.graph
     right = [g.symbol(f"r{i}", "test") for i in range(len(found.equations.motion.w))]
     assert are_equal(g, tree.solve(right), dense(found, right))
+    assert are_equal(g, *residuals(found, tree))
 
 
 @pytest.mark.parametrize(("seed", "base", "frame"), [*((s + 10, b, f) for s, b, f in KINDS), (15, "driven", "space")])
@@ -156,7 +157,7 @@ def test_accelerations_are_those_of_newton_and_euler(seed: int, base: str, frame
     case = Tree(seed, 6, base=base, frame=frame)
     source = Source("tree.yaml", case.text())
     found = model(source)
-    assert Planner(found.equations, found.formulation).route.solve is None
+    assert Planner(found.equations, found.formulation).route.chained
     run = python_model(next(iter(emit(source, "python").values())), f"ball_tree_{seed}")
     draw, t = np.random.default_rng(seed), 0.3
     free = 3 * (base == "free")

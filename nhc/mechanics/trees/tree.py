@@ -201,6 +201,25 @@ class Elimination:
         still = [g.zero] * chain.size
         return self._solve([*pull, *still[chain.rates :]], still, moving=False)
 
+    def residual(self, rates: Sequence[Node]) -> list[Node]:
+        """force - M rates, row by row: accelerations out to the leaves and forces back, without M (J. Y. S. Luh, M. W. Walker
+        and R. P. C. Paul, J. Dyn. Syst. Meas. Control 102 (1980) 69).
+        """
+        g, chain = self.graph, self.chain
+        rate = [g.mul(s, x) for s, x in zip(chain.scale, rates, strict=True)]
+        for terms, turn, offset in zip(chain.definitions, chain.turn, chain.offset, strict=True):
+            carried = g.sum([g.mul(a, rate[c]) for c, a in terms.items()])
+            rate.append(g.add(g.add(carried, offset), turn))
+        pull = list(chain.force)
+        for (a, b), weight in chain.weights.items():
+            pull[a] = g.sub(pull[a], g.mul(weight, rate[b]))
+            if a != b:
+                pull[b] = g.sub(pull[b], g.mul(weight, rate[a]))
+        for k, terms in reversed(list(enumerate(chain.definitions))):
+            for c, a in terms.items():
+                pull[c] = g.add(pull[c], g.mul(a, pull[chain.rates + k]))
+        return [g.mul(force, g.mul(s, chain.unit)) for force, s in zip(pull, chain.scale, strict=False)]
+
     def _solve(self, pull: list[Node], drift: list[Node], *, moving: bool) -> list[Node]:
         g, chain = self.graph, self.chain
         pushed = self.rods.push(pull, drift, moving=moving)

@@ -12,7 +12,7 @@ from nhc.emit.statements import collect_refs
 from nhc.program.ir import Binary, Call, Expr, Let, Load, Negate, Number, Pi, Power, Ref, Section, Statement, Store
 from nhc.records import record, structure
 
-WORTH = 0.6
+WORTH = 0.8
 """Of its statements that code may have when it is rolled; else it stays as it is."""
 SEED = "seed"
 """The array of a sweep's directions."""
@@ -132,16 +132,17 @@ def roll(
         )
         if made.length > WORTH * len(pieces) or not made.is_in_order(given):
             return None
-        unfit = _find_slots(made, plans, frozenset(given))
-        if unfit is None:
+        unfit = {families.all[number].orbit for number in _find_slots(made, plans, frozenset(given))}
+        if not unfit:
             made.ask_singles()
             return made
-        orbits = [orbit for orbit in orbits if orbit[0] != families.all[unfit].orbit[0]]
+        orbits = [orbit for orbit in orbits if tuple(orbit) not in unfit]
     return None
 
 
-def _find_slots(made: Rolled, plans: Sequence[Plan], given: frozenset[str]) -> int | None:
-    """What each operand of each line is; the number of a family with one that no array can hold."""
+def _find_slots(made: Rolled, plans: Sequence[Plan], given: frozenset[str]) -> set[int]:
+    """What each operand of each line is; the numbers of families with one that no array can hold."""
+    unfit = set[int]()
     for plan in plans:
         for number in plan.delays:
             for j, names in enumerate(list_turns(made, plan, number)):
@@ -152,11 +153,12 @@ def _find_slots(made: Rolled, plans: Sequence[Plan], given: frozenset[str]) -> i
                 try:
                     made.spots[key] = spot = made.cells.ask(names)
                 except UnfitError:
-                    return number
+                    unfit.add(number)
+                    continue
                 home = made.families.home
                 if any(home[name][0] in plan.delays for name in made.cells.copied_of(spot, names)):
-                    return number  # copies are made behind the loop
-    return None
+                    unfit.add(number)  # copies are made behind the loop
+    return unfit
 
 
 def list_turns(made: Rolled, plan: Plan, number: int) -> list[tuple[str, ...]]:

@@ -286,8 +286,7 @@ def _list_circles(needs: Mapping[int, int]) -> list[list[int]]:
         for number, mask in reach.items():
             if mask >> middle & 1:
                 reach[number] = mask | through
-    circles: dict[int, list[int]] = {}
+    circles: dict[int, list[int]] = {}  # those that need each other reach the same
     for number, mask in reach.items():
-        mutual = sum(1 << other for other, back in reach.items() if mask >> other & 1 and back >> number & 1)
-        circles.setdefault(mutual, []).append(number)
-    return sorted(circles.values(), key=lambda circle: reach[circle[0]].bit_count())
+        circles.setdefault(mask, []).append(number)
+    return [circles[mask] for mask in sorted(circles, key=int.bit_count)]
