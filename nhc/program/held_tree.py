@@ -13,7 +13,7 @@ pivot.  Such a tree is left to the dense way, whose matrix is that of the motion
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.evaluate import evaluate
@@ -38,11 +38,15 @@ Pivots = list[tuple[Node, Node]]
 
 @record
 class HeldTree:
-    """Rates of the kept velocities; (pivot, scale) pairs that must not vanish: of the free tree, and of the reactions' matrix."""
+    """Rates of the kept velocities; (pivot, scale) pairs that must not vanish: of the free tree, and of the reactions' matrix.
+
+    ``solve(right)`` is x with M x = right, M the mass matrix of the kept velocities.
+    """
 
     rates: list[Node]
     pivots: Pivots
     held: Pivots
+    solve: Callable[[Sequence[Node]], list[Node]]
 
 
 def held_tree(equations: Equations, kept: Sequence[Form]) -> HeldTree | None:
@@ -58,17 +62,23 @@ def held_tree(equations: Equations, kept: Sequence[Form]) -> HeldTree | None:
     tree = tree_of(system, Motion(system.v, (), system.v, ()), kinetic, beside)
     if tree is None:
         return None
-    accelerations, held = _held(equations, tree)
-    if not _keeps_digits(system, tree.pivots, held):
+    holding = _Holding(equations, tree)
+    if not _keeps_digits(system, tree.pivots, holding.pivots):
         return None
-    rates = dict(zip(system.v, accelerations, strict=True))
+    rates = dict(zip(system.v, holding.accelerations(), strict=True))
     found = [total_derivative(system, form_value(system, form), system.v, rates) for form in kept]
-    pivots = [node for pair in (*tree.pivots, *held) for node in pair]
+    pivots = [node for pair in (*tree.pivots, *holding.pivots) for node in pair]
     on_motion = dict(zip(system.v, motion.velocities, strict=True))
     made = substitute(g, [*found, *pivots], on_motion)
     flat = made[len(found) :]
     pairs = list(zip(flat[::2], flat[1::2], strict=True))
-    return HeldTree(made[: len(found)], pairs[: len(tree.pivots)], pairs[len(tree.pivots) :])
+
+    def solve(right: Sequence[Node]) -> list[Node]:
+        force = [g.dot([form.coefficients[i] for form in kept], right) for i in range(len(system.v))]
+        answer = holding.hold(tree.solve(force), [g.zero] * len(system.constraints))
+        return substitute(g, [g.dot(form.coefficients, answer) for form in kept], on_motion)
+
+    return HeldTree(made[: len(found)], pairs[: len(tree.pivots)], pairs[len(tree.pivots) :], solve)
 
 
 def _keeps_digits(system: System, pivots: Pivots, held: Pivots) -> bool:
@@ -93,19 +103,29 @@ def _pairs(flat: Sequence[float]) -> list[tuple[float, float]]:
     return list(zip(flat[::2], flat[1::2], strict=True))
 
 
-def _held(equations: Equations, tree: Elimination) -> tuple[list[Node], Pivots]:
-    """q'' in terms of (q, q', t), and the pivots of the reactions' matrix."""
-    system = equations.system
-    g, still = system.graph, {v: system.graph.zero for v in system.v}
-    rows = [form.coefficients for form in system.constraints]
-    answers = [tree.solve(row) for row in rows]
-    matrix = [[g.dot(row, answer) for answer in answers] for row in rows]
-    right = []
-    for form, row in zip(system.constraints, rows, strict=True):
-        moved = total_derivative(system, form_value(system, form), system.v, still)
-        right.append(g.neg(g.add(moved, g.dot(row, tree.rates))))
-    factors = factor(g, matrix)
-    reactions = solve_factored(g, factors, right)
-    columns = zip(tree.rates, *answers, strict=True)
-    accelerations = [g.sum([a, *(g.mul(x, y) for x, y in zip(reactions, ys, strict=True))]) for a, *ys in columns]
-    return accelerations, [(d, matrix[k][k]) for k, d in zip(factors.order, factors.pivots, strict=True)]
+class _Holding:
+    """What the constraints do to a free tree: the answers to their rows, and the matrix A M^-1 A^T of the reactions."""
+
+    def __init__(self, equations: Equations, tree: Elimination) -> None:
+        self.system, self.tree = equations.system, tree
+        g = self.system.graph
+        self._rows = [form.coefficients for form in self.system.constraints]
+        self._answers = [tree.solve(row) for row in self._rows]
+        matrix = [[g.dot(row, answer) for answer in self._answers] for row in self._rows]
+        self._factors = factor(g, matrix)
+        self.pivots = [(d, matrix[k][k]) for k, d in zip(self._factors.order, self._factors.pivots, strict=True)]
+
+    def accelerations(self) -> list[Node]:
+        """q'' in terms of (q, q', t)."""
+        system = self.system
+        still = {v: system.graph.zero for v in system.v}
+        moved = [total_derivative(system, form_value(system, form), system.v, still) for form in system.constraints]
+        return self.hold(self.tree.rates, moved)
+
+    def hold(self, free: Sequence[Node], moved: Sequence[Node]) -> list[Node]:
+        """The free tree's answer, brought back to A x + moved = 0."""
+        g = self.system.graph
+        right = [g.neg(g.add(own, g.dot(row, free))) for own, row in zip(moved, self._rows, strict=True)]
+        reactions = solve_factored(g, self._factors, right)
+        columns = zip(free, *self._answers, strict=True)
+        return [g.sum([x, *(g.mul(r, y) for r, y in zip(reactions, ys, strict=True))]) for x, *ys in columns]

@@ -85,9 +85,14 @@ def _along_held(
     held = held_tree(full, kept)
     if held is None:
         return None
-    values, pivots, pairs = substitute(g, held.rates, put_in), held.pivots, held.held
-    guards, held_by = _in_pairs(g, pivots, put_in), _in_pairs(g, pairs, put_in)
-    return MassRoute(values, guards, dense.solve, residual=dense.residual, chained=True, held=held_by)
+    return MassRoute(
+        substitute(g, held.rates, put_in),
+        _in_pairs(g, held.pivots, put_in),
+        lambda right: substitute(g, held.solve(right), put_in),
+        residual=dense.residual,
+        chained=True,
+        held=_in_pairs(g, held.held, put_in),
+    )
 
 
 def _along(equations: Equations, tree: Elimination, put_in: Mapping[Node, Node]) -> MassRoute:

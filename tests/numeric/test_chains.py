@@ -297,6 +297,8 @@ def test_a_held_tree_is_the_dense_one(kind: str) -> None:
     made = held_tree(found.equations, frame.forms[found.system.l :])
     assert made is not None
     assert are_equal(g, made.rates, dense(found, list(found.equations.force)))
+    right = [g.symbol(f"r{i}", "test") for i in range(len(found.equations.motion.w))]
+    assert are_equal(g, made.solve(right), dense(found, right))
 
 
 def test_many_links_that_are_held_take_the_tree() -> None:

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:c407040e33d1a74a)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:095b5e35e0336b7e)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -466,33 +466,25 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     (void)p;
 
     /* from the state */
-    const double y3 = y[3];
-    const double z4 = y3 * y3;
-    const double y2 = y[2];
-    const double z5 = y2 * y2;
     const double y1_ = y[1];
-    const double z6 = 1.0 + y1_ * y1_;
-    const double z7 = z4 + (z5 + z6);
+    const double z4 = y1_ * y1_;
+    const double z5 = 1.0 + z4;
+    const double y2 = y[2];
+    const double z6 = y2 * y2;
+    const double y3 = y[3];
+    const double z7 = y3 * y3;
+    const double z8 = z5 + (z6 + z7);
     const double z1 = y[4];
-    const double z8 = z1 * z1;
+    const double z9 = 1.0 + z1 * z1;
+    const double z10 = y1_ * z1;
     const double z2 = y[5];
-    const double z9 = z2 * z2;
-    const double z10 = 1.0 / z6;
-    const double z11 = y1_ * y2;
-    const double z12 = z11 * z10;
-    const double z13 = 1.0 + z5;
-    const double z14 = 1.0 / (z13 - z11 * z12);
-    const double z15 = y2 - y1_ * z12;
-    const double z16 = y1_ * y3;
-    const double z17 = z16 * z10;
-    const double z18 = y2 * y3 - z11 * z17;
-    const double z19 = z18 * z14;
-    const double z20 = 1.0 + z4;
-    const double z21 = 1.0 / (z20 - z16 * z17 - z18 * z19);
-    const double z22 = z21 * (y3 - y1_ * z17 - z19 * z15);
-    const double z23 = z14 * z15 - z19 * z22;
-    const double z24 = z8 + z13;
-    const double z25 = z2 * z24;
+    const double z11 = z2 * z2;
+    const double z12 = 1.0 + z11;
+    const double z13 = y2 * z2;
+    const double z14 = 1.0 / z8;
+    const double z15 = y1_ * z14;
+    const double z16 = z6 + z9;
+    const double z17 = z2 * z16;
     const double x = y[0];
     const double y1_dot = y[7];
     const double y2_dot = y[8];
@@ -500,63 +492,36 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     const double z1_dot = y[10];
     const double z2_dot = y[11];
     const double z3_dot = y[12];
-    const double z26 = x - (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot));
-    const double z27 = z9 + z6;
-    const double z28 = z1 * z27;
+    const double z18 = x - (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot));
+    const double z19 = z11 + z5;
+    const double z20 = z1 * z19;
+    const double z21 = 1.0 + z7;
     const double z3 = y[6];
-    const double z29 = z3 * z20;
-    const double z30 = (z26 + (y1_ * z28 + (y3 * z29 + y2 * z25))) / z7;
-    const double z31 = z25 - y2 * z30;
-    const double z32 = y2 * z31;
-    const double z33 = z29 - y3 * z30;
-    const double z34 = z26 + y3 * z33;
-    const double z35 = z28 - y1_ * z30;
-    const double z36 = z32 + z34 - 2.0 * (y1_ * (z1 - z35));
-    const double z37 = y2 * z35 - z12 * z36;
-    const double z38 = z21 * (y3 * z35 - z17 * z36 - z19 * z37);
-    const double z39 = z14 * z37 - z19 * z38;
-    const double z40 = y1_ * z31;
-    const double z41 = y1_ * z35;
-    const double z42 = z41 + z34 - 2.0 * (y2 * (z2 - z31)) - z12 * z40;
-    const double z43 = z21 * (y3 * z31 - z17 * z40 - z19 * z42);
-    const double z44 = z14 * z42 - z19 * z43;
-    const double z45 = y1_ * z33;
-    const double z46 = y2 * z33 - z12 * z45;
-    const double z47 = z21 * (z41 + (z26 + z32) - 2.0 * (y3 * (z3 - z33)) - z17 * z45 - z19 * z46);
-    const double z48 = z14 * z46 - z19 * z47;
-    const double z49 = z1 * z2;
-    const double z50 = 2.0 * z49 - z12 * z27;
-    const double z51 = z21 * (z17 * z27 + z19 * z50);
-    const double z52 = z14 * z50 + z19 * z51;
-    const double z53 = 2.0 * (z12 * z49) - z24;
-    const double z54 = z21 * (2.0 * (z17 * z49) - z19 * z53);
-    const double z55 = z14 * z53 - z19 * z54;
-    const double z56 = z20 * z21;
-    const double z57 = z19 * z56;
-    const double z58 = y1_ * z1_dot;
-    const double z59 = y2 * z1_dot - z58 * z12;
-    const double z60 = z21 * (y3 * z1_dot - z58 * z17 - z19 * z59);
-    const double z61 = z14 * z59 - z19 * z60;
-    const double z62 = y1_ * z2_dot;
-    const double z63 = y2 * z2_dot - z12 * z62;
-    const double z64 = z21 * (y3 * z2_dot - z17 * z62 - z19 * z63);
-    const double z65 = z14 * z63 - z19 * z64;
-    const double z66 = y1_ * z3_dot;
-    const double z67 = y2 * z3_dot - z12 * z66;
-    const double z68 = z21 * (y3 * z3_dot - z17 * z66 - z19 * z67);
-    const double z69 = z14 * z67 - z19 * z68;
-    const double z70 = y1_ * y1_dot;
-    const double z71 = y2 * y1_dot - z12 * z70;
-    const double z72 = z21 * (y3 * y1_dot - z17 * z70 - z19 * z71);
-    const double z73 = z14 * z71 - z19 * z72;
-    const double z74 = y1_ * y2_dot;
-    const double z75 = y2 * y2_dot - z12 * z74;
-    const double z76 = z21 * (y3 * y2_dot - z17 * z74 - z19 * z75);
-    const double z77 = z14 * z75 - z19 * z76;
-    const double z78 = y1_ * y3_dot;
-    const double z79 = y2 * y3_dot - z12 * z78;
-    const double z80 = z21 * (y3 * y3_dot - z17 * z78 - z19 * z79);
-    const double z81 = z14 * z79 - z19 * z80;
+    const double z22 = z3 * z21;
+    const double z23 = z14 * (z18 + (y1_ * z20 + (y3 * z22 + y2 * z17)));
+    const double z24 = z17 - y2 * z23;
+    const double z25 = y2 * z24;
+    const double z26 = z22 - y3 * z23;
+    const double z27 = z18 + y3 * z26;
+    const double z28 = z20 - y1_ * z23;
+    const double z29 = z25 + z27 - 2.0 * (y1_ * (z1 - z28));
+    const double z30 = z14 * (z7 * z28 + (y1_ * z29 + z6 * z28));
+    const double z31 = y1_ * z28;
+    const double z32 = z31 + z27 - 2.0 * (y2 * (z2 - z24));
+    const double z33 = z14 * (z7 * z24 + (z4 * z24 + y2 * z32));
+    const double z34 = z24 - z33;
+    const double z35 = z31 + (z18 + z25) - 2.0 * (y3 * (z3 - z26));
+    const double z36 = z14 * (y3 * z35 + (z4 + z6) * z26);
+    const double z37 = z26 - z36;
+    const double z38 = z1 * z13;
+    const double z39 = 2.0 * (z1 * z2);
+    const double z40 = z2 * z10;
+    const double z41 = 2.0 * z40 + y2 * z16;
+    const double z42 = y3 * z14;
+    const double z43 = z21 * z42;
+    const double z44 = y2 * z14;
+    const double z45 = z28 - z30;
+    const double z46 = y1_ * z19 + 2.0 * z38;
     /* (III.3) */
     J[1] = -z1_dot;
     J[2] = -z2_dot;
@@ -570,59 +535,59 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     J[62] = 1.0;
     J[76] = 1.0;
     J[90] = 1.0;
-    J[92] = -(1.0 + z8);
-    J[95] = -2.0 * (y1_ * z1);
-    J[106] = -(1.0 + z9);
-    J[109] = -2.0 * (y2 * z2);
+    J[92] = -z9;
+    J[95] = -2.0 * z10;
+    J[106] = -z12;
+    J[109] = -2.0 * z13;
     J[120] = -(1.0 + z3 * z3);
     J[123] = -2.0 * (y3 * z3);
-    J[130] = y1_ * z10 - z12 * z23 - z17 * z22;
-    J[131] = z10 * z36 - z12 * z39 - z17 * z38;
-    J[132] = z10 * z40 - z12 * z44 - z17 * z43;
-    J[133] = z10 * z45 - z12 * z48 - z17 * z47;
-    J[134] = -(z10 * z27 - z12 * z52 + z17 * z51);
-    J[135] = -(2.0 * (z10 * z49) + z12 * z55 + z17 * z54);
-    J[136] = z17 * z56 - z12 * z57;
-    J[137] = z17 * z60 - (z58 * z10 - z12 * z61);
-    J[138] = z17 * z64 - (z10 * z62 - z12 * z65);
-    J[139] = z17 * z68 - (z10 * z66 - z12 * z69);
-    J[140] = z17 * z72 - (z10 * z70 - z12 * z73);
-    J[141] = z17 * z76 - (z10 * z74 - z12 * z77);
-    J[142] = z17 * z80 - (z10 * z78 - z12 * z81);
-    J[143] = z23;
-    J[144] = z39;
-    J[145] = z44;
-    J[146] = z48;
-    J[147] = -z52;
-    J[148] = z55;
-    J[149] = z57;
-    J[150] = -z61;
-    J[151] = -z65;
-    J[152] = -z69;
-    J[153] = -z73;
-    J[154] = -z77;
-    J[155] = -z81;
-    J[156] = z22;
-    J[157] = z38;
-    J[158] = z43;
-    J[159] = z47;
-    J[160] = z51;
-    J[161] = z54;
-    J[162] = -z56;
-    J[163] = -z60;
-    J[164] = -z64;
-    J[165] = -z68;
-    J[166] = -z72;
-    J[167] = -z76;
-    J[168] = -z80;
+    J[130] = z15;
+    J[131] = z29 - y1_ * z30;
+    J[132] = y1_ * z34;
+    J[133] = y1_ * z37;
+    J[134] = y1_ * (2.0 * (z14 * z38) - y1_ * (1.0 - z19 * z14)) - z12;
+    J[135] = z15 * z41 - z39;
+    J[136] = y1_ * z43;
+    J[137] = -z1_dot * z15;
+    J[138] = -z2_dot * z15;
+    J[139] = -z3_dot * z15;
+    J[140] = -y1_dot * z15;
+    J[141] = -y2_dot * z15;
+    J[142] = -y3_dot * z15;
+    J[143] = z44;
+    J[144] = y2 * z45;
+    J[145] = z32 - y2 * z33;
+    J[146] = y2 * z37;
+    J[147] = z44 * z46 - z39;
+    J[148] = y2 * (2.0 * (z14 * z40) - y2 * (1.0 - z16 * z14)) - z9;
+    J[149] = y2 * z43;
+    J[150] = -z1_dot * z44;
+    J[151] = -z2_dot * z44;
+    J[152] = -z3_dot * z44;
+    J[153] = -y1_dot * z44;
+    J[154] = -y2_dot * z44;
+    J[155] = -y3_dot * z44;
+    J[156] = z42;
+    J[157] = y3 * z45;
+    J[158] = y3 * z34;
+    J[159] = z35 - y3 * z36;
+    J[160] = z42 * z46;
+    J[161] = z42 * z41;
+    J[162] = -(1.0 + z7 * (1.0 - z21 * z14));
+    J[163] = -z1_dot * z42;
+    J[164] = -z2_dot * z42;
+    J[165] = -z3_dot * z42;
+    J[166] = -y1_dot * z42;
+    J[167] = -y2_dot * z42;
+    J[168] = -y3_dot * z42;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[92] + J[95] + J[106] + J[109] + J[120] + J[123] + J[130] + J[131] + J[132] + J[133] + J[134]
-        + J[135] + J[136] + J[137] + J[138] + J[139] + J[140] + J[141] + J[142] + J[147] + J[150] + J[151] +
-        J[152] + J[153] + J[154] + J[155] + J[162] + J[163] + J[164] + J[165] + J[166] + J[167] + J[168]) <=
-        DBL_MAX)) {
+    if (!(fabs(J[95] + J[109] + J[120] + J[123] + J[131] + J[132] + J[133] + J[134] + J[135] + J[136] +
+        J[137] + J[138] + J[139] + J[140] + J[141] + J[142] + J[144] + J[145] + J[146] + J[147] + J[148] +
+        J[149] + J[150] + J[151] + J[152] + J[153] + J[154] + J[155] + J[157] + J[158] + J[159] + J[160] +
+        J[161] + J[162] + J[163] + J[164] + J[165] + J[166] + J[167] + J[168]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z7) > 0.0)) {
-            return chaotic_refuse(fabs(z7), 0.0, CHAOTIC_SINGULAR_2);
+        if (!(fabs(z8) > 0.0)) {
+            return chaotic_refuse(fabs(z8), 0.0, CHAOTIC_SINGULAR_2);
         }
         return chaotic_finish(169, J);
     }

@@ -1,5 +1,5 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:43aa2cf270939c83)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:8dddf99bc3120c9c)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -35,7 +35,7 @@
  * residuals: 3 +-, 3 *, 0 /, 0 calls
  * reactions: 13 +-, 14 *, 1 /, 0 calls
  * energy: 19 +-, 22 *, 0 /, 0 calls
- * jacobian: 105 +-, 184 *, 4 /, 0 calls
+ * jacobian: 53 +-, 102 *, 1 /, 0 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Calls: t is the time; y has CHAOTIC_NY entries, p has CHAOTIC_NP; chaotic_parameter_defaults may be passed

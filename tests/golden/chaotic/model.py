@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:025a8c6ddf5d2d2f).
+"""chaotic, emitted by nhc 0.1.0 (nhc:723722e7bb0136e7).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -35,7 +35,7 @@ state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 3 +-, 3 *, 0 /, 0 calls
 reactions: 13 +-, 14 *, 1 /, 0 calls
 energy: 19 +-, 22 *, 0 /, 0 calls
-jacobian: 105 +-, 184 *, 4 /, 0 calls
+jacobian: 53 +-, 102 *, 1 /, 0 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -471,88 +471,52 @@ def jacobian(
     z3_dot = float(y[12])
     try:
         # from the state
-        z4 = y3 * y3
-        z5 = y2 * y2
-        z6 = 1.0 + y1 * y1
-        z7 = z4 + (z5 + z6)
+        z4 = y1 * y1
+        z5 = 1.0 + z4
+        z6 = y2 * y2
+        z7 = y3 * y3
+        z8 = z5 + (z6 + z7)
         # the mass matrix is singular
-        if not abs(z7) > 0.0:
-            raise _refuse(abs(z7), 0.0, 2, "jacobian")
-        z8 = z1 * z1
-        z9 = z2 * z2
-        z10 = 1.0 / z6
-        z11 = y1 * y2
-        z12 = z11 * z10
-        z13 = 1.0 + z5
-        z14 = 1.0 / (z13 - z11 * z12)
-        z15 = y2 - y1 * z12
-        z16 = y1 * y3
-        z17 = z16 * z10
-        z18 = y2 * y3 - z11 * z17
-        z19 = z18 * z14
-        z20 = 1.0 + z4
-        z21 = 1.0 / (z20 - z16 * z17 - z18 * z19)
-        z22 = z21 * (y3 - y1 * z17 - z19 * z15)
-        z23 = z14 * z15 - z19 * z22
-        z24 = z8 + z13
-        z25 = z2 * z24
-        z26 = x - (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot))
-        z27 = z9 + z6
-        z28 = z1 * z27
-        z29 = z3 * z20
-        z30 = (z26 + (y1 * z28 + (y3 * z29 + y2 * z25))) / z7
-        z31 = z25 - y2 * z30
-        z32 = y2 * z31
-        z33 = z29 - y3 * z30
-        z34 = z26 + y3 * z33
-        z35 = z28 - y1 * z30
-        z36 = z32 + z34 - 2.0 * (y1 * (z1 - z35))
-        z37 = y2 * z35 - z12 * z36
-        z38 = z21 * (y3 * z35 - z17 * z36 - z19 * z37)
-        z39 = z14 * z37 - z19 * z38
-        z40 = y1 * z31
-        z41 = y1 * z35
-        z42 = z41 + z34 - 2.0 * (y2 * (z2 - z31)) - z12 * z40
-        z43 = z21 * (y3 * z31 - z17 * z40 - z19 * z42)
-        z44 = z14 * z42 - z19 * z43
-        z45 = y1 * z33
-        z46 = y2 * z33 - z12 * z45
-        s1 = z41 + (z26 + z32) - 2.0 * (y3 * (z3 - z33)) - z17 * z45
-        z47 = z21 * (s1 - z19 * z46)
-        z48 = z14 * z46 - z19 * z47
-        z49 = z1 * z2
-        z50 = 2.0 * z49 - z12 * z27
-        z51 = z21 * (z17 * z27 + z19 * z50)
-        z52 = z14 * z50 + z19 * z51
-        z53 = 2.0 * (z12 * z49) - z24
-        z54 = z21 * (2.0 * (z17 * z49) - z19 * z53)
-        z55 = z14 * z53 - z19 * z54
-        z56 = z20 * z21
-        z57 = z19 * z56
-        z58 = y1 * z1_dot
-        z59 = y2 * z1_dot - z58 * z12
-        z60 = z21 * (y3 * z1_dot - z58 * z17 - z19 * z59)
-        z61 = z14 * z59 - z19 * z60
-        z62 = y1 * z2_dot
-        z63 = y2 * z2_dot - z12 * z62
-        z64 = z21 * (y3 * z2_dot - z17 * z62 - z19 * z63)
-        z65 = z14 * z63 - z19 * z64
-        z66 = y1 * z3_dot
-        z67 = y2 * z3_dot - z12 * z66
-        z68 = z21 * (y3 * z3_dot - z17 * z66 - z19 * z67)
-        z69 = z14 * z67 - z19 * z68
-        z70 = y1 * y1_dot
-        z71 = y2 * y1_dot - z12 * z70
-        z72 = z21 * (y3 * y1_dot - z17 * z70 - z19 * z71)
-        z73 = z14 * z71 - z19 * z72
-        z74 = y1 * y2_dot
-        z75 = y2 * y2_dot - z12 * z74
-        z76 = z21 * (y3 * y2_dot - z17 * z74 - z19 * z75)
-        z77 = z14 * z75 - z19 * z76
-        z78 = y1 * y3_dot
-        z79 = y2 * y3_dot - z12 * z78
-        z80 = z21 * (y3 * y3_dot - z17 * z78 - z19 * z79)
-        z81 = z14 * z79 - z19 * z80
+        if not abs(z8) > 0.0:
+            raise _refuse(abs(z8), 0.0, 2, "jacobian")
+        z9 = 1.0 + z1 * z1
+        z10 = y1 * z1
+        z11 = z2 * z2
+        z12 = 1.0 + z11
+        z13 = y2 * z2
+        z14 = 1.0 / z8
+        z15 = y1 * z14
+        z16 = z6 + z9
+        z17 = z2 * z16
+        z18 = x - (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot))
+        z19 = z11 + z5
+        z20 = z1 * z19
+        z21 = 1.0 + z7
+        z22 = z3 * z21
+        z23 = z14 * (z18 + (y1 * z20 + (y3 * z22 + y2 * z17)))
+        z24 = z17 - y2 * z23
+        z25 = y2 * z24
+        z26 = z22 - y3 * z23
+        z27 = z18 + y3 * z26
+        z28 = z20 - y1 * z23
+        z29 = z25 + z27 - 2.0 * (y1 * (z1 - z28))
+        z30 = z14 * (z7 * z28 + (y1 * z29 + z6 * z28))
+        z31 = y1 * z28
+        z32 = z31 + z27 - 2.0 * (y2 * (z2 - z24))
+        z33 = z14 * (z7 * z24 + (z4 * z24 + y2 * z32))
+        z34 = z24 - z33
+        z35 = z31 + (z18 + z25) - 2.0 * (y3 * (z3 - z26))
+        z36 = z14 * (y3 * z35 + (z4 + z6) * z26)
+        z37 = z26 - z36
+        z38 = z1 * z13
+        z39 = 2.0 * (z1 * z2)
+        z40 = z2 * z10
+        z41 = 2.0 * z40 + y2 * z16
+        z42 = y3 * z14
+        z43 = z21 * z42
+        z44 = y2 * z14
+        z45 = z28 - z30
+        z46 = y1 * z19 + 2.0 * z38
         J: list[float] = [
             0.0,
             # (III.3)
@@ -659,11 +623,11 @@ def jacobian(
             1.0,
             0.0,
             # (III.3)
-            -(1.0 + z8),
+            -z9,
             0.0,
             0.0,
             # (III.3)
-            -2.0 * (y1 * z1),
+            -2.0 * z10,
             0.0,
             0.0,
             0.0,
@@ -675,11 +639,11 @@ def jacobian(
             0.0,
             0.0,
             # (III.3)
-            -(1.0 + z9),
+            -z12,
             0.0,
             0.0,
             # (III.3)
-            -2.0 * (y2 * z2),
+            -2.0 * z13,
             0.0,
             0.0,
             0.0,
@@ -703,83 +667,83 @@ def jacobian(
             0.0,
             0.0,
             # (III.3)
-            y1 * z10 - z12 * z23 - z17 * z22,
+            z15,
             # (III.3)
-            z10 * z36 - z12 * z39 - z17 * z38,
+            z29 - y1 * z30,
             # (III.3)
-            z10 * z40 - z12 * z44 - z17 * z43,
+            y1 * z34,
             # (III.3)
-            z10 * z45 - z12 * z48 - z17 * z47,
+            y1 * z37,
             # (III.3)
-            -(z10 * z27 - z12 * z52 + z17 * z51),
+            y1 * (2.0 * (z14 * z38) - y1 * (1.0 - z19 * z14)) - z12,
             # (III.3)
-            -(2.0 * (z10 * z49) + z12 * z55 + z17 * z54),
+            z15 * z41 - z39,
             # (III.3)
-            z17 * z56 - z12 * z57,
+            y1 * z43,
             # (III.3)
-            z17 * z60 - (z58 * z10 - z12 * z61),
+            -z1_dot * z15,
             # (III.3)
-            z17 * z64 - (z10 * z62 - z12 * z65),
+            -z2_dot * z15,
             # (III.3)
-            z17 * z68 - (z10 * z66 - z12 * z69),
+            -z3_dot * z15,
             # (III.3)
-            z17 * z72 - (z10 * z70 - z12 * z73),
+            -y1_dot * z15,
             # (III.3)
-            z17 * z76 - (z10 * z74 - z12 * z77),
+            -y2_dot * z15,
             # (III.3)
-            z17 * z80 - (z10 * z78 - z12 * z81),
-            # (III.3)
-            z23,
-            # (III.3)
-            z39,
+            -y3_dot * z15,
             # (III.3)
             z44,
             # (III.3)
-            z48,
+            y2 * z45,
             # (III.3)
-            -z52,
+            z32 - y2 * z33,
             # (III.3)
-            z55,
+            y2 * z37,
             # (III.3)
-            z57,
+            z44 * z46 - z39,
             # (III.3)
-            -z61,
+            y2 * (2.0 * (z14 * z40) - y2 * (1.0 - z16 * z14)) - z9,
             # (III.3)
-            -z65,
+            y2 * z43,
             # (III.3)
-            -z69,
+            -z1_dot * z44,
             # (III.3)
-            -z73,
+            -z2_dot * z44,
             # (III.3)
-            -z77,
+            -z3_dot * z44,
             # (III.3)
-            -z81,
+            -y1_dot * z44,
             # (III.3)
-            z22,
+            -y2_dot * z44,
             # (III.3)
-            z38,
+            -y3_dot * z44,
             # (III.3)
-            z43,
+            z42,
             # (III.3)
-            z47,
+            y3 * z45,
             # (III.3)
-            z51,
+            y3 * z34,
             # (III.3)
-            z54,
+            z35 - y3 * z36,
             # (III.3)
-            -z56,
+            z42 * z46,
             # (III.3)
-            -z60,
+            z42 * z41,
             # (III.3)
-            -z64,
+            -(1.0 + z7 * (1.0 - z21 * z14)),
             # (III.3)
-            -z68,
+            -z1_dot * z42,
             # (III.3)
-            -z72,
+            -z2_dot * z42,
             # (III.3)
-            -z76,
+            -z3_dot * z42,
             # (III.3)
-            -z80,
+            -y1_dot * z42,
+            # (III.3)
+            -y2_dot * z42,
+            # (III.3)
+            -y3_dot * z42,
         ]
         _finish("jacobian", J)
         return [J[k1 : k1 + 13] for k1 in range(0, 169, 13)]
