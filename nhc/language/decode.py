@@ -57,7 +57,7 @@ class _Draft:
 
 
 class _Decoder:
-    def __init__(self, source: Source, written: Table, bag: Bag, asked: str = "") -> None:
+    def __init__(self, source: Source, written: Table, bag: Bag, asked: str) -> None:
         self.source, self.written = source, written
         self.plain = without_bodies(written, bag, asked)
         self.root = self.plain.root

@@ -93,9 +93,9 @@ class _Measure:
 
 def watch_function(
     planner: Planner,
-    event: Node | None = None,
-    weak: bool = False,
-    known: dict[Node, tuple[float, float]] | None = None,
+    event: Node | None,
+    weak: bool,
+    known: dict[Node, tuple[float, float]],
 ) -> tuple[Function | None, Watch]:
     """The function of a run's watched values, None where there are none; ``weak``: with the levels of weakness.
 
@@ -103,9 +103,9 @@ def watch_function(
     """
     events = [] if event is None else planner.on_motion([event])
     frames = _frames(planner)
-    determinants = [*_turned(planner), *_determinant(planner, known or {})]
-    whole, solves = _whole(planner, known or {})
-    measures = [*frames, *determinants, *_pivots(planner, known or {}), *_rank(planner), *whole]
+    determinants = [*_turned(planner), *_determinant(planner, known)]
+    whole, solves = _whole(planner, known)
+    measures = [*frames, *determinants, *_pivots(planner, known), *_rank(planner), *whole]
     signs = [m for m in (*frames, *determinants) if m.value not in events]
     nodes, about, kinds = [*events, *(m.value for m in signs)], [""] * len(events), ["event"] * len(events)
     about += [m.what for m in signs]
@@ -126,7 +126,7 @@ def watch_function(
 
 def look_out(planner: Planner, parameters: Sequence[Sequence[float]]) -> Lookout | None:
     """What a driver watches in scenes with these values of the spec's parameters; None where nothing can be lost."""
-    function, watch = watch_function(planner, None, known=known_values(planner.system, parameters))
+    function, watch = watch_function(planner, None, False, known_values(planner.system, parameters))
     if function is None:
         return None
     return Lookout(function, tuple(watch.describe(k) for k in range(len(watch.about))), watch.dips)

@@ -27,7 +27,7 @@ _LARGE = 5000
 
 
 def prepare_reduced(
-    equations: Equations, formulation: Formulation, start: Start, jacobian: bool, weak: bool = False
+    equations: Equations, formulation: Formulation, start: Start, jacobian: bool, weak: bool
 ) -> Job | None:
     """The job of a scene's own needs in this formulation; None where the whole state is needed, or the system is too large."""
     system, g = equations.system, equations.system.graph

@@ -271,7 +271,7 @@ def named_quantity(flow: Flow, name: str, option: str, parameters: Sequence[str]
     return flow.graph.zero
 
 
-def branch_of(model: SteadyModel, guess: Sequence[float], name: str, holds: tuple[Hold, ...] = ()) -> Branch:
+def branch_of(model: SteadyModel, guess: Sequence[float], name: str, holds: tuple[Hold, ...]) -> Branch:
     """Steady motions along a parameter, or along a quantity of the state that is held at each value, in place of any other."""
     parameters = [p.name for p in model.flow.system.spec.parameters]
     if name in parameters:

@@ -65,7 +65,7 @@ def recognise(scene: Scene, kinetic: Kinetic, roots: Sequence[Node]) -> None:
                 scene.replaced.setdefault(opposite, g.neg(component))
 
 
-def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool], near: Collection[Path] = ()) -> list[Spin]:
+def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool], near: Collection[Path]) -> list[Spin]:
     """T's forms whose exterior derivative is that of a component of an angular velocity; ``near`` are tried first."""
     g, system = scene.graph, scene.system
     open_forms = [k for k, carried in enumerate(done) if not carried and not kinetic.is_exact(k)]

@@ -41,7 +41,7 @@ _BUDGET, _MOST = 0.02, 1_000_000
 class NotMeasured(Exception):
     """The full model's own run is not good enough to measure errors against it; ``help`` says what may be done."""
 
-    def __init__(self, message: str, help: tuple[str, ...] = ()) -> None:
+    def __init__(self, message: str, help: tuple[str, ...]) -> None:
         super().__init__(message)
         self.help = help
 
