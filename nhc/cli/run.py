@@ -138,8 +138,19 @@ def command(
         return run_starts(source, ensemble, scene, formulation or "", needs, not drift, settings, target)
     page = target is not None and target.suffix == ".html"
     try:
-        asked = (formulation or "", needs, until, method, not drift, project, page)
-        job = open_scene(source, scene, *asked, draw=page, stay=stay)
+        job = open_scene(
+            source,
+            scene,
+            formulation or "",
+            needs=needs,
+            until=until,
+            method=method,
+            hold=not drift,
+            project=project,
+            checks=page,
+            draw=page,
+            stay=stay,
+        )
     except RunError as error:
         raise Failure(str(error), error.help) from error
     if not scene:

@@ -19,7 +19,7 @@ from nhc.records import record
 from nhc.simulate.auto import choose_method
 from nhc.simulate.compile import find_compiler
 from nhc.simulate.opening import find_need, find_scene
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
 from nhc.simulate.run import list_times
 from nhc.study.chart.case import RESOLVED, Case, Machine, Reference, Result
@@ -170,7 +170,7 @@ def _open(name: str, source: Source, spec: Spec, scene: str, needs: Sequence[str
     if made.chosen or made.reduction.left:
         job = job_of(made.planner, start_of(system, own), jacobian=True)
     else:
-        job = prepare(equations_of(system, base), base, start_of(system, own), needs, jacobian=True)
+        job = prepare(Recipe(equations_of(system, base), tuple(needs), jacobian=True), base, start_of(system, own))
     return _Opened(name, source, spec, own, made, job)
 
 

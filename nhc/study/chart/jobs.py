@@ -14,7 +14,7 @@ from nhc.mechanics.system import System
 from nhc.program.ir import Function, Let, Origin, Result, Section, Statement, Store, Sweep
 from nhc.program.scene_model import reduce_one, scene_model
 from nhc.records import record
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
 
 SCENE = "scene"
@@ -132,7 +132,8 @@ def _bare(function: Function) -> tuple[Statement, ...]:
 
 
 def _full_job(system: System, form: Formulation, scene: Scene, needs: Sequence[str]) -> Job:
-    return prepare(equations_of(system, form), form, start_of(system, scene), needs, jacobian=True, checks=True)
+    recipe = Recipe(equations_of(system, form), tuple(needs), jacobian=True, checks=True)
+    return prepare(recipe, form, start_of(system, scene))
 
 
 def _shrunk(made: Reduction) -> Shrunk:

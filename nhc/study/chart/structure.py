@@ -12,7 +12,7 @@ from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.simulate.methods import STRUCTURE
 from nhc.simulate.natural import NaturalModel
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.grid import MOST_PYTHON
 from nhc.study.chart.model import RepeatedModel, compile_natural
@@ -28,7 +28,7 @@ def prepare_natural(system: System, scene: Scene, needs: Sequence[str]) -> Job:
     """The job of a scene as structure-preserving methods take it; its ``structure`` says what is lacking."""
     form = formulate(system, "multipliers" if system.constraints else "")
     start = start_of(system, scene)
-    return prepare(equations_of(system, form), form, start, needs, natural=True, checks=True)
+    return prepare(Recipe(equations_of(system, form), tuple(needs), checks=True), form, start, natural=True)
 
 
 def choose_schemes(job: Job, wanted: Sequence[str]) -> tuple[list[str], Left]:
