@@ -57,7 +57,7 @@ _BODY_KEYS: dict[str, str] = {
 }
 
 # formulation as others call it -> this language's word
-METHODS: dict[str, str] = {
+_FORMULATIONS: dict[str, str] = {
     **dict.fromkeys(
         ("hamel", "boltzmann-hamel", "poincare", "euler-poincare", "kane", "maggi", "appell"), "euler-lagrange"
     ),
@@ -68,11 +68,11 @@ METHODS: dict[str, str] = {
 }
 
 
-def meant_method(name: str) -> str:
+def meant_formulation(name: str) -> str:
     """The formulation that a word stands for elsewhere, or nothing."""
     spelled = unicodedata.normalize("NFD", name.casefold())
     plain = re.sub("[^a-z0-9-]", "", spelled.replace("_", "-").replace(" ", "-"))
-    return METHODS.get(plain, "")
+    return _FORMULATIONS.get(plain, "")
 
 
 def meant_scene_key(name: str, present: Collection[str]) -> tuple[str, str]:

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import reduce
 
 from nhc.emit.c.body import BodyPrinter
-from nhc.emit.statements import walk
+from nhc.program.contents import walk
 from nhc.program.ir import (
     Binary,
     Call,

@@ -16,9 +16,9 @@ from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.grid import MOST_PYTHON
 from nhc.study.chart.model import RepeatedModel, compile_natural
-from nhc.study.chart.pace import Left, Pace
+from nhc.study.chart.pace import CaseRunner, Left
 from nhc.study.chart.reference import Solution
-from nhc.study.chart.single import Bench
+from nhc.study.chart.single import Rig
 
 MOST_STEPS = 60_000
 """Fixed steps of second order beyond which a run says nothing that its coarser ones do not."""
@@ -75,8 +75,8 @@ def run_schemes(
     slow: list[str] = []
     for name in schemes:
         compiled = RepeatedModel(compile_natural(job, name), job) if "c" in languages else None
-        bench = Bench(job.formulation.name, job, tuple(times), solution, compiled, NaturalModel(job.program))
-        pace = Pace(bench, explicit, budget)
+        rig = Rig(job.formulation.name, job, tuple(times), solution, compiled, NaturalModel(job.program))
+        runner = CaseRunner(rig, explicit, budget)
         ladder = list_steps(tolerances, anchor, STRUCTURE[name].order, len(times) - 1)
         for language in languages:
             most = MOST_STEPS if language == "c" else MOST_PYTHON // 8  # a step of these costs several right-hand sides
@@ -85,8 +85,8 @@ def run_schemes(
                     slow.append(f"{name} in {'C' if language == 'c' else 'Python'}")
                     continue
                 step = abs(times[-1] - times[0]) / count
-                found += pace.run(Case(bench.name, name, language, tolerance, step), rung)
-        left += pace.left()
+                found += runner.run(Case(rig.name, name, language, tolerance, step), rung)
+        left += runner.left()
     if slow:
         left.append((", ".join(dict.fromkeys(slow)), "of second order: its finer tolerances take too many steps"))
     return found, left
