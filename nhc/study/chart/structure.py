@@ -14,9 +14,9 @@ from nhc.simulate.methods import STRUCTURE
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.study.chart.case import Case, Result
+from nhc.study.chart.case_runner import CaseRunner, Left
 from nhc.study.chart.grid import MOST_PYTHON
 from nhc.study.chart.model import RepeatedModel, compile_natural
-from nhc.study.chart.pace import CaseRunner, Left
 from nhc.study.chart.reference import Solution
 from nhc.study.chart.single import Rig
 

@@ -20,6 +20,7 @@ from nhc.simulate.prepare import Job
 from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
 from nhc.study.chart.case import Case, Cost, Result, Study
+from nhc.study.chart.case_runner import CaseRunner
 from nhc.study.chart.grid import (
     LANGUAGES,
     METHODS,
@@ -32,7 +33,6 @@ from nhc.study.chart.grid import (
 from nhc.study.chart.jobs import Prepared, Shrunk, prepare_jobs, scene_of_needs
 from nhc.study.chart.measure import describe_machine, time_repeats
 from nhc.study.chart.model import ChartModel, LongModel, compile_chart, compile_long
-from nhc.study.chart.pace import CaseRunner
 from nhc.study.chart.peers import PEERS, run_peer
 from nhc.study.chart.reference import METHODS as REFERENCE_METHODS
 from nhc.study.chart.reference import Solution, make_reference
