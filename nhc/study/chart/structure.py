@@ -15,7 +15,7 @@ from nhc.simulate.natural import NaturalModel
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.case_runner import CaseRunner, Left
-from nhc.study.chart.grid import MOST_PYTHON
+from nhc.study.chart.grid import MOST_PYTHON, Runs
 from nhc.study.chart.model import RepeatedModel, compile_natural
 from nhc.study.chart.reference import Solution
 from nhc.study.chart.single import Rig
@@ -61,24 +61,21 @@ def list_steps(tolerances: Sequence[float], anchor: int, order: int, rows: int) 
 def run_schemes(
     job: Job,
     wanted: Sequence[str],
+    runs: Runs,
     times: Sequence[float],
     solution: Solution,
-    languages: Sequence[str],
-    tolerances: Sequence[float],
-    explicit: bool,
     anchor: int,
-    budget: float,
 ) -> tuple[list[Result], Left]:
     """All cases of the methods that apply, on ladders of fixed steps; what was left out, with the reason."""
     schemes, left = choose_schemes(job, wanted)
     found: list[Result] = []
     slow: list[str] = []
     for name in schemes:
-        compiled = RepeatedModel(compile_natural(job, name), job) if "c" in languages else None
+        compiled = RepeatedModel(compile_natural(job, name), job) if "c" in runs.languages else None
         rig = Rig(job.formulation.name, job, tuple(times), solution, compiled, NaturalModel(job.program))
-        runner = CaseRunner(rig, explicit, budget)
-        ladder = list_steps(tolerances, anchor, STRUCTURE[name].order, len(times) - 1)
-        for language in languages:
+        runner = CaseRunner(rig, runs.explicit, runs.budget)
+        ladder = list_steps(runs.tolerances, anchor, STRUCTURE[name].order, len(times) - 1)
+        for language in runs.languages:
             most = MOST_STEPS if language == "c" else MOST_PYTHON // 8  # a step of these costs several right-hand sides
             for rung, (count, tolerance) in enumerate(ladder):
                 if count > most:

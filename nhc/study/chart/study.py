@@ -21,15 +21,7 @@ from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
 from nhc.study.chart.case import Case, Cost, Result, Study
 from nhc.study.chart.case_runner import CaseRunner
-from nhc.study.chart.grid import (
-    LANGUAGES,
-    METHODS,
-    POINTS,
-    SCOUT,
-    STRUCTURE,
-    TOLERANCES,
-    Grid,
-)
+from nhc.study.chart.grid import METHODS, POINTS, SCOUT, STRUCTURE, Grid, Runs, settle_runs
 from nhc.study.chart.jobs import Prepared, Shrunk, prepare_jobs, scene_of_needs
 from nhc.study.chart.measure import describe_machine, time_repeats
 from nhc.study.chart.model import ChartModel, LongModel, compile_chart, compile_long
@@ -55,13 +47,12 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     needs = tuple(dict.fromkeys(find_need(spec, need) for need in grid.needs))
     system = resolve(spec)
     made, compiled = prepare_jobs(system, scene, grid.formulations, needs, bool(grid.scene)), bool(find_compiler())
-    languages = tuple(x for x in grid.languages or LANGUAGES if compiled or x != "c") or ("python",)
+    runs = settle_runs(grid, compiled)
     notes = () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
     solution = make_reference(made.full, times, open_long(made.full) if compiled else None)
     methods = tuple(m for m in grid.methods if m in RUNGE_KUTTA) if grid.methods else METHODS
-    tolerances = tuple(sorted(grid.tolerances or TOLERANCES, reverse=True))
     results: list[Result] = []
     anchor, costs = 8, list[Cost]()
     left = [*made.skipped, *made.repeated]
@@ -69,17 +60,17 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         if show is not None:
             show(done / len(made.distinct), name)
         rig = open_rig(name, job, times, solution, methods, compiled)
-        costs.append(cost_of(rig, languages, made.shrunk.get(name)))
-        found, missing = run_rig(rig, methods, languages, tolerances, bool(grid.tolerances), grid.budget)
+        costs.append(cost_of(rig, runs.languages, made.shrunk.get(name)))
+        found, missing = run_rig(rig, methods, runs)
         results += found
         left += missing
-        if grid.peers and job is first and "c" in languages:
-            found, missing = run_peers(rig, tolerances, bool(grid.tolerances), grid.budget)
+        if grid.peers and job is first and "c" in runs.languages:
+            found, missing = run_peers(rig, runs)
             results += found
             left += missing
         if job is first:
             anchor = count_steps(rig)
-    found, missing = run_structure(system, scene, grid, needs, times, solution, languages, tolerances, anchor)
+    found, missing = run_structure(system, scene, grid, needs, runs, times, solution, anchor)
     if show is not None:
         show(1.0, "")
     results += found
@@ -90,9 +81,9 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         scene=scene.name,
         time=first.time,
         needs=tuple(column.heading for column in first.columns),
-        tolerances=tolerances,
+        tolerances=runs.tolerances,
         methods=grid.methods or (*METHODS, *dict.fromkeys(r.case.method for r in found)),
-        languages=languages,
+        languages=runs.languages,
         points=POINTS,
         costs=price_all(made, costs),
         results=tuple(results),
@@ -108,10 +99,9 @@ def run_structure(
     scene: Scene,
     grid: Grid,
     needs: Sequence[str],
+    runs: Runs,
     times: Sequence[float],
     solution: Solution,
-    languages: Sequence[str],
-    tolerances: Sequence[float],
     anchor: int,
 ) -> tuple[list[Result], list[tuple[str, str]]]:
     """The structure-preserving methods: those that are named, else all that apply, unless other formulations are asked for."""
@@ -122,7 +112,7 @@ def run_structure(
     if not named and grid.formulations and job.formulation.name not in grid.formulations:
         return [], []
     wanted = named or STRUCTURE
-    return run_schemes(job, wanted, times, solution, languages, tolerances, bool(grid.tolerances), anchor, grid.budget)
+    return run_schemes(job, wanted, runs, times, solution, anchor)
 
 
 def open_long(job: Job) -> LongModel | None:
@@ -179,21 +169,14 @@ def _use(value: float) -> None:
     """A result that only had to be computed."""
 
 
-def run_rig(
-    rig: Rig,
-    methods: Sequence[str],
-    languages: Sequence[str],
-    tolerances: Sequence[float],
-    explicit: bool,
-    budget: float,
-) -> tuple[list[Result], list[tuple[str, str]]]:
+def run_rig(rig: Rig, methods: Sequence[str], runs: Runs) -> tuple[list[Result], list[tuple[str, str]]]:
     """All cases of a formulation; what was left out, with the reason."""
-    runner, anchor = CaseRunner(rig, explicit, budget), count_steps(rig)
+    runner, anchor = CaseRunner(rig, runs.explicit, runs.budget), count_steps(rig)
     found = [
         result
         for method in methods
-        for language in languages
-        for rung, tolerance in enumerate(tolerances)
+        for language in runs.languages
+        for rung, tolerance in enumerate(runs.tolerances)
         for result in runner.run(
             Case(rig.name, method, language, tolerance, step_of(rig, method, tolerance, anchor)), rung
         )
@@ -201,15 +184,14 @@ def run_rig(
     return found, runner.left()
 
 
-def run_peers(
-    rig: Rig, tolerances: Sequence[float], explicit: bool, budget: float
-) -> tuple[list[Result], list[tuple[str, str]]]:
+def run_peers(rig: Rig, runs: Runs) -> tuple[list[Result], list[tuple[str, str]]]:
     """The cases of other integrators that are installed; those that are not."""
     found: list[Result] = []
     for peer in PEERS:
         if peer.there():
-            rungs = [t for k, t in enumerate(tolerances) if explicit or peer.stride == 1 or k % peer.stride == 1]
-            found += run_peer(rig, peer, rungs, budget)
+            every = runs.explicit or peer.stride == 1
+            rungs = [t for k, t in enumerate(runs.tolerances) if every or k % peer.stride == 1]
+            found += run_peer(rig, peer, rungs, runs.budget)
     return found, [(peer.language, "not installed") for peer in PEERS if not peer.there()]
 
 
