@@ -99,10 +99,6 @@ def test_document_is_stamped_numbered_and_sectioned() -> None:
     assert r"\dot{w} &= -\frac{m\,a\,v\,w}{J + m\,a^{2}}" in text
 
 
-def test_the_same_text_twice() -> None:
-    assert render(load("ball_on_table")) == render(load("ball_on_table"))
-
-
 def test_the_template_uses_what_it_is_given() -> None:
     from jinja2 import meta
 
