@@ -156,7 +156,7 @@ def _turned(planner: Planner) -> list[_Measure]:
 def _guarded(planner: Planner, guards: Sequence[GuardPlan], kind: str, levels: tuple[Fraction, ...]) -> list[_Measure]:
     seen: dict[Node, _Measure] = {}
     for guard in guards:
-        if not planner._is_constant(guard.value):
+        if not planner.is_constant(guard.value):
             usual = Fraction(1, 10 ** usual_digits(planner.system, guard.value, guard.scale))
             scale = planner.graph.mul(planner.graph.number(usual), guard.scale)
             seen.setdefault(guard.value, _Measure(guard.value, scale, False, kind, guard.what, levels))
@@ -168,7 +168,7 @@ def _pivots(planner: Planner, known: dict[Node, tuple[float, float]]) -> list[_M
     g, found = planner.graph, []
     ranges = {**intervals(planner.system), **known}
     for guard in planner.mass_guards:
-        if guard in planner.turned_guards or planner._is_constant(guard.value) or count(g, [guard.value]) > _LARGE:
+        if guard in planner.turned_guards or planner.is_constant(guard.value) or count(g, [guard.value]) > _LARGE:
             continue
         if cannot_vanish(g, normalise(g, guard.value, _TERMS), ranges):
             continue
@@ -184,7 +184,7 @@ def _determinant(planner: Planner, known: dict[Node, tuple[float, float]]) -> li
         return []
     rows = planner.solves[0].matrix
     value = determinant_of(g, [list(row) for row in rows])
-    if count(g, [value]) > _LARGE or planner._is_constant(value):
+    if count(g, [value]) > _LARGE or planner.is_constant(value):
         return []
     if cannot_vanish(g, normalise(g, value, _TERMS), {**intervals(planner.system), **known}):
         return []
@@ -214,7 +214,7 @@ def _rank(planner: Planner) -> list[_Measure]:
     if lost.regular is not False:
         return []
     value = g.sum([g.power(minor, 2) for minor in substitute(g, lost.minors, planner.put_in)])
-    if planner._is_constant(value):
+    if planner.is_constant(value):
         return []
     what = "the constraints lose rank"
     return [_Measure(value, size_of(g, value), True, "rank", what, (THIN,))]
