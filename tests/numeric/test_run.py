@@ -300,7 +300,9 @@ def test_a_change_of_sign_through_a_pole_is_no_zero(
         (["--method", "perlmutter"], 2, "mass matrix is not constant"),
     ],
 )
-def test_mistakes(arguments: list[str], code: int, says: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_mistaken_options_are_refused(
+    arguments: list[str], code: int, says: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     found, out, err = call(capsys, "chaplygin_sleigh", *arguments)
     assert (found, out) == (code, "") and says in err
 

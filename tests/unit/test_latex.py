@@ -69,7 +69,7 @@ def load(name: str, formulation: str = "") -> Derivation:
         (Mark("Beta"), r"\mathrm{B}"),
     ],
 )
-def test_marks(mark: Mark, wanted: str) -> None:
+def test_marks_are_set_as_a_printer_would(mark: Mark, wanted: str) -> None:
     assert PLAIN.print_mark(mark) == wanted
 
 
