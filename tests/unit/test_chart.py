@@ -30,7 +30,7 @@ from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.opening import open_scene
 from nhc.study.chart import case_runner
-from nhc.study.chart.advice import advise, duration, fastest
+from nhc.study.chart.advice import advise, fastest
 from nhc.study.chart.case import Case, Cost, Machine, Reference, Result, Study
 from nhc.study.chart.grid import LANGUAGES
 from nhc.study.chart.grid import STRUCTURE as CHARTED
@@ -44,6 +44,7 @@ from nhc.study.chart.measure import (
 )
 from nhc.study.chart.reference import extrapolate
 from nhc.study.chart.taylor import NoTaylor, translate
+from nhc.study.chart.words import duration
 from tests.support import spec_path
 
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
