@@ -11,7 +11,7 @@ from nhc.report.chart_text import list_failures, list_omissions, provenance, run
 from nhc.report.panel import Style, style_of
 from nhc.study.chart.advice import TARGETS, advise
 from nhc.study.chart.case import Result, Study
-from nhc.study.chart.words import LANGUAGE_NAMES, duration, setting, spell_power
+from nhc.study.chart.words import LANGUAGE_NAMES, duration, name_case, setting, spell_power
 from nhc.version import __version__
 
 
@@ -68,8 +68,7 @@ def describe(result: Result) -> list[str]:
 
 def read_out(result: Result) -> str:
     """What the pointer reads."""
-    case = result.case
-    head = f"{case.formulation}, {case.method}, {LANGUAGE_NAMES.get(case.language, case.language)}, {setting(case)}"
+    head = name_case(result.case)
     if result.failed:
         return f"{head}\nfailed: {result.failed}"
     lines = (

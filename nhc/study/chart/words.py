@@ -21,6 +21,11 @@ def setting(case: Case) -> str:
     return f"steps of {case.step:.3g}" if case.step > 0 else f"tolerance {spell_power(case.tolerance)}"
 
 
+def name_case(case: Case) -> str:
+    """Formulation, method, language and setting."""
+    return f"{case.formulation}, {case.method}, {LANGUAGE_NAMES.get(case.language, case.language)}, {setting(case)}"
+
+
 def spell_power(x: float) -> str:
     """A power of ten as an axis spells it: 1e-6."""
     mantissa, exponent = f"{x:.1e}".split("e")
