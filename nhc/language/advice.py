@@ -16,7 +16,7 @@ _RATES = tuple(
 # key of a spec as others call it -> (this language's key, what to do)
 _ENERGIES = "a Lagrangian is given by its energies: `T: ...`, and `V: ...` with L = T - V"
 _FRICTION = "friction is given as forces: `forces: {x: -c*x'}`"
-_SCENE = "it belongs into a scene: `scenes: {go: {initial: {...}, time: [0, 10]}}`"
+_SCENE = "it belongs in a scene: `scenes: {go: {initial: {...}, time: [0, 10]}}`"
 KEYS: dict[str, tuple[str, str]] = {
     **dict.fromkeys(("L", "lagrangian", "lagrange"), ("T", _ENERGIES)),
     **dict.fromkeys(("D", "dissipation", "rayleigh", "friction", "damping"), ("forces", _FRICTION)),
