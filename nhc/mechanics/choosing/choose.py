@@ -116,7 +116,7 @@ def build(system: System, name: str) -> Formulation:
         NotApplicable: a hypothesis that it cannot do without is broken.
     """
     if name == "newton":
-        from nhc.mechanics.formulations import newton  # here, for a command that needs it not starts sooner
+        from nhc.mechanics.formulations import newton  # here: commands that do without it start sooner
 
         reasons = newton.broken_hypotheses(system)
         if reasons:
