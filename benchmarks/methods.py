@@ -8,10 +8,11 @@ import sys
 from benchmarks.systems import ROOT
 from nhc.language import read
 from nhc.resources import find_specs
-from nhc.study.chart.advice import TARGETS, fastest, spell_power
+from nhc.study.chart.advice import TARGETS, fastest
 from nhc.study.chart.case import Study
 from nhc.study.chart.grid import Grid
 from nhc.study.chart.study import chart
+from nhc.study.chart.words import spell_power
 
 PAGE = ROOT / "docs" / "chart.md"
 PART = re.compile(r"^<!-- measured: methods -->\n.*?^<!-- end -->$", re.MULTILINE | re.DOTALL)

@@ -13,7 +13,7 @@ from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
 from nhc.program.scene_model import scene_model
 from nhc.resources import find_specs
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
 from nhc.simulate.task import DONE, Task
 from nhc.study.chart.measure import describe_machine, time_repeats
@@ -55,7 +55,7 @@ def list_pairs() -> list[Pair]:
             if not made.reduction.left and not made.chosen:
                 continue
             start = start_of(system, scene)
-            full = prepare(equations_of(system, base), base, start, hold=False)
+            full = prepare(Recipe(equations_of(system, base), hold=False), base, start)
             found.append(Pair(path.stem, scene.name, full, job_of(made.planner, start, jacobian=False)))
     return found
 

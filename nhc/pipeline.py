@@ -182,7 +182,7 @@ def check(source: Source, *, explain: bool = True) -> Report:
     return Report(bag.diagnostics, facts.lines, facts.data)
 
 
-def compare(source: Source) -> tuple[System, Certificate]:
+def compare(source: Source) -> Certificate:
     """Whether all formulations agree on a spec, decided exactly.
 
     Raises:
@@ -190,8 +190,7 @@ def compare(source: Source) -> tuple[System, Certificate]:
     """
     from nhc.mechanics.certificates.certificate import certify
 
-    system = resolve(decode(source))
-    return system, certify(system)
+    return certify(resolve(decode(source)))
 
 
 def check_certificate(source: Source, text: str) -> list[str]:

@@ -115,7 +115,7 @@ def apply_function(arithmetic: Any, op: str, x: Any, y: Any = None) -> Any:
     return getattr(arithmetic, op)(x)
 
 
-def sign_of_constant(graph: Graph, first: Node, second: Node | None = None) -> int:
+def sign_of_constant(graph: Graph, first: Node, second: Node | None) -> int:
     """The sign of a constant, or of the difference of two, as floats tell it; 0 where they do not."""
     try:
         values = [float(value) for value in evaluate(graph, [first] if second is None else [first, second], {})]

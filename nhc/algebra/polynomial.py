@@ -186,7 +186,7 @@ def _expander(graph: Graph, limit: int, closed: bool = False) -> Expander:
     return found
 
 
-def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300, swollen: int = 0) -> list[Node]:
+def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int, swollen: int = 0) -> list[Node]:
     """Each node in canonical short form where that has at most ``limit`` terms; common parts are expanded once.
 
     With ``swollen``, a node that would have more terms than that before any of them cancel is left as it is, and so is one that has

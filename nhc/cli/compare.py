@@ -65,7 +65,7 @@ def command(
 
     if old is not None:
         return _check(pipeline.check_certificate(source, _read(old)), old)
-    made = pipeline.compare(source)[1]
+    made = pipeline.compare(source)
     if as_json:
         data = to_data(made, source.text)
         put_json("nhc.compare/1", {key: data[key] for key in data if key not in ("schema", "nhc")})

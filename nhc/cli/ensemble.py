@@ -59,7 +59,7 @@ def run_starts(
         rows = read_starts(text, spec)
         beside = extreme_scenes(chosen, rows)
         job = open_scene(
-            source, scene, formulation, needs, method=settings.method, hold=hold, whole=True, beside=beside
+            source, scene, formulation, needs=needs, method=settings.method, hold=hold, whole=True, beside=beside
         )
         starts = list_starts(job.system, job.scene, rows)
     except RunError as error:

@@ -138,22 +138,25 @@ def command(
         return run_starts(source, ensemble, scene, formulation or "", needs, not drift, settings, target)
     page = target is not None and target.suffix == ".html"
     try:
-        asked = (formulation or "", needs, until, method, not drift, project, page)
-        job = open_scene(source, scene, *asked, draw=page, stay=stay)
+        job = open_scene(
+            source,
+            scene,
+            formulation or "",
+            needs=needs,
+            until=until,
+            method=method,
+            hold=not drift,
+            project=project,
+            checks=page,
+            draw=page,
+            stay=stay,
+        )
     except RunError as error:
         raise Failure(str(error), error.help) from error
     if not scene:
         say(f"taking the scene `{job.scene.name}`")
     check_steps(step, *job.time)
-    found = _integrate(job, settings)
-    for note in found.notes:
-        say(f"note: {note}")
-    if found.ended in ("done", "event"):
-        if until and found.ended != "event":
-            say("the expression of `--until` does not cross zero before the end of the scene")
-        _deliver(found, target)
-        return 0
-    return _report(found, target)
+    return _conclude(_integrate(job, settings), target, until)
 
 
 def _check_accuracy(method: str, tolerance: float, step: float) -> None:
@@ -189,6 +192,18 @@ def _check_target(output: str | None, force: bool) -> Path | None:
     if path.exists() and not force:
         raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)
     return path
+
+
+def _conclude(found: Trajectory, target: Path | None, until: str) -> int:
+    """Say what is to be said of a run, and write it."""
+    for note in found.notes:
+        say(f"note: {note}")
+    if found.ended not in ("done", "event"):
+        return _report(found, target)
+    if until and found.ended != "event":
+        say("the expression of `--until` does not cross zero before the end of the scene")
+    _deliver(found, target)
+    return Exit.DONE
 
 
 def _deliver(found: Trajectory, target: Path | None) -> None:

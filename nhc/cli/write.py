@@ -14,7 +14,7 @@ _FILES = (".c", ".h", ".py", ".tex", ".pdf", ".json", ".txt", ".yaml", ".csv", "
 """Endings of files: a name with one of them is not meant for a new folder."""
 
 
-def deliver(text: str, output: str | None, *, force: bool = False) -> None:
+def deliver(text: str, output: str | None, *, force: bool) -> None:
     """Give one text with a final line break to stdout (``output`` None or ``-``), or write it to that file."""
     text = text if text.endswith("\n") else text + "\n"
     if output is None or output == "-":

@@ -56,9 +56,9 @@ def show_origin(origin: Origin) -> str:
 
 
 OPERATIONS = "Operations of one call (+-: sums and differences; calls: sin, cos, ...):"
-"""The line above the counts of :func:`count_operations`."""
+"""The line above the counts of :func:`print_counts`."""
 
 
-def count_operations(adds: int, multiplications: int, divisions: int, calls: int) -> str:
+def print_counts(adds: int, multiplications: int, divisions: int, calls: int) -> str:
     """The operation counts of one function, as a header prints them."""
     return f"{adds} +-, {multiplications} *, {divisions} /, {calls} calls"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
+from nhc.program.contents import list_expressions
 from nhc.program.ir import (
     Binary,
     Call,
@@ -18,7 +19,6 @@ from nhc.program.ir import (
     Power,
     Program,
     Ref,
-    Result,
     Section,
     Solve,
     Statement,
@@ -29,41 +29,9 @@ from nhc.records import record
 
 ZERO = Number(Fraction(0))
 _MANY = 1 << 14
-_VALUED, _BOUND = (Let, Store, Result), (Load, Let)
+_BOUND = (Load, Let)
 # by identity, for comparing what statements say takes longer than looking through them; an entry keeps its statement alive
 _REFS: dict[int, tuple[Statement, frozenset[str]]] = {}
-
-
-def list_expressions(statement: Statement) -> tuple[Expr, ...]:
-    """The expressions that a statement evaluates."""
-    if isinstance(statement, _VALUED):
-        return (statement.value,)
-    if isinstance(statement, Guard):
-        return (statement.value, statement.scale)
-    if isinstance(statement, Solve):
-        rows = statement.matrix + statement.columns
-        return tuple(entry for row in rows for entry in row)
-    if isinstance(statement, Sweep):
-        return tuple(inner.value for inner in statement.body)
-    return ()
-
-
-def walk(expression: Expr) -> list[Expr]:
-    """The expression and all that it is made of; a sum may be thousands of terms deep, hence the stack."""
-    found: list[Expr] = []
-    stack: list[Expr] = [expression]
-    while stack:
-        node = stack.pop()
-        found.append(node)
-        if isinstance(node, Binary):
-            stack += (node.left, node.right)
-        elif isinstance(node, Negate):
-            stack.append(node.operand)
-        elif isinstance(node, Power):
-            stack.append(node.base)
-        elif isinstance(node, Call):
-            stack += node.arguments
-    return found
 
 
 def iterate_refs(expression: Expr) -> list[str]:

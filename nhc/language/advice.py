@@ -16,7 +16,7 @@ _RATES = tuple(
 # key of a spec as others call it -> (this language's key, what to do)
 _ENERGIES = "a Lagrangian is given by its energies: `T: ...`, and `V: ...` with L = T - V"
 _FRICTION = "friction is given as forces: `forces: {x: -c*x'}`"
-_SCENE = "it belongs into a scene: `scenes: {go: {initial: {...}, time: [0, 10]}}`"
+_SCENE = "it belongs in a scene: `scenes: {go: {initial: {...}, time: [0, 10]}}`"
 KEYS: dict[str, tuple[str, str]] = {
     **dict.fromkeys(("L", "lagrangian", "lagrange"), ("T", _ENERGIES)),
     **dict.fromkeys(("D", "dissipation", "rayleigh", "friction", "damping"), ("forces", _FRICTION)),
@@ -57,7 +57,7 @@ _BODY_KEYS: dict[str, str] = {
 }
 
 # formulation as others call it -> this language's word
-METHODS: dict[str, str] = {
+_FORMULATIONS: dict[str, str] = {
     **dict.fromkeys(
         ("hamel", "boltzmann-hamel", "poincare", "euler-poincare", "kane", "maggi", "appell"), "euler-lagrange"
     ),
@@ -68,11 +68,11 @@ METHODS: dict[str, str] = {
 }
 
 
-def meant_method(name: str) -> str:
+def meant_formulation(name: str) -> str:
     """The formulation that a word stands for elsewhere, or nothing."""
     spelled = unicodedata.normalize("NFD", name.casefold())
     plain = re.sub("[^a-z0-9-]", "", spelled.replace("_", "-").replace(" ", "-"))
-    return METHODS.get(plain, "")
+    return _FORMULATIONS.get(plain, "")
 
 
 def meant_scene_key(name: str, present: Collection[str]) -> tuple[str, str]:

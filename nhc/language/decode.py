@@ -6,7 +6,7 @@ import re
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, several, suggest
-from nhc.language.advice import meant_key, meant_method
+from nhc.language.advice import meant_formulation, meant_key
 from nhc.language.bodies.without import without_bodies
 from nhc.language.drawing import decode_drawing
 from nhc.language.equations import Equations
@@ -57,7 +57,7 @@ class _Draft:
 
 
 class _Decoder:
-    def __init__(self, source: Source, written: Table, bag: Bag, asked: str = "") -> None:
+    def __init__(self, source: Source, written: Table, bag: Bag, asked: str) -> None:
         self.source, self.written = source, written
         self.plain = without_bodies(written, bag, asked)
         self.root = self.plain.root
@@ -157,7 +157,7 @@ class _Decoder:
         if text is None:
             return "auto"
         if text.value not in FORMULATIONS:
-            meant = meant_method(text.value)
+            meant = meant_formulation(text.value)
             help = f"write `{meant}`" if meant else suggest(text.value, FORMULATIONS, f"one of {quote(FORMULATIONS)}")
             self.bag.error("E0312", f"unknown formulation `{text.value}`", text.span, help=(help,))
         return text.value

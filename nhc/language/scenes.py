@@ -37,8 +37,8 @@ def decode_scenes(
     shapes: Shapes,
     scope: Scope,
     parameters: Sequence[Parameter],
-    rotations: Sequence[Rotation] = (),
-    constrained: bool = True,
+    rotations: Sequence[Rotation],
+    constrained: bool,
 ) -> tuple[Scene, ...]:
     """Return the scenes; ``parameters`` and ``rotations`` are those of the spec, which is ``constrained`` if it has constraints."""
     table = shapes.table(node, "a mapping of scenes by name", "write `name:` with its keys below") if node else None

@@ -91,7 +91,7 @@ class Projector:
     With ``moved``, T's forms are those on moving axes: their values, rates and weights are at hand.
     """
 
-    def __init__(self, system: System, kinetic: Kinetic, motion: Motion, moved: Moved | None = None) -> None:
+    def __init__(self, system: System, kinetic: Kinetic, motion: Motion, moved: Moved | None) -> None:
         kinetic = moved.kinetic if moved else kinetic
         self.system, self.kinetic, self.motion = system, kinetic, motion
         g = system.graph

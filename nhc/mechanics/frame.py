@@ -118,7 +118,7 @@ class Frame:
         g, n = self.graph, self.system.n
         if self.turned:
             x = Direction(self.system, self.vectors[t]) if t < n else Direction(self.system, self.drift, g.one)
-            closed = turning.exterior_derivative(self.system, self.forms[i], x, Direction(self.system, self.vectors[j]))
+            closed = turning.derivative_by_turns(self.system, self.forms[i], x, Direction(self.system, self.vectors[j]))
             if closed is not None:
                 return closed
         first = (*self.vectors[t], g.zero) if t < self.system.n else (*self.drift, g.one)

@@ -250,7 +250,7 @@ def exterior_derivative(system: System, form: Form, x: Direction, e: Direction) 
     g = system.graph
     if not _reach(system, form) & e.reach:
         return g.zero
-    closed = turning.exterior_derivative(system, form, x, e) if system.rotations else None
+    closed = turning.derivative_by_turns(system, form, x, e) if system.rotations else None
     if closed is not None:
         return closed
     total = g.dot(x.slopes(form.coefficients), e.x)

@@ -85,9 +85,11 @@ def reduced(system: System, formulation: Formulation) -> Formulation:
 
 
 @record
-class Leaf:
-    """The leaf through a configuration: ``dimension``, and vectors over q that span its tangent space (``fields``) or rows that
-    vanish on it (``normals``), whichever is known.  Neither is needed where ``dimension`` is n: no hidden holonomic constraint.
+class HiddenLeaf:
+    """What hidden holonomic constraints leave of the configurations near one of them.
+
+    ``dimension``, and vectors over q that span its tangent space (``fields``) or rows that vanish on it (``normals``), whichever is
+    known.  Neither is needed where ``dimension`` is n: no hidden holonomic constraint.
     """
 
     dimension: int
@@ -95,7 +97,7 @@ class Leaf:
     normals: tuple[tuple[Node, ...], ...] = ()
 
 
-def leaf_of(system: System, frame: Frame) -> Leaf:
+def hidden_leaf(system: System, frame: Frame) -> HiddenLeaf:
     """All brackets of the free vectors with each other and with the drift, until their rank grows no more.
 
     Constraints that are integrable by themselves are taken as normals where they are enough: brackets may lose rank
@@ -110,10 +112,10 @@ def leaf_of(system: System, frame: Frame) -> Leaf:
     base = [*free, (*frame.drift, g.one)] if moving else free
     dimension = terminal_rank(g, variables if moving else system.q, base if moving else frame.free_vectors) - moving
     if dimension == n:
-        return Leaf(n)
+        return HiddenLeaf(n)
     closed = [form.coefficients for form in system.constraints if is_integrable(system, form)]
     if len(closed) == n - dimension:
-        return Leaf(dimension, normals=tuple(closed))
+        return HiddenLeaf(dimension, normals=tuple(closed))
     spanned, everything, newest = list(free), list(free), list(free)
     while newest:
         brackets = [lie_bracket(g, variables, x, y) for x in base for y in newest if x != y]
@@ -125,7 +127,7 @@ def leaf_of(system: System, frame: Frame) -> Leaf:
             if rank(g, [*spanned, field]) > len(spanned):
                 spanned.append(field)
                 newest.append(field)
-    return Leaf(dimension, fields=tuple(field[:n] for field in everything))
+    return HiddenLeaf(dimension, fields=tuple(field[:n] for field in everything))
 
 
 # --- names ---------------------------------------------------------------------------------------------------

@@ -113,7 +113,7 @@ def spread(graph: Graph, v: Sequence[Node], rotations: Sequence[Rotation], value
     return memo[value]
 
 
-def exterior_derivative(system: System, form: Form, x: Direction, e: Direction) -> Node | None:
+def derivative_by_turns(system: System, form: Form, x: Direction, e: Direction) -> Node | None:
     """d form (X, e) = X(f_k) theta_k(e) - e(f_k) theta_k(X) + f_k d theta_k (X, e) for form = f_k theta_k + f_0 dt.
 
     The theta_k are the dq_i and the rotations' omega.  None where the form's own words are not known.

@@ -71,7 +71,7 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
     kept = ~g.mask((*planner.state_loads,))
     found = dict[tuple[Node, tuple[float, float]], None]()
     for node, (_, part) in zip(nodes, wanted, strict=True):
-        told = not g.deps[node] & kept and not planner._is_constant(node) and count(g, [node]) <= _LARGE
+        told = not g.deps[node] & kept and not planner.is_constant(node) and count(g, [node]) <= _LARGE
         if told and not _is_mild(g, node, part, ranges):
             found[_bounded(g, node), part] = None
     if not found:

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, UNARY, Graph, Node
+from nhc.program.contents import count_operations
 from nhc.program.ir import (
     Binary,
     Call,
@@ -35,7 +36,6 @@ from nhc.program.ir import (
 )
 from nhc.program.named_nodes import choose_names, find_constants, find_shared, find_turned
 from nhc.program.naming import Namer
-from nhc.program.passes import count_operations
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, SweepPlan
 from nhc.program.powers import part_powers
 

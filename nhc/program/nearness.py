@@ -53,7 +53,7 @@ def find_nearness(planner: PlannerBase) -> Nearness | None:
     masses = len(given.matrix) - len(planner.equations.multipliers)
     points = _points(planner, given.matrix)
     matrix = _in_own_units(g, given.matrix, _least_masses(planner, given.matrix[:masses], points), masses)
-    if all(planner._is_constant(entry) for row in matrix for entry in row):
+    if all(planner.is_constant(entry) for row in matrix for entry in row):
         return None
     columns = _columns(len(matrix))
     usual = _find_usual(g, given.matrix, matrix, columns, masses, points)
@@ -74,11 +74,11 @@ def are_masses_regular(planner: PlannerBase, known: dict[Node, Interval]) -> boo
     matrix = [row[:masses] for row in planner.solves[0].matrix[:masses]]
     for block in _blocks(g, matrix):
         if len(block) > _MOST_ROWS:
-            if any(not planner._is_constant(matrix[i][j]) for i in block for j in block):
+            if any(not planner.is_constant(matrix[i][j]) for i in block for j in block):
                 return False
             continue
         value = determinant_of(g, [[matrix[i][j] for j in block] for i in block])
-        if planner._is_constant(value):
+        if planner.is_constant(value):
             continue
         if count(g, [value]) > _LARGE or not cannot_vanish(g, normalise(g, value, _TERMS), known):
             return False
@@ -119,7 +119,7 @@ def _least_masses(
     """Where a mass that changes comes down to this, a small part of its largest value, the constraints give the unit, too."""
     found = [0.0] * len(matrix)
     for i, row in enumerate(matrix):
-        for point in points if not planner._is_constant(row[i]) else ():
+        for point in points if not planner.is_constant(row[i]) else ():
             with suppress(ArithmeticError, ValueError):
                 found[i] = max(found[i], abs(float(evaluate(planner.graph, [row[i]], point)[0])))
     return [_power_below(_NO_MASS * x) if 0.0 < x < math.inf else Fraction(0) for x in found]

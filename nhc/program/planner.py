@@ -113,7 +113,7 @@ class PlannerBase:
     def _guard_pivots(self, pivots: Sequence[tuple[Node, Node]], tolerance: float) -> list[GuardPlan]:
         what = MASS_LOST
         # determinants of the coframe are in it, squared: it is lost before they are
-        if any(not self._is_constant(value) for value, _ in self.equations.guards):
+        if any(not self.is_constant(value) for value, _ in self.equations.guards):
             what += ", or the velocities that are kept are"
         g = self.graph
         sizes = [(g.a[pivot] if g.op[pivot] == NEG else pivot, pivot, scale) for pivot, scale in pivots]
@@ -160,12 +160,12 @@ class PlannerBase:
         for value, scale in pairs:
             size = g.a[value] if g.op[value] == NEG else value
             # a constant determinant is only held against zero: its scale would be work for nothing
-            limit = g.zero if self._is_constant(value) else scale
+            limit = g.zero if self.is_constant(value) else scale
             tolerance = float(f"{10.0 ** -(digits + usual_digits(self.system, size, limit)):.2g}")
             once.setdefault(size, GuardPlan(size, limit, tolerance, status, what))
         return tuple(once.values())
 
-    def _is_constant(self, node: Node) -> bool:
+    def is_constant(self, node: Node) -> bool:
         """Made of parameters and numbers only."""
         return not self.graph.deps[node] & ~self.graph.mask(self.parameters)
 

@@ -87,7 +87,7 @@ class ScenePlanner(Planner):
         if g.op[node] != MUL:
             return [node]
         return [
-            factor for factor in (*self._factors(g.a[node]), *self._factors(g.b[node])) if not self._is_constant(factor)
+            factor for factor in (*self._factors(g.a[node]), *self._factors(g.b[node])) if not self.is_constant(factor)
         ]
 
     def _dense(self) -> tuple[list[list[Node]], list[Node]]:

@@ -16,36 +16,37 @@ MOST_STEPS = 1_000_000_000
 
 @record
 class Limits:
-    """When a run whose steps become ever shorter is given up, and an entry of the state that holds them up let go.
-
-    After ``stride`` attempts it is asked whether the rest would take more than MOST_STEPS of the same length: whether less than
-    ``few`` of it is done. ``patience``: how often in a row that is so before the run ends; past a singular place steps are that
-    short too, for some hundred thousand. ``hopeless``: refusals in a row by errors that are none the less for the shorter step,
-    after which an entry that is next to nothing is held to a millionth of the largest one. ``returns``: how often a run goes back
-    to where steps were held to sizes that did not come, before no sizes to come are believed any more. ``trust``: the error of a
-    refused step of an explicit method, relative to its end, up to which it tells how large the state becomes. ``power``: of the
-    time, with which a state may grow in a step that tells this; dop853 sees none above 22, for the end has 1/22 of the weight.
-    ``faint``: the part of the largest entry below which another one may be made by rounding. ``opening``: the first step's part
-    of a run from rest, of explicit methods; about a tenth, and sin(18 deg)^2, for round parts of a run may be whole numbers of a
-    force's periods. ``turn``: the radians of a clock, of what is periodic in time, in a step up to which the estimate of its
-    error tells what the clock does; ``far``: those of dop853.
+    """When a run whose steps become ever shorter is given up, when an entry of the state may no longer hold the others up, and how
+    far an estimate of the error is believed.
     """
 
     stride: int = 20_000
+    """Attempts at steps after which it is asked whether the rest of the run would take more than MOST_STEPS of that length."""
     patience: int = 50
+    """How often in a row it would before the run ends; just past a singular place steps are that short too, some 1e5 of them."""
     hopeless: int = 2
+    """Refusals in a row whose error a shorter step did not lessen; then entries near zero are held to 1e-6 of the largest only."""
     returns: int = 20
+    """How often a run goes back because entries did not grow as a refused step foretold; then such forecasts are ignored."""
     trust: float = 0.1
+    """The error of a refused explicit step, relative to its end, up to which that end foretells how large entries become."""
     power: float = 24.0
+    """The power of the time with which entries may grow in such a step; dop853, whose end weighs 1/22, sees none above 22."""
     faint: float = 1e-10
+    """The part of the largest entry below which another one may be made by rounding."""
     opening: float = 0.09549150281252627
+    """The first step of an explicit method from rest, as a part of the run: a tenth, but sin(18 deg)^2, since round parts of a
+    run may be whole numbers of a force's periods."""
     turn: float = 2.0
+    """Radians that a clock (what is periodic in time) may turn in a step for the estimate of the error to tell what it does."""
     far: float = 3.0
+    """The same for dop853."""
     safety: float = SAFETY
     least_tolerance: float = LEAST_TOLERANCE
 
     @property
     def few(self) -> float:
+        """The part of a run that ``stride`` steps take where the whole takes MOST_STEPS."""
         return self.stride / MOST_STEPS
 
 

@@ -93,9 +93,9 @@ class _Measure:
 
 def watch_function(
     planner: Planner,
-    event: Node | None = None,
-    weak: bool = False,
-    known: dict[Node, tuple[float, float]] | None = None,
+    event: Node | None,
+    weak: bool,
+    known: dict[Node, tuple[float, float]],
 ) -> tuple[Function | None, Watch]:
     """The function of a run's watched values, None where there are none; ``weak``: with the levels of weakness.
 
@@ -103,9 +103,9 @@ def watch_function(
     """
     events = [] if event is None else planner.on_motion([event])
     frames = _frames(planner)
-    determinants = [*_turned(planner), *_determinant(planner, known or {})]
-    whole, solves = _whole(planner, known or {})
-    measures = [*frames, *determinants, *_pivots(planner, known or {}), *_rank(planner), *whole]
+    determinants = [*_turned(planner), *_determinant(planner, known)]
+    whole, solves = _whole(planner, known)
+    measures = [*frames, *determinants, *_pivots(planner, known), *_rank(planner), *whole]
     signs = [m for m in (*frames, *determinants) if m.value not in events]
     nodes, about, kinds = [*events, *(m.value for m in signs)], [""] * len(events), ["event"] * len(events)
     about += [m.what for m in signs]
@@ -126,7 +126,7 @@ def watch_function(
 
 def look_out(planner: Planner, parameters: Sequence[Sequence[float]]) -> Lookout | None:
     """What a driver watches in scenes with these values of the spec's parameters; None where nothing can be lost."""
-    function, watch = watch_function(planner, None, known=known_values(planner.system, parameters))
+    function, watch = watch_function(planner, None, False, known_values(planner.system, parameters))
     if function is None:
         return None
     return Lookout(function, tuple(watch.describe(k) for k in range(len(watch.about))), watch.dips)
@@ -156,7 +156,7 @@ def _turned(planner: Planner) -> list[_Measure]:
 def _guarded(planner: Planner, guards: Sequence[GuardPlan], kind: str, levels: tuple[Fraction, ...]) -> list[_Measure]:
     seen: dict[Node, _Measure] = {}
     for guard in guards:
-        if not planner._is_constant(guard.value):
+        if not planner.is_constant(guard.value):
             usual = Fraction(1, 10 ** usual_digits(planner.system, guard.value, guard.scale))
             scale = planner.graph.mul(planner.graph.number(usual), guard.scale)
             seen.setdefault(guard.value, _Measure(guard.value, scale, False, kind, guard.what, levels))
@@ -168,7 +168,7 @@ def _pivots(planner: Planner, known: dict[Node, tuple[float, float]]) -> list[_M
     g, found = planner.graph, []
     ranges = {**intervals(planner.system), **known}
     for guard in planner.mass_guards:
-        if guard in planner.turned_guards or planner._is_constant(guard.value) or count(g, [guard.value]) > _LARGE:
+        if guard in planner.turned_guards or planner.is_constant(guard.value) or count(g, [guard.value]) > _LARGE:
             continue
         if cannot_vanish(g, normalise(g, guard.value, _TERMS), ranges):
             continue
@@ -184,7 +184,7 @@ def _determinant(planner: Planner, known: dict[Node, tuple[float, float]]) -> li
         return []
     rows = planner.solves[0].matrix
     value = determinant_of(g, [list(row) for row in rows])
-    if count(g, [value]) > _LARGE or planner._is_constant(value):
+    if count(g, [value]) > _LARGE or planner.is_constant(value):
         return []
     if cannot_vanish(g, normalise(g, value, _TERMS), {**intervals(planner.system), **known}):
         return []
@@ -214,7 +214,7 @@ def _rank(planner: Planner) -> list[_Measure]:
     if lost.regular is not False:
         return []
     value = g.sum([g.power(minor, 2) for minor in substitute(g, lost.minors, planner.put_in)])
-    if planner._is_constant(value):
+    if planner.is_constant(value):
         return []
     what = "the constraints lose rank"
     return [_Measure(value, size_of(g, value), True, "rank", what, (THIN,))]

@@ -7,8 +7,8 @@ import math
 from nhc.report.marks import HEADING, draw_box, draw_cross, draw_document, draw_line, draw_marker, draw_text
 from nhc.report.panel import ROUNDING, Panel, Style, draw_panel, style_of
 from nhc.report.ticks import log_scale
-from nhc.study.chart.advice import NAMES, duration
 from nhc.study.chart.case import RESOLVED, Result, Study
+from nhc.study.chart.words import LANGUAGE_NAMES, duration
 
 WIDTH, LEFT = 1060, 74
 MAIN_WIDTH, MAIN_HEIGHT = 800, 500
@@ -94,7 +94,7 @@ def _draw_legend(study: Study, style: Style, top: float) -> tuple[list[str], flo
         x = LEFT + 78.0
         parts.append(draw_text(LEFT, at, kind, more=BOLD))
         for name in names:
-            label = NAMES.get(name, name) if kind == "run by" else style.label(name)
+            label = LANGUAGE_NAMES.get(name, name) if kind == "run by" else style.label(name)
             if x + 40 + 7.4 * len(label) > WIDTH - 20:
                 x, at = LEFT + 78.0, at + 20
             parts += _draw_key(kind, name, label, x, at, style)
@@ -158,7 +158,7 @@ def _draw_strip(panel: Panel, study: Study, style: Style) -> list[str]:
         parts.append(f'<g class="{style.classes(result)}">')
         parts.append(draw_cross(left + 12, y, min(4.0, space / 3), colour, f' class="point" data-k="{k}"'))
         parts.append(draw_marker(style.shape(formulation), left + 27, y, min(SMALLEST, space / 3), colour))
-        text = f"{method}, {NAMES.get(language, language)}"
+        text = f"{method}, {LANGUAGE_NAMES.get(language, language)}"
         parts.append(draw_text(left + 38, y + 4, text, more=size))
         share = "all" if len(results) == counts[series] else f"{len(results)}/{counts[series]}"
         parts.append(draw_text(left + width - 6, y + 4, share, "end", size))
@@ -188,7 +188,7 @@ def _draw_costs(study: Study, top: float) -> tuple[list[str], float]:
             ("python", ("square", "#e69f00"), cost.python),
         ):
             if math.isfinite(value):
-                words = f"{NAMES[language]}: {duration(value)}"
+                words = f"{LANGUAGE_NAMES[language]}: {duration(value)}"
                 more = f", {cost.operations}, {cost.states} states" if language == "c" else ""
                 parts.append(draw_marker(look[0], x + scale.place(value), at + 8, SMALLEST, look[1]))
                 parts.append(draw_text(x + scale.place(value) + 10, at + 12, words + more, more=' font-size="11"'))

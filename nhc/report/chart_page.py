@@ -9,8 +9,9 @@ from nhc.emit.environment import create_environment
 from nhc.report.chart import draw_study
 from nhc.report.chart_text import list_failures, list_omissions, provenance, runs_of, times_to_targets
 from nhc.report.panel import Style, style_of
-from nhc.study.chart.advice import NAMES, TARGETS, advise, duration, setting, spell_power
+from nhc.study.chart.advice import TARGETS, advise
 from nhc.study.chart.case import Result, Study
+from nhc.study.chart.words import LANGUAGE_NAMES, duration, name_case, setting, spell_power
 from nhc.version import __version__
 
 
@@ -26,7 +27,7 @@ def make_page(study: Study) -> str:
         "targets": [spell_power(target) for target in TARGETS],
         "times": [
             (
-                [escape(series[0]), escape(series[1]), escape(NAMES.get(series[2], series[2]))],
+                [escape(series[0]), escape(series[1]), escape(LANGUAGE_NAMES.get(series[2], series[2]))],
                 list(map(duration, times)),
             )
             for series, times in times_to_targets(study)
@@ -49,7 +50,7 @@ def list_choices(style: Style) -> list[tuple[str, list[tuple[str, str]]]]:
     """(kind, [(class, name)]) of everything that can be hidden."""
     kinds = (("method", "m", style.methods), ("equations", "f", style.formulations), ("run by", "l", style.languages))
     return [
-        (kind, [(f"{letter}{k}", escape(style.label(NAMES.get(name, name)))) for k, name in enumerate(names)])
+        (kind, [(f"{letter}{k}", escape(style.label(LANGUAGE_NAMES.get(name, name)))) for k, name in enumerate(names)])
         for kind, letter, names in kinds
     ]
 
@@ -57,7 +58,7 @@ def list_choices(style: Style) -> list[tuple[str, list[tuple[str, str]]]]:
 def describe(result: Result) -> list[str]:
     """A row of the table of all cases."""
     case = result.case
-    head = [case.formulation, case.method, NAMES.get(case.language, case.language), setting(case)]
+    head = [case.formulation, case.method, LANGUAGE_NAMES.get(case.language, case.language), setting(case)]
     if result.failed:
         return [*head, f"failed: {result.failed}", "", "", "", "", "", ""]
     numbers = [f"{x:.1e}" for x in (result.error, result.grid_error, result.energy, result.residual)]
@@ -67,8 +68,7 @@ def describe(result: Result) -> list[str]:
 
 def read_out(result: Result) -> str:
     """What the pointer reads."""
-    case = result.case
-    head = f"{case.formulation}, {case.method}, {NAMES.get(case.language, case.language)}, {setting(case)}"
+    head = name_case(result.case)
     if result.failed:
         return f"{head}\nfailed: {result.failed}"
     lines = (

@@ -6,8 +6,9 @@ import json
 import math
 from dataclasses import asdict
 
-from nhc.study.chart.advice import NAMES, TARGETS, advise, duration, fastest, spell_power
+from nhc.study.chart.advice import TARGETS, advise, fastest
 from nhc.study.chart.case import RESOLVED, Result, Study
+from nhc.study.chart.words import LANGUAGE_NAMES, duration, spell_power
 from nhc.version import __version__
 
 SCHEMA = "nhc.chart/1"
@@ -129,7 +130,7 @@ def _omissions(study: Study) -> list[str]:
 def _table_of_times(study: Study) -> str:
     head = ["equations", "method", "run by", *(spell_power(target) for target in TARGETS)]
     rows = [
-        [series[0], series[1], NAMES.get(series[2], series[2]), *(duration(t) for t in times)]
+        [series[0], series[1], LANGUAGE_NAMES.get(series[2], series[2]), *(duration(t) for t in times)]
         for series, times in times_to_targets(study)
     ]
     return table(head, rows, left=3)

@@ -9,9 +9,9 @@ from nhc.report.comparison_text import run_of
 from nhc.report.marks import HEADING, draw_cross, draw_document, draw_line, draw_marker, draw_text
 from nhc.report.panel import Panel, Style, draw_panel, style_of
 from nhc.report.svg import Axis, Chart, Series, dash_of, draw_inside, time_axis
-from nhc.study.chart.advice import duration
 from nhc.study.chart.case import RESOLVED, Result
 from nhc.study.chart.fidelity import Comparison
+from nhc.study.chart.words import duration
 
 WIDTH, LEFT = 1060, 74
 MAIN_WIDTH, MAIN_HEIGHT = 955, 400

@@ -18,9 +18,9 @@ from nhc.report.comparison_text import (
     to_markdown,
 )
 from nhc.report.panel import style_of
-from nhc.study.chart.advice import NAMES, duration, setting, spell_power
 from nhc.study.chart.case import Result
 from nhc.study.chart.fidelity import Comparison
+from nhc.study.chart.words import duration, name_case, spell_power
 from nhc.version import __version__
 
 
@@ -59,8 +59,7 @@ def make_comparison_page(made: Comparison) -> str:
 
 def read_out(result: Result) -> str:
     """What the pointer reads."""
-    case = result.case
-    head = f"{case.formulation}, {case.method}, {NAMES.get(case.language, case.language)}, {setting(case)}"
+    head = name_case(result.case)
     if result.failed:
         return f"{head}\nfailed: {result.failed}"
     lines = (

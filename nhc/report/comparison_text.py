@@ -8,9 +8,10 @@ from collections.abc import Sequence
 from dataclasses import asdict
 
 from nhc.report.chart_text import table
-from nhc.study.chart.advice import duration, fastest, setting, spell_power
+from nhc.study.chart.advice import fastest
 from nhc.study.chart.case import Result
 from nhc.study.chart.fidelity import Comparison, Rung
+from nhc.study.chart.words import duration, setting, spell_power
 from nhc.version import __version__
 
 SCHEMA = "nhc.comparison/1"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from nhc.study.chart.advice import duration
+from nhc.study.chart.words import duration
 from nhc.study.simplify.ladder import Ladder
 
 _SHOWN = 6  # needed quantities with a column of their own in the table

@@ -12,7 +12,7 @@ from nhc.emit.environment import create_environment
 from nhc.report.ladder import list_rungs, print_how, reduced_spec
 from nhc.report.marks import draw_axes, draw_document, draw_line, draw_marker, draw_text
 from nhc.report.ticks import linear_scale, log_scale
-from nhc.study.chart.advice import duration
+from nhc.study.chart.words import duration
 from nhc.study.simplify.ladder import Ladder, Rung
 from nhc.version import __version__
 

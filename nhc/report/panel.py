@@ -11,8 +11,8 @@ from nhc.report.labels import Box, place_names
 from nhc.report.marks import SHAPES, draw_axes, draw_box, draw_marker, draw_text
 from nhc.report.svg import COLOURS, dash_of
 from nhc.report.ticks import Scale, log_scale
-from nhc.study.chart.advice import NAMES
 from nhc.study.chart.case import Case, Result
+from nhc.study.chart.words import LANGUAGE_NAMES
 
 DASHES = {"c": "", "python": "7 4", "scipy": "2 3", "heyoka": "9 3 2 3", "sundials": "4 3", "diffrax": "1 3 5 3"}
 OTHER_DASH = "1 5"
@@ -43,7 +43,7 @@ class Style:
 
     def label(self, method: str) -> str:
         """A method's name, with its maker where that is not nhc."""
-        return next((f"{method} ({NAMES[maker]})" for name, maker in self.foreign if name == method), method)
+        return next((f"{method} ({LANGUAGE_NAMES[maker]})" for name, maker in self.foreign if name == method), method)
 
     def dash(self, language: str) -> str:
         return DASHES.get(language, OTHER_DASH)
@@ -139,7 +139,7 @@ def _draw_names(
     for series in lines:
         kinds.setdefault(series[1:], []).append(series)
     order = sorted(kinds, key=lambda kind: kind[1] == "python")
-    texts = {kind: kind[0] if kind[1] == "c" else f"{kind[0]}, {NAMES[kind[1]]}" for kind in order}
+    texts = {kind: kind[0] if kind[1] == "c" else f"{kind[0]}, {LANGUAGE_NAMES[kind[1]]}" for kind in order}
     places = [
         (texts[kind], [[_place(panel, r, x, y) for _, r in lines[series]] for series in kinds[kind]]) for kind in order
     ]

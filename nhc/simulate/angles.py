@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nhc.emit.statements import collect_refs, iterate_refs, list_expressions
+from nhc.emit.statements import collect_refs, iterate_refs
+from nhc.program.contents import list_expressions, walk
 from nhc.program.ir import Binary, Call, Expr, Guard, Let, Load, Negate, Power, Ref, Statement, Store
-from nhc.program.passes import walk
 from nhc.records import record
 
 TURNED = ("sin", "cos")

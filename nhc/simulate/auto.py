@@ -1,4 +1,7 @@
-"""The method that ``nhc run --method auto`` takes: a rule read off work-precision studies (docs/chart.md), and one trial.
+"""The method for a run before it begins: a rule read off work-precision studies (docs/chart.md), and one trial.
+
+For comparisons and smaller models, which are all run by one method.  ``nhc run`` looks along its way instead
+(:mod:`nhc.simulate.pacing`).
 
 Stiff: radau5.  Else dopri5 where 1e-2 is enough, and dop853 for all that is finer.  Stiff means here that a trial run of
 dopri5 at a coarse tolerance takes steps as long as its stability allows, and that what holds it there is a decaying mode
@@ -16,7 +19,7 @@ from nhc.simulate.task import DONE, TOO_MANY, Task
 
 COARSE = 1e-2
 TRIAL_TOLERANCE, TRIAL_STEPS = 1e-3, 200
-HELD = 2.0  # dopri5 is stable for real h lambda from -3.3 to 0; steps about that long swing between 2 and 3.3
+_HELD = 2.0  # dopri5 is stable for real h lambda from -3.3 to 0; steps about that long swing between 2 and 3.3
 _TURNS = 80
 _SAME = 0.2
 
@@ -24,7 +27,7 @@ _SAME = 0.2
 def choose_method(job: Job, tolerance: float) -> tuple[str, str]:
     """(method, why) for a relative accuracy; the job's program has the Jacobian."""
     measured = _trial(job)
-    if measured > HELD:
+    if measured > _HELD:
         return "radau5", f"stiff: a mode decays {measured:.2g} times within one coarse step of dopri5"
     if tolerance >= COARSE:
         return "dopri5", f"not stiff, and 1e-2 is enough (accuracy {tolerance:g})"

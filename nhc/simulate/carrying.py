@@ -26,8 +26,7 @@ def make_job(recipe: Recipe, system: System, formulation: Formulation, job: Job)
     """The job in another formulation, with its whole state."""
     own = formulation == job.formulation
     equations = recipe.equations if own else equations_of(system, formulation)
-    asked = (recipe.needs, recipe.event, recipe.jacobian, False, recipe.hold, recipe.checks, recipe.draw, recipe.weak)
-    return prepare(equations, formulation, job.start, *asked)
+    return prepare(replace(recipe, equations=equations), formulation, job.start)
 
 
 def implicit_job(recipe: Recipe, job: Job) -> Job:
@@ -35,9 +34,9 @@ def implicit_job(recipe: Recipe, job: Job) -> Job:
     wanted = replace(recipe, jacobian=True)
     if job.kept is not None:
         return make_job(wanted, job.system, job.formulation, job)
-    reduced = prepare_reduced(recipe.equations, job.formulation, job.start, True, recipe.weak)
+    reduced = prepare_reduced(wanted, job.formulation, job.start)
     assert reduced is not None
-    return replace(reduced, recipe=wanted)
+    return reduced
 
 
 def place_of(job: Job, recipe: Recipe, outcome: Outcome) -> Place | None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.emit.c.body import BodyPrinter
-from nhc.emit.c.lines import FUNCTIONS, HELPERS, bound_test, wrap_code
+from nhc.emit.c.lines import C_NAMES, HELPERS, bound_test, wrap_code
 from nhc.emit.c.literals import PI, print_double
 from nhc.emit.c.names import make_scope
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
@@ -96,7 +96,7 @@ class _Dialect:
             for argument in arguments[1:]:
                 text = self._call(name, (text, argument))
             return text
-        return self._call(FUNCTIONS.get(function, function), arguments)
+        return self._call(C_NAMES.get(function, function), arguments)
 
     def _call(self, name: str, arguments: tuple[str, ...]) -> str:
         if self.kind == ONE:

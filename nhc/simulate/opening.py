@@ -43,6 +43,7 @@ def open_scene(
     source: Source,
     scene: str = "",
     formulation: str = "",
+    *,
     needs: tuple[str, ...] = (),
     until: str = "",
     method: str = AUTO,
@@ -54,10 +55,13 @@ def open_scene(
     stay: bool = False,
     beside: tuple[Scene, ...] = (),
 ) -> Job:
-    """The job of a scene (default: the first); ``until`` is an expression in the spec's names whose zero ends the run;
-    ``whole`` keeps states that this start alone does not need; ``draw`` computes what the spec draws as well; ``stay`` keeps to
-    the formulation where it becomes singular (an ensemble, which is whole, always does); ``beside``: scenes that the spec does not
-    have, whose values of the parameters the job must be right for, too.
+    """The job of a scene (default: the first) in a formulation (default: the spec's, or the one that nhc chooses).
+
+    ``needs``: names of quantities (default: the scene's); ``until``: an expression in the spec's names whose zero ends the run;
+    ``hold``: bring states back to the constraints; ``project``: replace a start that violates them by the nearest that does not;
+    ``checks``: compute energy and residuals as well, with ``draw`` what the spec draws; ``whole``: keep states that this start
+    alone does not need; ``stay``: keep to the formulation where it becomes singular (an ensemble, which is whole, always does);
+    ``beside``: scenes that the spec does not have, whose values of the parameters the job must be right for, too.
 
     Raises:
         nhc.diagnostics.SpecError: the spec or the expression has errors.
@@ -81,11 +85,9 @@ def open_scene(
     implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
     plain = not (wanted or until or natural or checks or whole or draw)  # else more is asked than the scene needs
     weak = (method in RUNGE_KUTTA or method == AUTO) and not (stay or whole)
-    reduced = prepare_reduced(equations, form, start, implicit, weak) if plain else None
-    if reduced is not None:
-        job = replace(reduced, recipe=Recipe(equations, jacobian=implicit, hold=hold, weak=weak))
-    else:
-        job = prepare(equations, form, start, wanted, event, implicit, natural, hold, checks, draw, weak, not beside)
+    recipe = Recipe(equations, wanted, event, implicit, hold, checks, draw, weak)
+    job = prepare_reduced(recipe, form, start) if plain else None
+    job = job or prepare(recipe, form, start, natural=natural, fixed=not beside)
     job = replace(job, notes=notes)
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.algebra.graph import Node
@@ -31,7 +30,12 @@ _NOTHING = Sketch()
 
 @record
 class Recipe:
-    """What :func:`prepare` is asked for beside formulation and start."""
+    """What a job is made of beside formulation and start, so that a run can make it again in another formulation.
+
+    ``needs``: names of what the user wants (none: the scene's own); ``event``: its zero ends the run; ``jacobian``: an implicit
+    method needs it; ``hold``: states are brought back to the constraints; ``checks``: energy and residuals are computed as well,
+    with ``draw`` what the spec draws; ``weak``: the coframe is watched for where it becomes weak, before it is singular.
+    """
 
     equations: Equations
     needs: tuple[str, ...] = ()
@@ -45,14 +49,14 @@ class Recipe:
 
 @record
 class Job:
-    """A scene that is ready to run.  ``columns`` are what the user needs, ``checks`` energy and residuals after
-    them, ``sketch`` what is drawn; ``needed`` of the program computes all, in this order.
-    ``meanings``: of the model's status codes;
-    ``watch``: what each watched value means; ``recipe``: what another formulation of the same job is made by;
-    ``holds``: see :func:`nhc.program.hold.hold_functions`;
-    ``stops``: see :mod:`nhc.program.clock`; ``symbols``: the state's entries in the system's graph;
-    ``jumping``: see :mod:`nhc.simulate.stepping_over`;
-    ``kept``: the velocities of the state, or None where the state was reduced for this start alone.
+    """A scene that is ready to run.
+
+    ``y``, ``p``, ``time``: the start's state, parameters, and first and last time, in the spec's units; ``symbols``: the state's
+    entries in the system's graph.  ``columns`` are what the user needs, ``checks`` energy and residuals after them, ``sketch`` what
+    is drawn; ``needed`` of the program computes all, in this order.  ``meanings``: of the model's status codes; ``watch``: what
+    each watched value means; ``holds``: see :func:`nhc.program.hold.hold_functions`; ``stops``: see :mod:`nhc.program.clock`;
+    ``jumping``: see :mod:`nhc.simulate.stepping_over`.  ``kept``: the velocities of the state, or None where the state was reduced
+    for this start alone.  ``recipe``: how the job is made again in another formulation; None where it cannot be.
     """
 
     program: Program
@@ -94,36 +98,29 @@ class Job:
 
 
 def prepare(
-    equations: Equations,
-    formulation: Formulation,
-    start: Start,
-    needs: Sequence[str] = (),
-    event: Node | None = None,
-    jacobian: bool = False,
-    natural: bool = False,
-    hold: bool = True,
-    checks: bool = False,
-    draw: bool = False,
-    weak: bool = False,
-    fixed: bool = True,
+    recipe: Recipe, formulation: Formulation, start: Start, *, natural: bool = False, fixed: bool = True
 ) -> Job:
-    """The job of a scene with ``needs`` (default: its own); ``fixed``: watched for its parameters only, not for all scenes'.
+    """The job of a scene on the whole state of a formulation.
+
+    ``natural``: with the parts of T and V that structure-preserving methods take.  ``fixed``: watched for the start's parameters
+    only, not for those of all scenes.
 
     Raises:
         KeyError: a need that the spec does not have.
     """
-    system, scene = equations.system, start.scene
+    equations, scene = recipe.equations, start.scene
+    system = equations.system
     planner = Planner(equations, formulation)
-    columns = list_columns(planner, tuple(needs) or tuple(need.name for need in scene.need))
-    checked = list_checks(planner) if checks else []
-    sketch = planned_sketch(planner) if draw else _NOTHING
+    columns = list_columns(planner, recipe.needs or tuple(need.name for need in scene.need))
+    checks = list_checks(planner) if recipe.checks else []
+    sketch = planned_sketch(planner) if recipe.draw else _NOTHING
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
-    watch, watched = watch_function(planner, event, weak, known if fixed else {})
+    watch, watched = watch_function(planner, recipe.event, recipe.weak, known if fixed else {})
     structure = structure_of(planner) if natural else Structure()
-    beside = _Beside(structure.functions) if natural else _beside_steps(planner, known, hold)
+    beside = _Beside(structure.functions) if natural else _beside_steps(planner, known, recipe.hold)
     functions = (
-        *build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",)),
-        needed_function(planner, [*columns, *checked, *_drawn(sketch)]),
+        *build_functions(planner, ("rhs", "jacobian") if recipe.jacobian else ("rhs",)),
+        needed_function(planner, [*columns, *checks, *_drawn(sketch)]),
         *(() if watch is None else (watch,)),
         *(beside.functions if not natural else (*beside.functions, *build_functions(planner, ("velocities", "state")))),
     )
@@ -141,7 +138,7 @@ def prepare(
         time=start.time,
         tolerance=float(scene.tolerance),
         columns=tuple(columns),
-        checks=tuple(checked),
+        checks=tuple(checks),
         meanings=meanings | ({TORN_HOLD: tell_torn(system)} if beside.calls else {}),
         watch=watched,
         structure=structure,
@@ -150,7 +147,7 @@ def prepare(
         symbols=planner.y_nodes,
         kept=tuple(planner.kept_forms()),
         sketch=sketch,
-        recipe=None if natural else Recipe(equations, tuple(needs), event, jacobian, hold, checks, draw, weak),
+        recipe=None if natural else recipe,
         jumping=find_jumping(planner),
     )
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from nhc.algebra.calculus import count
 from nhc.emit.statements import list_statuses
-from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.beats import find_beats
@@ -19,24 +18,25 @@ from nhc.program.scene_model import reduce_one
 from nhc.program.scene_planner import ScenePlanner
 from nhc.program.structure import Structure
 from nhc.program.watch import watch_function
-from nhc.simulate.prepare import Job
+from nhc.simulate.prepare import Job, Recipe
 from nhc.simulate.stepping_over import find_jumping
 
 _LARGE = 5000
 """Operations beyond which looking for what can be left out takes longer than it saves in a run."""
 
 
-def prepare_reduced(
-    equations: Equations, formulation: Formulation, start: Start, jacobian: bool, weak: bool = False
-) -> Job | None:
+def prepare_reduced(recipe: Recipe, formulation: Formulation, start: Start) -> Job | None:
     """The job of a scene's own needs in this formulation; None where the whole state is needed, or the system is too large."""
+    equations = recipe.equations
     system, g = equations.system, equations.system.graph
     if count(g, [*equations.force, *equations.motion.velocities]) > _LARGE:
         return None
     if equations.multipliers or any(form.equation is not None for form in system.constraints):
         return None  # a run holds the state on these constraints, and needs all of it
     planner = reduce_one(equations, formulation, start)
-    return job_of(planner, start, jacobian, weak=weak) if planner.reduction.left else None
+    if not planner.reduction.left:
+        return None
+    return replace(job_of(planner, start, recipe.jacobian, weak=recipe.weak), recipe=recipe)
 
 
 def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = False, weak: bool = False) -> Job:

@@ -14,7 +14,7 @@ from nhc.algebra.calculus import gradient, reachable
 from nhc.algebra.graph import Node
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
-from nhc.mechanics.linearize import Leaf
+from nhc.mechanics.linearize import HiddenLeaf
 from nhc.records import record
 from nhc.study.tape import Tapes
 from nhc.study.turns import Turn
@@ -46,7 +46,7 @@ class SteadyModel:
 
     flow: Flow
     frame: Frame | None
-    leaf: Leaf
+    leaf: HiddenLeaf
     cyclic: tuple[int, ...]
     p: tuple[float, ...]
     tapes: Tapes

@@ -21,7 +21,15 @@ from nhc.mechanics.choosing.conditioning import adapted_choices
 from nhc.mechanics.flow import Flow, flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame
-from nhc.mechanics.linearize import Leaf, cyclic_of, is_autonomous, leaf_of, quantity, reduced, symbolic_matrix
+from nhc.mechanics.linearize import (
+    HiddenLeaf,
+    cyclic_of,
+    hidden_leaf,
+    is_autonomous,
+    quantity,
+    reduced,
+    symbolic_matrix,
+)
 from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.scenes import Start, start_of
@@ -78,10 +86,10 @@ def steady_model(equations: Equations, formulation: Formulation, p: Sequence[flo
     if not is_autonomous(flow, p):
         advice = "`nhc stability` measures such a motion; or take a coordinate that turns with the time"
         raise NotSteady("the equations of motion depend on the time: nothing is steady", math.inf, advice=advice)
-    frame, leaf = formulation.frame, Leaf(system.n)
+    frame, leaf = formulation.frame, HiddenLeaf(system.n)
     if system.constraints:
         try:
-            leaf = leaf_of(system, frame or coordinate_frame(system, choose_dependent(system).dependent))
+            leaf = hidden_leaf(system, frame or coordinate_frame(system, choose_dependent(system).dependent))
         except Singular:
             raise NotSteady("the constraints cannot be solved for any velocities", math.inf) from None
     made = SteadyModel(flow, frame, leaf, cyclic_of(flow), tuple(p), Tapes(flow.graph, flow.y))
@@ -271,7 +279,7 @@ def named_quantity(flow: Flow, name: str, option: str, parameters: Sequence[str]
     return flow.graph.zero
 
 
-def branch_of(model: SteadyModel, guess: Sequence[float], name: str, holds: tuple[Hold, ...] = ()) -> Branch:
+def branch_of(model: SteadyModel, guess: Sequence[float], name: str, holds: tuple[Hold, ...]) -> Branch:
     """Steady motions along a parameter, or along a quantity of the state that is held at each value, in place of any other."""
     parameters = [p.name for p in model.flow.system.spec.parameters]
     if name in parameters:

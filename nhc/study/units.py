@@ -73,8 +73,8 @@ def choose_units(
     jacobian: Matrix,
     y: Sequence[float],
     rest: Sequence[int],
-    together: Sequence[Sequence[int]] = (),
-    angles: Sequence[int] = (),
+    together: Sequence[Sequence[int]],
+    angles: Sequence[int],
 ) -> Units:
     """Units for a state ``y``; ``rest`` are the entries that matter.
 

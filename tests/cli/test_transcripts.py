@@ -34,7 +34,7 @@ def test_transcript(path: Path, tmp_path: Path, update: bool) -> None:
 
 
 @pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.relative_to(ROOT).as_posix())
-def test_document(path: Path, tmp_path: Path) -> None:
+def test_examples_of_a_document_run_as_printed(path: Path, tmp_path: Path) -> None:
     """Blocks in their order: `console` ones are run, those with a file's name after the language are written there."""
     folder = tmp_path / "session"
     folder.mkdir()

@@ -127,7 +127,7 @@ def test_parameters_move_the_start() -> None:
         ("b: {near: 1/0}", "E0313", ""),
     ],
 )
-def test_wrong_words(wrong: str, code: str, message: str) -> None:
+def test_a_wrong_word_of_a_start_gets_its_code(wrong: str, code: str, message: str) -> None:
     text = CRANK.replace("UNIT", "1").replace("b: {near: B}", wrong).replace("X}", "1}")
     found = refuse(text).diagnostics
     assert code in [d.code for d in found] and any(message in d.message for d in found)

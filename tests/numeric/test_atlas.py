@@ -60,7 +60,9 @@ def test_the_document_lists_every_scenario() -> None:
         assert s.title in row and s.system in row and row.endswith("| pass |")
 
 
-def test_the_verb(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_failing_scenario_makes_the_verb_fail(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     verdict = Verdict(Measure("a", 1.0), Measure("b", 2.0), "c", False)
     monkeypatch.setattr("nhc.study.atlas.table.SCENARIOS", (Scenario("C0", "t", "s", lambda: verdict),))
     assert main(["stability", "--atlas", "--json"]) == 1

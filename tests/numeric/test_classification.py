@@ -310,7 +310,7 @@ holonomic: [z = sqrt(2*R_z1^2 + 3*R_z2^2 + R_z3^2)*(R_z1 + R_z2*R_z3) + R_x1*R_x
 # --- singular sets ----------------------------------------------------------------------------------------
 
 
-def test_rank_loss() -> None:
+def test_where_constraints_lose_rank_is_found() -> None:
     assert find_rank_loss(system_of("snakeboard")).regular is False
     assert len(find_rank_loss(system_of("snakeboard")).minors) == 3
     assert facts_of("cartesian_pendulum").data["rank"] == {"full": False, "lost_where_all_vanish": ["x", "y"]}
@@ -574,7 +574,7 @@ def test_integrals_do_not_change_and_are_independent(name: str) -> None:
     )
 
 
-def test_relations() -> None:
+def test_rational_relations_are_read_off_residues() -> None:
     p = PRIMES[0]
     assert str(rational(-7 * pow(3, -1, p) % p, p)) == "-7/3"
     assert rational(123456789012345678, p) is None

@@ -148,7 +148,7 @@ NEAR = [
 
 
 @pytest.mark.parametrize(("first", "second", "where", "in_t"), NEAR, ids=range(len(NEAR)))
-def test_near_misses(first: str, second: str, where: str, in_t: bool | None) -> None:
+def test_a_near_miss_is_told_by_its_coordinate(first: str, second: str, where: str, in_t: bool | None) -> None:
     made = compare(first, second)
     assert not made.agrees
     names = made.pairing.first.q_names

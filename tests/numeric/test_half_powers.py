@@ -63,7 +63,7 @@ def drag_slope(y: list[float]) -> float:
     return -1.5 * math.sqrt(abs(y[2]))
 
 
-def test_in_c_too(tmp_path: Path) -> None:
+def test_half_powers_have_values_and_slopes_in_c(tmp_path: Path) -> None:
     path = compile_c(emit(SPEC, "c", Options()), tmp_path, "contact")
     model = CModel("contact", ctypes.CDLL(str(path)), {})
     for y in STATES:

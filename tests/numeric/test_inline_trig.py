@@ -27,7 +27,7 @@ def sizes(header: Path) -> tuple[int, int]:
     return size, count
 
 
-def test_accuracy(tmp_path: Path) -> None:
+def test_the_inlined_pair_is_within_three_ulps(tmp_path: Path) -> None:
     """x' = v cos(theta), y' = v sin(theta) with v = 1: the sleigh's rhs is the pair itself."""
     sleigh = model("chaplygin_sleigh", tmp_path)
     rng, worst = random.Random(3), 0.0

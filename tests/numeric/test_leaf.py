@@ -10,7 +10,7 @@ from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.frame import Frame, coordinate_frame
-from nhc.mechanics.linearize import leaf_of
+from nhc.mechanics.linearize import hidden_leaf
 from nhc.mechanics.properties.conserved import find_conserved
 from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
@@ -101,7 +101,7 @@ def test_a_leaf_is_spanned_by_brackets_of_brackets() -> None:
     reached by a bracket with a bracket only.
     """
     system = build(ENGEL)
-    leaf = leaf_of(system, frame_of(system))
+    leaf = hidden_leaf(system, frame_of(system))
     assert (leaf.dimension, leaf.normals) == (4, ())
     g = system.graph
     assert rank(g, leaf.fields) == 4

@@ -98,7 +98,7 @@ def test_arms_take_fewer_operations() -> None:
 
 
 @pytest.mark.parametrize("name", ["n_trailer3", "n_snake3", "roller_racer", "rolling_disk", "bicycle", "rattleback"])
-def test_gallery(name: str) -> None:
+def test_moving_axes_change_no_rate_of_the_gallery(name: str) -> None:
     assert assert_same(system_of(spec_path(name).read_text())) > 0
 
 

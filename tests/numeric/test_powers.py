@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 from benchmarks.models import Compiled, Sources
 from nhc.diagnostics import Source
 from nhc.pipeline import Options, emit, program
+from nhc.program.contents import list_expressions, walk
 from nhc.program.ir import Call, Power
-from nhc.program.passes import expressions, walk
 from nhc.program.powers import HIGHEST, chain
 from tests.support import python_model
 
@@ -65,7 +65,7 @@ def monomial_model(power: str) -> Source:
 def test_a_power_has_its_value(n: int, around: str) -> None:
     source = monomial_model(around.format(n=n))
     (rhs,) = program(source, Options(only=("rhs",))).functions
-    parts = [part for statement in rhs.body for e in expressions(statement) for part in walk(e)]
+    parts = [part for statement in rhs.body for e in list_expressions(statement) for part in walk(e)]
     assert not any(isinstance(part, Power) or (isinstance(part, Call) and part.function == "pow") for part in parts)
     rates = python_model(emit(source, "python", Options(only=("rhs",)))["one.py"], "one").rhs
     for x in (0.3, 0.9, 1.7):

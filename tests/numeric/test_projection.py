@@ -24,7 +24,7 @@ STEPS = {
 
 
 def open_held(name: str, method: str, hold: bool = True) -> Job:
-    job = open_scene(read(str(spec_path(name))), "", "multipliers", (), "", method, hold, checks=True, stay=True)
+    job = open_scene(read(str(spec_path(name))), "", "multipliers", method=method, hold=hold, checks=True, stay=True)
     return replace(job, time=(0.0, STEPS[name][0]))
 
 
@@ -111,7 +111,7 @@ def test_coordinates_without_mass_are_held_by_the_velocity_rows(
     """No projection is shortest where a displacement has no mass: there it goes where the velocity rows allow it."""
     kept, free = (
         run(
-            open_scene(Source("massless.yaml", text), "", formulation, (), "", "dop853", hold, stay=True),
+            open_scene(Source("massless.yaml", text), "", formulation, method="dop853", hold=hold, stay=True),
             Settings("dop853", 1e-9, 0.0, 2, python),
         )
         for hold in (True, False)

@@ -191,7 +191,7 @@ def test_the_users_formulation_is_kept() -> None:
     assert len(made.tried) == 1
 
 
-def test_reasons() -> None:
+def test_what_is_left_out_has_its_reason() -> None:
     left = {omission.name: omission.reason for omission in reduction("vertical_disk", "reference").reduction.left}
     assert left["theta'"].startswith("constant of the motion")
     assert left["theta"].startswith("integrated: theta = theta_0 + t*theta', where theta_0 is a parameter")
@@ -364,7 +364,7 @@ def test_folded_values_reduce_further() -> None:
 
 
 @pytest.mark.parametrize("name", ["ball_on_table", "rolling_disk", "spherical_pendulum"])
-def test_jacobian(name: str) -> None:
+def test_the_jacobian_of_a_reduced_model_is_that_of_its_rates(name: str) -> None:
     scene = {"ball_on_table": "modulated", "rolling_disk": "lean", "spherical_pendulum": "conical"}[name]
     small = reduced_python(name, scene)
     data = build_scene_program(reduction(name, scene)).scenes[0]

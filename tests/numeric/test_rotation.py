@@ -199,7 +199,7 @@ def test_every_orientation_costs_the_same() -> None:
 
 
 @pytest.mark.parametrize("name", ["free_rigid_body", "heavy_top", "chaplygin_ball"])
-def test_operations(name: str) -> None:
+def test_a_quaternion_costs_no_more_than_angles(name: str) -> None:
     """No function is called; all operations together are fewer than those in angles with 20 for a sine or cosine."""
     angles, quaternion = (operations(n) for n in (name, f"{name}_quaternion"))
     assert quaternion[3] == 0
@@ -255,7 +255,7 @@ STARTS = {
 
 
 @pytest.mark.parametrize("text", STARTS, ids=lambda text: text or "left out")
-def test_starts(text: str) -> None:
+def test_a_rotation_starts_as_each_form_of_its_start_says(text: str) -> None:
     initial = f"{{R: {text}, a2: 1.5}}" if text else "{a2: 1.5}"
     spec = f"""
 nhc: 1
@@ -361,7 +361,7 @@ def test_a_scene_that_needs_angular_velocity_has_three_equations(capsys: pytest.
     assert "reduced  3 equations (w1, w2, w3)" in capsys.readouterr().out
 
 
-def test_what_stays(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_angular_momentum_in_space_is_found(capsys: pytest.CaptureFixture[str]) -> None:
     """The angular momentum in space, by its components; of the ball, about the point of contact."""
     for name, constants in (
         ("free_rigid_body_quaternion", "L_R_x, L_R_y, L_R_z, E"),

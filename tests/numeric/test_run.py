@@ -38,7 +38,7 @@ def job_of(
     needs: tuple[str, ...] = (),
     until: str = "",
 ) -> Job:
-    job = open_scene(read(str(spec_path(name))), "", formulation, needs, until, method)
+    job = open_scene(read(str(spec_path(name))), "", formulation, needs=needs, until=until, method=method)
     return replace(job, time=(0.0, end)) if end else job
 
 
@@ -97,7 +97,7 @@ def test_the_tolerance_is_honoured_at_the_end(entry: dict[str, Any]) -> None:
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_the_emitted_source_is_clean(method: str, tmp_path: Path) -> None:
     """Warnings are errors for the model and its integrator together, with everything that a run can have in it."""
-    job = open_scene(read(str(spec_path("holonomic_pendulum"))), "", "multipliers", (), "x", method)
+    job = open_scene(read(str(spec_path("holonomic_pendulum"))), "", "multipliers", until="x", method=method)
     sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
     for file, text in sources.items():
         (tmp_path / file).write_text(text)
@@ -300,7 +300,9 @@ def test_a_change_of_sign_through_a_pole_is_no_zero(
         (["--method", "perlmutter"], 2, "mass matrix is not constant"),
     ],
 )
-def test_mistakes(arguments: list[str], code: int, says: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_mistaken_options_are_refused(
+    arguments: list[str], code: int, says: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     found, out, err = call(capsys, "chaplygin_sleigh", *arguments)
     assert (found, out) == (code, "") and says in err
 

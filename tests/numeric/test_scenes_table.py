@@ -28,7 +28,7 @@ def rows() -> list[str]:
     return found
 
 
-def test_table(golden: Callable[[Path, str], None]) -> None:
+def test_the_table_of_scenes_is_as_measured(golden: Callable[[Path, str], None]) -> None:
     text = DOCUMENT.read_text()
     made = "<!-- generated: scenes -->\n" + "\n".join(rows()) + "\n<!-- end -->"
     new, count = PART.subn(lambda _: made, text)

@@ -482,7 +482,7 @@ def str_of(value: object) -> str:
         ("0", []),
     ],
 )
-def test_terms(text: str, terms: list[str]) -> None:
+def test_terms_are_told_apart_through_brackets_and_signs(text: str, terms: list[str]) -> None:
     found = [f"{'-' if minus else ''}{unparse(node)}" for node, minus in list_terms(tree_of(text), True)]
     assert found == terms
 
@@ -517,12 +517,14 @@ def test_what_vanishes(text: str, left: str) -> None:
         ("a - b/e'", "a"),
     ],
 )
-def test_limits(text: str, left: str) -> None:
+def test_what_is_left_of_an_expression_at_infinity(text: str, left: str) -> None:
     made = replace_parts(tree_of(text), lambda node: INFINITE if getattr(node, "name", "") == "e" else None)
     assert is_infinite(made) if not left else unparse(made) == left
 
 
-def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_tells_its_steps_and_writes_spec_and_chart(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path, out, chart = tmp_path / "stiff.yaml", tmp_path / "reduced.yaml", tmp_path / "ladder.svg"
     path.write_text(SPEC)
     asked = ["reduce", str(path), "--scene", "small", "--tol", "1e-4"]

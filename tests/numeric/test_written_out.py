@@ -129,7 +129,7 @@ def test_a_fast_mass_hides_no_lost_digits_of_another(other: float, tmp_path: Pat
 
 
 @pytest.mark.parametrize("name", ["rolling_disk", "bicycle", "snakeboard", "chaplygin_ball", "roller_racer"])
-def test_gallery(name: str, tmp_path: Path) -> None:
+def test_rows_exchanged_or_not_give_one_motion(name: str, tmp_path: Path) -> None:
     """Python exchanges rows, ``rhs`` in C does not, and ``accelerations`` calls it."""
     assert "multipliers" in formulations(name)
     compiled, module = c_model(name, "multipliers", tmp_path), emitted_python(name, "multipliers")

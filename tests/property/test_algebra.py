@@ -155,7 +155,7 @@ def test_rules_hold_modulo_a_prime(tree: Tree, seed: int) -> None:
 
 @QUIET
 @given(smooth_trees, symbols, points)
-def test_derivatives(tree: Tree, symbol: Tree, point: tuple[Fraction, ...]) -> None:
+def test_forward_and_reverse_derivatives_agree(tree: Tree, symbol: Tree, point: tuple[Fraction, ...]) -> None:
     """Forward and reverse mode agree exactly, and with a central difference in 80 digits."""
     g = Graph()
     node, wrt = build(g, tree), build(g, symbol)

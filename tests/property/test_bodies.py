@@ -210,7 +210,7 @@ def tensor(inertia: str) -> Any:
 @pytest.mark.parametrize("frame", ["body", "space"])
 @pytest.mark.parametrize("nested", [False, True])
 @pytest.mark.parametrize("inertia", ["[A, B, C]", "A", "[A, B, A]"])
-def test_rotations(frame: str, nested: bool, inertia: str) -> None:
+def test_bodies_by_quaternions_have_the_energy_of_their_matter(frame: str, nested: bool, inertia: str) -> None:
     """A body by quaternion in space or on a turned one, round about the last axis of that or not, its quaternion of any length."""
     mpmath.mp.dps = 60
     names = (*COORDINATES, "R_0", "R_1", "R_2", "R_3")

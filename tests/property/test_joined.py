@@ -49,7 +49,7 @@ def count_written(graph: Graph, node: Node) -> int:
         ("m/(sin(a)*cos(b) + cos(a)*sin(b))^2", "m/sin(a + b)^2"),
     ],
 )
-def test_two_terms(text: str, joined: str) -> None:
+def test_two_terms_of_an_addition_theorem_are_joined(text: str, joined: str) -> None:
     g, node = read(text)
     (made,) = join_sums(g, [node])
     assert are_equal(g, [made], [node])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from fractions import Fraction
 
 import mpmath
@@ -13,27 +12,18 @@ from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.graph import Graph
 from nhc.program.ir import (
     Argument,
-    Binary,
-    Call,
-    Expr,
     Function,
     Let,
     Load,
-    Negate,
-    Number,
-    Pi,
-    Power,
-    Ref,
     Section,
     Store,
 )
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, Target
+from tests.ir_values import value
 from tests.property.expressions import NAMES, QUIET, Tree, build, rational_trees, smooth_trees
 
 VALUES = (Fraction(3, 7), Fraction(-5, 4), Fraction(11, 9))
-MPMATH = {"abs": "fabs"}
-OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
 
 
 @QUIET
@@ -91,32 +81,12 @@ def _run(function: Function) -> dict[int, mpmath.mpf]:
     for statement in function.body:
         match statement:
             case Load():
-                value = VALUES[statement.index]
-                names[statement.name] = mpmath.mpf(value.numerator) / value.denominator
+                given_value = VALUES[statement.index]
+                names[statement.name] = mpmath.mpf(given_value.numerator) / given_value.denominator
             case Let():
-                names[statement.name] = _value(statement.value, names)
+                names[statement.name] = value(statement.value, names, mpmath)
             case Store():
-                found[statement.index] = _value(statement.value, names)
+                found[statement.index] = value(statement.value, names, mpmath)
             case _:
                 assert isinstance(statement, Section)
     return found
-
-
-def _value(expression: Expr, names: dict[str, mpmath.mpf]) -> mpmath.mpf:
-    match expression:
-        case Number():
-            return mpmath.mpf(expression.value.numerator) / expression.value.denominator
-        case Pi():
-            return mpmath.pi
-        case Ref():
-            return names[expression.name]
-        case Negate():
-            return -_value(expression.operand, names)
-        case Binary():
-            return OPERATORS[expression.op](_value(expression.left, names), _value(expression.right, names))
-        case Power():
-            return _value(expression.base, names) ** expression.exponent
-        case Call():
-            return getattr(mpmath, MPMATH.get(expression.function, expression.function))(
-                *(_value(a, names) for a in expression.arguments)
-            )

@@ -100,7 +100,7 @@ def test_exterior_derivatives(both: tuple[System, Rotation], still: tuple[int, .
         rows = [tangent(g, [value], {v: g.one})[0] for v in system.v]
         form = Form("f", tuple(rows), g.zero, value=value)
         on_x, on_e = turning.Direction(system, x[:5], x[5]), turning.Direction(system, e)
-        closed = turning.exterior_derivative(system, form, on_x, on_e)
+        closed = turning.derivative_by_turns(system, form, on_x, on_e)
         assert closed is not None
         moved = tangent(g, rows, dict(zip(system.q, x[:5], strict=True)))
         back = tangent(g, rows, dict(zip(system.q, e, strict=True)))

@@ -38,7 +38,7 @@ def test_structure_equations(name: str) -> None:
     assert seen > 0
 
 
-def test_rotations() -> None:
+def test_angular_velocities_have_the_structure_constants_of_turns() -> None:
     """On body axes gamma^i_mj = -e_imj, the structure constants of so(3), and epsilon vanishes."""
     frame = euler_frame()
     g = frame.graph

@@ -46,7 +46,7 @@ def test_decorated_numbers_are_known() -> None:
 
 
 @pytest.mark.parametrize("number", EQUATIONS)
-def test_status(number: str, root: Path) -> None:
+def test_an_equation_has_code_a_test_or_a_reason(number: str, root: Path) -> None:
     entry = EQUATIONS[number]
     assert sorted(entry.places) == sorted(IMPLEMENTED.get(number, []))
     assert entry.places or entry.test or entry.reason
@@ -75,11 +75,11 @@ def test_no_erratum_is_missing() -> None:
     assert mentioned == set(ERRATA)
 
 
-def test_table(golden: Callable[[Path, str], None], root: Path) -> None:
+def test_the_table_of_equations_is_written_from_the_registry(golden: Callable[[Path, str], None], root: Path) -> None:
     golden(root / "docs/thesis/equations.md", equation_table())
 
 
-def test_errata_page(golden: Callable[[Path, str], None], root: Path) -> None:
+def test_the_page_of_errata_is_written_from_the_registry(golden: Callable[[Path, str], None], root: Path) -> None:
     golden(root / "docs/thesis/errata.md", errata_page())
 
 

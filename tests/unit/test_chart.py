@@ -29,8 +29,8 @@ from nhc.simulate.auto import decay_rate
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.opening import open_scene
-from nhc.study.chart import pace
-from nhc.study.chart.advice import advise, duration, fastest
+from nhc.study.chart import case_runner
+from nhc.study.chart.advice import advise, fastest
 from nhc.study.chart.case import Case, Cost, Machine, Reference, Result, Study
 from nhc.study.chart.grid import LANGUAGES
 from nhc.study.chart.grid import STRUCTURE as CHARTED
@@ -44,6 +44,7 @@ from nhc.study.chart.measure import (
 )
 from nhc.study.chart.reference import extrapolate
 from nhc.study.chart.taylor import NoTaylor, translate
+from nhc.study.chart.words import duration
 from tests.support import spec_path
 
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
@@ -361,8 +362,8 @@ def test_what_the_interpreter_takes_is_learnt_from_its_first_runs(monkeypatch: p
     def run(bench: object, case: Case, budget: float) -> Result:
         return Result(case, calls=100, best=compiled[case.tolerance] * (1 if case.language == "c" else 2000))
 
-    monkeypatch.setattr(pace, "run_case", run)
-    made = pace.Pace(SimpleNamespace(name="m"), False, 1e-3)  # type: ignore[arg-type]
+    monkeypatch.setattr(case_runner, "run_case", run)
+    made = case_runner.CaseRunner(SimpleNamespace(name="m"), False, 1e-3)  # type: ignore[arg-type]
     for language in ("c", "python"):
         done = [made.run(Case("m", "radau5", language, t), rung) for rung, t in ((1, 1e-3), (4, 1e-6), (7, 1e-9))]
         assert [len(results) for results in done] == ([1, 1, 1] if language == "c" else [1, 0, 0])

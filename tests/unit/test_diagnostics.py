@@ -150,7 +150,7 @@ def test_a_bag_raises_everything_in_order() -> None:
         bag.error("E9999", "no such code", Span(0, 0), help=("do",))
 
 
-def test_nearest() -> None:
+def test_the_nearest_name_is_near_or_none() -> None:
     assert nearest("tehta", ["x", "theta"]) == "theta"
     assert nearest("M", ["x", "m"]) == "m"
     assert nearest("quark", ["x", "theta"]) is None

@@ -122,6 +122,22 @@ def test_links_lead_somewhere(path: Path) -> None:
         assert not anchor or anchor in _anchors(there), f"no heading for {target}"
 
 
+@pytest.mark.parametrize(
+    "path",
+    [ROOT / "docs/architecture.md", *sorted((ROOT / "docs/decisions").glob("*.md"))],
+    ids=lambda path: path.name,
+)
+def test_code_that_is_named_is_there(path: Path) -> None:
+    """A file by the end of its path, a folder from the top of the project or of the package."""
+    folders = [ROOT / name for name in ("nhc", "tests", "benchmarks", "templates", "specs")]
+    files = [
+        f"/{file.relative_to(ROOT).as_posix()}" for folder in folders for file in folder.rglob("*") if file.is_file()
+    ]
+    for name in re.findall(r"`((?:\w+/)*\w+\.(?:py|jinja)|(?:\w+/)+\w+)`", path.read_text()):
+        is_folder = (ROOT / name).is_dir() or (ROOT / "nhc" / name).is_dir()
+        assert is_folder or any(file.endswith((f"/{name}", f"/{name}.py")) for file in files), f"no {name}"
+
+
 def test_every_document_is_reachable_from_the_index() -> None:
     linked = re.findall(r"\]\(([^)#\s]+)", INDEX.read_text())
     names = [path.relative_to(ROOT / "docs").as_posix() for path in DOCUMENTS if path != INDEX]

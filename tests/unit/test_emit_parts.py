@@ -17,8 +17,8 @@ from nhc.emit.c.parts import cut, find_crossing
 from nhc.emit.text.program import print_program
 from nhc.pipeline import Options
 from nhc.pipeline import program as build_program
+from nhc.program.contents import count_operations
 from nhc.program.ir import Guard, Let, Load, Section, Solve, Sweep
-from nhc.program.passes import count_operations
 from tests.unit.emit_cases import call, let, make_solver, ref, store
 from tests.unit.emit_long import LINKS, make_long
 from tests.unit.test_emit_c import COMPILERS, FLAGS, doubles, load, load_python, write

@@ -59,7 +59,7 @@ SLIPS = [
     ("define:", "where:", "E0303", "write `define`", "define:"),
     ("V: -m*g*l*cos(θ)", "V: 0\nforces:\n  - x: -x\n  - θ: 1", "E0301", "leave out the `-`", "V: 0\nforces:\n  x: -x\n  θ: 1"),
     ("define: {X: x + l*sin(θ)}", "define: {X: x, P: [x, 1]}", "E0301", "one name for each", "define: {X: x, P1: x, P2: 1}"),
-    ("scenes:", "time: [0, 1]\nscenes:", "E0303", "it belongs into a scene", "scenes:"),
+    ("scenes:", "time: [0, 1]\nscenes:", "E0303", "it belongs in a scene", "scenes:"),
     ("+ x'^2", "+ e^(-x/l)*x'^2", "E0302", "a power of e is written `exp(...)`", "+ exp(-x/l)*x'^2"),
     ("+ x'^2", "+ x'^2 if x > 0", "E0203", "the language has no conditions: write them with", "+ x'^2*(1 + sign(x))/2"),
     ("+ x'^2", "+ x'^2*(x > 0)", "E0201", "the language has no conditions: write them with", "+ x'^2*(1 + sign(x))/2"),

@@ -42,7 +42,7 @@ def test_there_are_enough() -> None:
 
 
 @pytest.mark.parametrize("path", BAD, ids=lambda path: path.stem)
-def test_bad_spec(path: Path) -> None:
+def test_a_bad_spec_gets_the_messages_that_stand_in_it(path: Path) -> None:
     expected = expectations(path)
     assert expected, "a bad spec starts with what is expected of it"
     found = diagnose(read(path))

@@ -81,7 +81,7 @@ def show(tree: Syntax) -> str:
         (".5 + 1e-3 + 010 + 1.", "(((1/2+1/1000)+10)+1)"),
     ],
 )
-def test_grammar(text: str, meaning: str) -> None:
+def test_operators_bind_as_in_mathematics(text: str, meaning: str) -> None:
     assert show(parse(text)) == meaning
 
 
@@ -124,7 +124,7 @@ def test_numbers_are_exact() -> None:
     ],
     ids=lambda value: value[:12] if isinstance(value, str) else value[0],
 )
-def test_refused(text: str, expected: tuple[str, int, int]) -> None:
+def test_a_bad_expression_gets_its_code_and_place(text: str, expected: tuple[str, int, int]) -> None:
     assert refuse(text) == expected
 
 
@@ -143,7 +143,7 @@ def test_long_sums_need_no_stack(sign: str) -> None:
     assert "Binary" in repr(tree)
 
 
-def test_equations() -> None:
+def test_an_equation_has_one_equals_sign_at_the_top() -> None:
     bag = Bag(Source("a", ""))
     sides = parse_equation("x' + 1 = 0", Span, bag)
     assert sides is not None

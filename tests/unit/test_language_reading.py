@@ -83,7 +83,7 @@ def test_a_folder_is_no_spec(tmp_path: Path) -> None:
         ("0e999999999999", 0),
     ],
 )
-def test_numbers(text: str, value: Fraction) -> None:
+def test_numbers_are_read_exactly(text: str, value: Fraction) -> None:
     assert exact(text) == value
 
 

@@ -220,7 +220,7 @@ def test_the_template_decodes() -> None:
         *(("\u03a9", "kg*m^2/s^3/A^2"), ("mN", "kg*m/s^2"), ("cm", "m"), ("1/(m s)^2", "1/m^2/s^2"), ("m**2", "m^2")),
     ],
 )
-def test_units(text: str, dimension: str) -> None:
+def test_a_unit_has_its_dimension(text: str, dimension: str) -> None:
     assert show(parse_unit(text)) == dimension
 
 

@@ -69,7 +69,7 @@ def load(name: str, formulation: str = "") -> Derivation:
         (Mark("Beta"), r"\mathrm{B}"),
     ],
 )
-def test_marks(mark: Mark, wanted: str) -> None:
+def test_marks_are_set_as_a_printer_would(mark: Mark, wanted: str) -> None:
     assert PLAIN.print_mark(mark) == wanted
 
 
@@ -97,10 +97,6 @@ def test_document_is_stamped_numbered_and_sectioned() -> None:
     assert text.count(r"\section{") == 10
     assert r"m\,\dot{v} &= m\,a\,w^{2}" in text
     assert r"\dot{w} &= -\frac{m\,a\,v\,w}{J + m\,a^{2}}" in text
-
-
-def test_the_same_text_twice() -> None:
-    assert render(load("ball_on_table")) == render(load("ball_on_table"))
 
 
 def test_the_template_uses_what_it_is_given() -> None:

@@ -21,7 +21,7 @@ CASES = {
 
 
 @pytest.mark.parametrize("text", CASES)
-def test_expression(text: str) -> None:
+def test_an_expression_inside_a_sentence(text: str) -> None:
     assert print_inline(text, PLAIN) == CASES[text]
 
 

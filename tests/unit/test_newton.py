@@ -34,7 +34,7 @@ def make(energy: str, more: str = "") -> System:
         ("m*(x'^2 + y'^2)/2 + x*y' - y*x'", [f"T is not homogeneous quadratic in `{name}'`" for name in "xy"]),
     ],
 )
-def test_reasons(energy: str, reasons: list[str]) -> None:
+def test_newton_s_equations_want_free_particles_of_constant_mass(energy: str, reasons: list[str]) -> None:
     system = make(energy)
     assert broken_hypotheses(system) == reasons
     if reasons:

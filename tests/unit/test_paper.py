@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import json
-import math
-import operator
 import random
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -26,16 +24,16 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
-from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
+from nhc.program.ir import Binary, Negate, Number, Power, Ref
 from nhc.program.model import build_program
 from nhc.program.paper import SHEETS, Derivation, Statement, derivation
 from nhc.program.sheets import tidy as tidying
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
 from nhc.program.sheets.model import Mark
 from nhc.program.sheets.tidy import list_roots, tidy
+from tests.ir_values import value
 
 SPECS = Path(__file__).resolve().parents[2] / "specs"
-OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
 GALLERY = sorted(path.stem for path in SPECS.glob("*.yaml"))
 
 
@@ -112,28 +110,6 @@ def test_every_system_has_its_sheets(name: str) -> None:
 
 
 # --- exactness ------------------------------------------------------------------------------------------------
-
-
-def value(expression: Expr, known: dict[str, float]) -> float:
-    """An independent evaluation of the IR, for functions that the gallery uses."""
-    match expression:
-        case Number():
-            return float(expression.value)
-        case Pi():
-            return math.pi
-        case Ref():
-            return known[expression.name]
-        case Negate():
-            return -value(expression.operand, known)
-        case Power():
-            return value(expression.base, known) ** expression.exponent
-        case Call():
-            function: Callable[..., float] = getattr(
-                math, {"abs": "fabs"}.get(expression.function, expression.function)
-            )
-            return function(*(value(argument, known) for argument in expression.arguments))
-        case Binary():
-            return OPERATORS[expression.op](value(expression.left, known), value(expression.right, known))
 
 
 @pytest.mark.parametrize("name", GALLERY)

@@ -20,9 +20,9 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.properties.facts import describe
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
+from nhc.program.contents import walk
 from nhc.program.ir import Ref
 from nhc.program.paper import Derivation, Statement, derivation
-from nhc.program.passes import walk
 from nhc.program.sheets.model import Mark
 from nhc.program.sheets.tidy import _with_squares
 

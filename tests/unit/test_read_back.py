@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import operator
 import random
 from collections.abc import Iterator
 from pathlib import Path
@@ -18,13 +17,12 @@ from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
-from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.paper import Derivation, Side, Statement, derivation
 from nhc.program.sheets.model import Mark
-from tests.readers import FUNCTIONS, LatexReader, TextReader
+from tests.ir_values import value
+from tests.readers import LatexReader, TextReader
 
 SPECS = Path(__file__).resolve().parents[2] / "specs"
-OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
 GALLERY = ("affine_voronec", "ball_on_table", "chaplygin_sleigh", "heavy_top_quaternion", "roller_racer", "suslov")
 FUNCTIONAL = """nhc: 1
 system: functional
@@ -55,29 +53,6 @@ def list_cases() -> Iterator[tuple[str, System]]:
 
 
 CASES = dict(list_cases())
-
-
-def value(expression: Expr, known: dict[str, float]) -> float:
-    match expression:
-        case Number():
-            return float(expression.value)
-        case Pi():
-            return math.pi
-        case Ref():
-            return known[expression.name]
-        case Negate():
-            return -value(expression.operand, known)
-        case Power():
-            return float(value(expression.base, known) ** expression.exponent)
-        case Call():
-            arguments = [value(argument, known) for argument in expression.arguments]
-            return float(
-                arguments[0] ** arguments[1]
-                if expression.function == "pow"
-                else FUNCTIONS[expression.function](*arguments)
-            )
-        case Binary():
-            return float(OPERATORS[expression.op](value(expression.left, known), value(expression.right, known)))
 
 
 def list_sides(made: Derivation) -> Iterator[Side]:

@@ -93,7 +93,7 @@ def test_matched_by_position_and_replaced() -> None:
     assert pickle.loads(pickle.dumps(Point(7))) == Point(7)
 
 
-def test_identity() -> None:
+def test_an_identity_record_equals_itself_only() -> None:
     leaf = Leaf("a")
     assert leaf == leaf and leaf != Leaf("a") and len({leaf, Leaf("a")}) == 2
 

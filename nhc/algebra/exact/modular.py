@@ -173,9 +173,9 @@ def is_zero(graph: Graph, node: Node) -> bool:
     return node == graph.zero or (not probe_of(graph).is_clear(node) and are_zero(graph, [node])[0])
 
 
-def are_equal(graph: Graph, left: Sequence[Node], right: Sequence[Node], count: int = 2) -> bool:
+def are_equal(graph: Graph, left: Sequence[Node], right: Sequence[Node]) -> bool:
     """Whether the two lists agree entry by entry."""
-    return all(are_zero(graph, [graph.sub(x, y) for x, y in zip(left, right, strict=True)], count))
+    return all(are_zero(graph, [graph.sub(x, y) for x, y in zip(left, right, strict=True)]))
 
 
 def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:

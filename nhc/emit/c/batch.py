@@ -60,7 +60,7 @@ def mark_unused(function: Function, body: tuple[Statement, ...]) -> list[str]:
 class BatchPrinter:
     """Prints the states' work, in several functions where it is long, and the loop that calls them."""
 
-    def __init__(self, program: Program, function: Function, helpers: set[str], trig: str = "") -> None:
+    def __init__(self, program: Program, function: Function, helpers: set[str], trig: str) -> None:
         self.program, self.prefix, self.helpers, self.trig = program, program.system, helpers, trig
         self.capitals = self.prefix.upper()
         self.width = f"{self.capitals}_LANES"

@@ -12,7 +12,7 @@ from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
 POINTS = 201  # rows unless the user asks for another number
-FUNCTIONS = {  # the function that a kind of column comes from
+SOURCES = {  # the function that a kind of column comes from
     "STATE": "",
     "VELOCITY": "velocities",
     "OUTPUT": "outputs",
@@ -103,7 +103,7 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
         columns += own
         stops += map(print_doubles, scene.stops)
     kinds = {column.kind for column in columns}
-    used = tuple(kind for kind in FUNCTIONS if kind in kinds)
+    used = tuple(kind for kind in SOURCES if kind in kinds)
     check_functions(program, used)
     return {
         "name": program.system,
@@ -113,7 +113,7 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
         "columns": tuple(Column(print_string(c.heading), c.kind, c.index) for c in columns)
         or (Column('""', "STATE", 0),),
         "stops": tuple(stops),
-        "kinds": tuple(kind for kind in FUNCTIONS if kind != "NEEDED" or kind in kinds),
+        "kinds": tuple(kind for kind in SOURCES if kind != "NEEDED" or kind in kinds),
         "used": used,
         "parameters": max(len(program.parameters), 1),
         "statuses": tuple(Status(s.code, print_string(print_comment(s.what))) for s in list_statuses(program)),
@@ -128,7 +128,7 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
 def check_functions(program: Program, kinds: tuple[str, ...]) -> None:
     """Raise EmitError unless the program has the functions that the columns come from."""
     present = {function.name for function in program.functions}
-    for needed in ("rhs", *(FUNCTIONS[kind] for kind in kinds)):
+    for needed in ("rhs", *(SOURCES[kind] for kind in kinds)):
         if needed and needed not in present:
             message = f"the driver needs the function `{needed}`, which this program does not have"
             raise EmitError(message, "leave `--only` out")
@@ -138,4 +138,4 @@ def list_driver_functions(driver: dict[str, object]) -> tuple[str, ...]:
     """The functions that the driver calls."""
     used = driver["used"]
     assert isinstance(used, tuple)
-    return ("rhs", *(FUNCTIONS[kind] for kind in used if FUNCTIONS[kind]))
+    return ("rhs", *(SOURCES[kind] for kind in used if SOURCES[kind]))

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import reduce
 
 from nhc.emit.c.body import BodyPrinter
-from nhc.emit.statements import walk
+from nhc.program.contents import walk
 from nhc.program.ir import (
     Binary,
     Call,
@@ -89,7 +89,7 @@ def print_finish(
     body: Sequence[Statement],
     output: str,
     size: int,
-    near: tuple[str, str] = ("", ""),
+    near: tuple[str, str],
 ) -> None:
     """The test and, behind it, which block is singular or which entry infinite where it fails, if any.
 

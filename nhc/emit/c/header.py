@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from nhc.emit.c.literals import print_comment
-from nhc.emit.prose import OPERATIONS, count_operations, wrap
+from nhc.emit.prose import OPERATIONS, print_counts, wrap
 from nhc.program.ir import Function, Program, Quantity
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
@@ -100,7 +100,7 @@ def explain_calls(program: Program, functions: tuple[Function, ...]) -> tuple[st
 
 def count(function: Function) -> str:
     """The operation counts of a function."""
-    return count_operations(function.adds, function.multiplications, function.divisions, function.calls)
+    return print_counts(function.adds, function.multiplications, function.divisions, function.calls)
 
 
 def print_function_comment(program: Program, function: Function) -> tuple[str, ...]:

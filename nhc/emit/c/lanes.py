@@ -45,7 +45,7 @@ class LanesPrinter:
         helpers: set[str],
         each: dict[str, Each],
         scalars: frozenset[str],
-        summed: frozenset[int] | None = None,
+        summed: frozenset[int] | None,
     ) -> None:
         self.summed = summed
         self.prefix, self.scope, self.helpers, self.each, self.scalars = prefix, scope, helpers, each, scalars

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from nhc.emit.c.body import BodyPrinter
 from nhc.emit.c.lines import wrap_code
-from nhc.emit.statements import list_expressions, walk
+from nhc.program.contents import list_expressions, walk
 from nhc.program.ir import Argument, Binary, Call, Expr, Function, Statement
 
 LARGE, TURNED = "large", "turned"

@@ -15,7 +15,7 @@ from nhc.program.ir import Binary, Expr, Guard, Number, Origin
 from nhc.records import record
 
 WIDTH = 110
-FUNCTIONS = {"abs": "fabs"}
+C_NAMES = {"abs": "fabs"}  # functions that C calls otherwise
 ANY = "_any({})"  # this file's own sine and cosine, for any angle
 HELPERS = {"sign": "sign", "min": "minimum", "max": "maximum"}  # functions that this file must bring itself
 Blocks = dict[tuple[tuple[str, ...], ...], "Block"]
@@ -63,7 +63,7 @@ class CDialect:
             self.helpers.add("root")
             return f"{self.prefix}_root({arguments[0]})"
         if function not in HELPERS:
-            return f"{FUNCTIONS.get(function, function)}({', '.join(arguments)})"
+            return f"{C_NAMES.get(function, function)}({', '.join(arguments)})"
         helper = HELPERS[function]
         self.helpers.add(helper)
         if function == "sign":

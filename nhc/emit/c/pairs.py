@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from nhc.emit.c.arrange import TURNED
 from nhc.emit.names import list_bound_names
-from nhc.emit.statements import iterate_refs, list_expressions, walk
+from nhc.emit.statements import iterate_refs
+from nhc.program.contents import list_expressions, walk
 from nhc.program.ir import Call, Expr, Statement
 from nhc.records import record
 

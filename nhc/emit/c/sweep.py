@@ -29,7 +29,7 @@ class SweepPrinter:
     """Prints one sweep of a function; ``number`` counts the function's sweeps from 1."""
 
     def __init__(
-        self, printer: BodyPrinter, function: Function, sweep: Sweep, number: int, rolled: Body | None = None
+        self, printer: BodyPrinter, function: Function, sweep: Sweep, number: int, rolled: Body | None
     ) -> None:
         assert function.output is not None
         self.printer, self.function, self.sweep = printer, function, sweep

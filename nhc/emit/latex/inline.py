@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from nhc.emit.latex.math import FUNCTIONS
+from nhc.emit.latex.math import COMMANDS
 from nhc.emit.latex.names import Names
 from nhc.emit.latex.spelling import escape_breakable
 from nhc.program.sheets.model import Mark
@@ -19,7 +19,7 @@ _TOKEN = re.compile(
     r"|(?P<number>\d+(?:\.\d+)?)|(?P<sign>[-+*/^=(),])|(?P<cut>\u2026)|(?P<blank> +)"
 )
 _PLAIN = ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "min", "max", "sqrt")
-_FUNCTIONS = {name: f"\\{name}" for name in _PLAIN} | FUNCTIONS | {"abs": r"\operatorname{abs}"}
+_FUNCTIONS = {name: f"\\{name}" for name in _PLAIN} | COMMANDS | {"abs": r"\operatorname{abs}"}
 _WORDS = {"const": r"\text{const}"} | _FUNCTIONS
 _COMMANDS = frozenset(_FUNCTIONS.values())
 _OPERANDS = frozenset(("partial", "momentum", "name", "number"))

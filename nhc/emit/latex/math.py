@@ -15,7 +15,7 @@ from nhc.records import record
 
 _FRACTION = 190.0  # widest numerator or denominator that is set as a fraction, in points
 _NARROW = 100.0  # of an argument that stays on one line
-FUNCTIONS = {
+COMMANDS = {
     "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "atan2": r"\operatorname{atan2}", "log": r"\ln",
     "sign": r"\operatorname{sgn}",
 }  # fmt: skip
@@ -154,7 +154,7 @@ class LatexMath:
             return [*_enclose(inner[0]), _piece("^{1/2}")]
         if call.function == "abs":
             return [_piece("|"), *nest(inner[0]), _piece("|")]
-        head = _piece(FUNCTIONS.get(call.function, f"\\{call.function}") + exponent)
+        head = _piece(COMMANDS.get(call.function, f"\\{call.function}") + exponent)
         if len(call.arguments) == 1 and isinstance(call.arguments[0], Ref):
             return [head, _piece(" "), *inner[0]]
         arguments = [piece for k, part in enumerate(inner) for piece in ([_piece(r",\,")] if k else []) + part]

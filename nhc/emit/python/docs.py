@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nhc.emit.prose import OPERATIONS, count_operations, wrap
+from nhc.emit.prose import OPERATIONS, print_counts, wrap
 from nhc.emit.python.literals import print_docstring
 from nhc.emit.python.names import spell
 from nhc.program.ir import Argument, Function, Program, Quantity
@@ -74,7 +74,7 @@ def print_module_docstring(program: Program, functions: tuple[Function, ...], ar
 
 def count(function: Function) -> str:
     """The operation counts of a function."""
-    return count_operations(function.adds, function.multiplications, function.divisions, function.calls)
+    return print_counts(function.adds, function.multiplications, function.divisions, function.calls)
 
 
 def describe_shape(argument: Argument, array: str) -> str:

@@ -8,8 +8,8 @@ from collections.abc import Iterable, Sequence
 from nhc.emit.layout import Piece, fill
 from nhc.emit.prose import clean
 from nhc.emit.text.math import TextMath, print_mark
+from nhc.program.contents import walk
 from nhc.program.ir import Ref
-from nhc.program.passes import walk
 from nhc.program.sheets.model import Derivation, Formula, Item, Prose, Sheet, Statement, Table, Term
 
 WIDTH = 100

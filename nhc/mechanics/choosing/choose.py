@@ -22,7 +22,6 @@ from nhc.records import record
 if TYPE_CHECKING:
     from nhc.mechanics.formulations.chaplygin import Hypotheses
 
-FORMULATIONS = ("newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
 NUMBERS = {
     "newton": "II.1.3",
     "lagrange": "II.3",
@@ -30,6 +29,7 @@ NUMBERS = {
     "voronec": "I.4.9",
     "multipliers": "I.4.1",
 }
+"""Of the thesis; the Euler-Lagrange equations have two, with and without constraints."""
 
 
 @record
@@ -116,7 +116,7 @@ def build(system: System, name: str) -> Formulation:
         NotApplicable: a hypothesis that it cannot do without is broken.
     """
     if name == "newton":
-        from nhc.mechanics.formulations import newton  # here, for a command that needs it not starts sooner
+        from nhc.mechanics.formulations import newton  # here: commands that do without it start sooner
 
         reasons = newton.broken_hypotheses(system)
         if reasons:

@@ -38,7 +38,7 @@ class Home:
 
 
 @structure
-class Scene:
+class Setting:
     """What is known while vectors are placed, bases first."""
 
     system: System

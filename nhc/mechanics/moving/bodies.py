@@ -13,7 +13,7 @@ from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.kinetic import Kinetic
-from nhc.mechanics.moving.axes import Scene
+from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.vectors import Chained
 from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes, cross, turn_in
 from nhc.records import record
@@ -60,33 +60,33 @@ class Bodies:
     hung: tuple[Hung, ...]
 
 
-def gather_bodies(scene: Scene, kinetic: Kinetic, vectors: Sequence[Placed]) -> Bodies:
+def gather_bodies(setting: Setting, kinetic: Kinetic, vectors: Sequence[Placed]) -> Bodies:
     """The forms of T with points of one body put together; where there is no such body they stay what they are."""
-    g = scene.graph
+    g = setting.graph
     values = list(kinetic.atoms)
     for group, vector, is_position in vectors:
-        for k, node in zip(group, scene.home(vector, is_position).velocity, strict=False):
+        for k, node in zip(group, setting.home(vector, is_position).velocity, strict=False):
             values[k] = node
-    points = [Point(group, v, kind, scene.home(v, kind).path) for group, v, kind in vectors]
-    values = substitute(g, values, scene.replaced)
+    points = [Point(group, v, kind, setting.home(v, kind).path) for group, v, kind in vectors]
+    values = substitute(g, values, setting.replaced)
     still = (g.zero, g.zero, g.zero)
     hung = [Hung(p.vector, p.is_position, p.path, p.members, None, still) for p in points]
     plain = Bodies(kinetic, tuple(values), tuple(points), {}, tuple(hung))
     shared: dict[tuple[int, Path], list[tuple[Placed, Vector]]] = {}
     for placed in vectors:
-        base, path, offset = _reference(scene, placed)
+        base, path, offset = _reference(setting, placed)
         shared.setdefault((id(base), path), []).append((placed, offset))
     bodies = {key: members for key, members in shared.items() if len(members) > 1}
     if not bodies:
         return plain
-    return _Assembly(scene, kinetic, plain).join(list(bodies.values())) or plain
+    return _Assembly(setting, kinetic, plain).join(list(bodies.values())) or plain
 
 
-def _reference(scene: Scene, placed: Placed) -> tuple[Chained, Path, Vector]:
+def _reference(setting: Setting, placed: Placed) -> tuple[Chained, Path, Vector]:
     """The point that a vector stands on by a constant arm, with the arm's axes; or the vector itself."""
-    g, (_, vector, is_position) = scene.graph, placed
-    home, zero = scene.home(vector, is_position), (g.zero, g.zero, g.zero)
-    moving = ~g.mask(scene.system.p)
+    g, (_, vector, is_position) = setting.graph, placed
+    home, zero = setting.home(vector, is_position), (g.zero, g.zero, g.zero)
+    moving = ~g.mask(setting.system.p)
     if is_position and vector.base is not None and len(vector.parts) == 1:
         part = vector.parts[0]
         if part.path == home.path and not any(g.deps[x] & moving for x in part.local):
@@ -97,9 +97,9 @@ def _reference(scene: Scene, placed: Placed) -> tuple[Chained, Path, Vector]:
 class _Assembly:
     """The new forms and T in them."""
 
-    def __init__(self, scene: Scene, kinetic: Kinetic, plain: Bodies) -> None:
-        self.scene, self.kinetic, self.plain = scene, kinetic, plain
-        self.graph: Graph = scene.graph
+    def __init__(self, setting: Setting, kinetic: Kinetic, plain: Bodies) -> None:
+        self.setting, self.kinetic, self.plain = setting, kinetic, plain
+        self.graph: Graph = setting.graph
         self.symbols: list[Node] = []
         self.values: list[Node] = []
         self.spins: dict[Path, tuple[int, int, int]] = {}
@@ -111,9 +111,9 @@ class _Assembly:
         g, points = self.graph, []
         for members in bodies:
             (first, _) = members[0]
-            base, path, _ = _reference(self.scene, first)
+            base, path, _ = _reference(self.setting, first)
             is_position = first[2]
-            home = self.scene.home(base, is_position)
+            home = self.setting.home(base, is_position)
             velocity = change_axes(g, home.velocity, home.path, path)
             numbers, point = self._new(velocity)
             spin = self._spin(path)
@@ -142,7 +142,7 @@ class _Assembly:
 
     def _spin(self, path: Path) -> Vector:
         if path not in self.spins:
-            numbers, symbols = self._new(self.scene.spin(path))
+            numbers, symbols = self._new(self.setting.spin(path))
             self.spins[path] = (numbers[0], numbers[1], numbers[2])
             return symbols
         x, y, z = (self.graph.zero if k < 0 else self.symbols[k] for k in self.spins[path])
@@ -150,13 +150,13 @@ class _Assembly:
 
     def _map_rotations(self) -> None:
         """Rotational forms of T that are components of a body's angular velocity, on its axes or on axes fixed to them."""
-        g, fixed = self.graph, self.scene.graph.mask(self.scene.system.p)
+        g, fixed = self.graph, self.setting.graph.mask(self.setting.system.p)
         for path in list(self.spins):
-            ways: list[Path] = [(), *({p[len(path) :] for p in self.scene.paths if p[: len(path)] == path} - {()})]
+            ways: list[Path] = [(), *({p[len(path) :] for p in self.setting.paths if p[: len(path)] == path} - {()})]
             for way in sorted(ways, key=lambda w: [(t.plane, t.angle) for t in w]):
                 if any(g.deps[turn.angle] & ~fixed for turn in way):
                     continue
-                spin, symbols = self.scene.spin((*path, *way)), self._spin(path)
+                spin, symbols = self.setting.spin((*path, *way)), self._spin(path)
                 for turn in way:
                     symbols = turn_in(g, turn, symbols)
                 self._match(spin, symbols)

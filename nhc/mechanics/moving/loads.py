@@ -10,17 +10,17 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
-from nhc.mechanics.moving.axes import Scene
+from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.bodies import Bodies
 from nhc.mechanics.turns import Vector, change_axes, cross
 
 
-def find_loads(scene: Scene, bodies: Bodies, forms: int) -> tuple[tuple[Node, ...], Node, dict[Node, Node]]:
+def find_loads(setting: Setting, bodies: Bodies, forms: int) -> tuple[tuple[Node, ...], Node, dict[Node, Node]]:
     """(what U gives to each of the forms, U with the points' places as symbols of their own, those symbols' places).
 
     The loads are over the coordinates; dU(e) is their sum weighted with W_k(e), and the derivative of what is left of U.
     """
-    g, system = scene.graph, scene.system
+    g, system = setting.graph, setting.system
     loads = [g.zero] * forms
     symbols: dict[Node, Node] = {}
     owners: list[tuple[Node, int, int]] = []
@@ -38,15 +38,15 @@ def find_loads(scene: Scene, bodies: Bodies, forms: int) -> tuple[tuple[Node, ..
         unit = [g.zero] * 3
         unit[axis] = g.one
         direction = change_axes(g, (unit[0], unit[1], unit[2]), (), hung.path)
-        _add(scene, loads, hung.point, direction, slope)
+        _add(setting, loads, hung.point, direction, slope)
         if hung.spin is not None:
             x, y, z = (g.mul(slope, a) for a in hung.arm)
-            _add(scene, loads, hung.spin, cross(g, (x, y, z), direction), g.one)
+            _add(setting, loads, hung.spin, cross(g, (x, y, z), direction), g.one)
     return tuple(loads), rest, places
 
 
-def _add(scene: Scene, loads: list[Node], numbers: Sequence[int], vector: Vector, factor: Node) -> None:
-    g = scene.graph
+def _add(setting: Setting, loads: list[Node], numbers: Sequence[int], vector: Vector, factor: Node) -> None:
+    g = setting.graph
     for k, node in zip(numbers, vector, strict=False):
         if k >= 0:
             loads[k] = g.add(loads[k], g.mul(factor, node))

@@ -8,7 +8,7 @@ from functools import cached_property
 from nhc.algebra.calculus import Derivation, Replacement, substitute, tangent
 from nhc.algebra.graph import Node
 from nhc.algebra.solving.linear import NamedBlock
-from nhc.mechanics.moving.axes import Scene
+from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.vectors import Chained, Part
 from nhc.mechanics.turns import Path, Vector, add_vectors, climb, cross
 from nhc.records import fresh, record
@@ -21,14 +21,14 @@ class Solution:
     A block's symbols are put in for its values where a result is finished, so that their rates come from the block's equations.
     """
 
-    scene: Scene
+    setting: Setting
     found: dict[Node, Node]  # of the velocities, and of the turned equations' symbols
     blocks: tuple[NamedBlock, ...]
     _derivations: dict[Node, Derivation] = fresh(factory=dict)
 
     @cached_property
     def _solved(self) -> Replacement:
-        return Replacement(self.scene.graph, self.found)
+        return Replacement(self.setting.graph, self.found)
 
     def put(self, values: Sequence[Node]) -> list[Node]:
         """Values with the velocities put in."""
@@ -36,9 +36,9 @@ class Solution:
 
     def along(self, symbol: Node) -> dict[Node, Node]:
         """Seeds of the derivative by a held symbol."""
-        seeds = {symbol: self.scene.graph.one}
+        seeds = {symbol: self.setting.graph.one}
         for block in self.blocks:
-            columns = tangent(self.scene.graph, block.values, seeds)
+            columns = tangent(self.setting.graph, block.values, seeds)
             seeds.update(zip(block.symbols, columns, strict=True))
         return seeds
 
@@ -48,13 +48,13 @@ class Solution:
         for symbol in symbols:
             derivation = self._derivations.get(symbol)
             if derivation is None:
-                derivation = self._derivations[symbol] = Derivation(self.scene.graph, self.along(symbol))
+                derivation = self._derivations[symbol] = Derivation(self.setting.graph, self.along(symbol))
             found.append([derivation.of(value) for value in values])
         return found
 
     def finish(self, values: Sequence[Node], on_motion: dict[Node, Node]) -> list[Node]:
         """Values with the blocks' symbols replaced by what they stand for."""
-        g = self.scene.graph
+        g = self.setting.graph
         for block in reversed(self.blocks):
             own = substitute(g, block.values, on_motion)
             values = substitute(g, values, dict(zip(block.symbols, own, strict=True)))
@@ -68,15 +68,15 @@ class OnMotion:
     """
 
     def __init__(self, solution: Solution, held: dict[Node, Node]) -> None:
-        scene, g = solution.scene, solution.scene.graph
+        setting, g = solution.setting, solution.setting.graph
         self.solution, self.held = solution, held
-        self._free = scene.held[scene.system.l :]
+        self._free = setting.held[setting.system.l :]
         self.there = Replacement(g, held)
         self._rest = Replacement(g, {held[symbol]: g.zero for symbol in self._free}, named=False)
 
     def of(self, values: Sequence[Node]) -> list[Node]:
         """The values on the motion."""
-        g, held = self.solution.scene.graph, self.held
+        g, held = self.solution.setting.graph, self.held
         columns = self.solution.columns(values, self._free)
         there = self.there.of(values)
         rest = self._rest.of(there)
@@ -92,9 +92,9 @@ class Rates:
 
     def __init__(self, on_motion: OnMotion, q_rates: Sequence[Node]) -> None:
         solution = on_motion.solution
-        scene = solution.scene
-        system, g = scene.system, scene.graph
-        self.scene, self.solution, self._on_motion = scene, solution, on_motion
+        setting = solution.setting
+        system, g = setting.system, setting.graph
+        self.setting, self.solution, self._on_motion = setting, solution, on_motion
         self.seeds = {**dict(zip(system.q, q_rates, strict=True)), system.t: g.one}
         for block in solution.blocks:
             here = block.mapped(on_motion.there.of)
@@ -123,18 +123,18 @@ class Rates:
 
     def _carried(self, velocity: Vector, path: Path) -> Vector:
         """d/dt of the components + Omega x components."""
-        g = self.scene.graph
-        return add_vectors(g, self.rate(velocity), cross(g, self.value(self.scene.spin(path)), velocity))
+        g = self.setting.graph
+        return add_vectors(g, self.rate(velocity), cross(g, self.value(self.setting.spin(path)), velocity))
 
     def _find(self, vector: Chained, is_position: bool) -> Vector:
-        scene, g = self.scene, self.scene.graph
-        home = scene.home(vector, is_position)
+        setting, g = self.setting, self.setting.graph
+        home = setting.home(vector, is_position)
         if home.settled or vector.base is None:
             return self._carried(self.value(home.velocity), home.path)
-        at = scene.home(vector.base, is_position).path
+        at = setting.home(vector.base, is_position).path
         start = self.acceleration(vector.base, is_position)
         local = [(part.path, self._local(part, is_position)) for part in vector.parts]
         return climb(g, start, at, home.path, local)
 
     def _local(self, part: Part, is_position: bool) -> Vector:
-        return self._carried(self.value(self.scene.local_velocity(part, is_position)), part.path)
+        return self._carried(self.value(self.setting.local_velocity(part, is_position)), part.path)

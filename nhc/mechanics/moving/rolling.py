@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from nhc.algebra.calculus import list_terms, reachable, substitute
 from nhc.algebra.graph import Graph, Node
-from nhc.mechanics.moving.axes import Scene
+from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.straight import straighten
 from nhc.mechanics.moving.vectors import Chained
 from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes
@@ -47,13 +47,13 @@ class _Matched:
     rest: Vector
 
 
-def read_rolling(scene: Scene, values: Sequence[Node]) -> list[Rolling]:
+def read_rolling(setting: Setting, values: Sequence[Node]) -> list[Rolling]:
     """Vector equations among the constraints, those of bases first; their rows may stand anywhere, and each with either sign."""
     found: list[Rolling] = []
     used = set[int]()
-    known = _by_term(scene, _list_candidates(scene))
-    for row in range(scene.system.l):
-        rolling = next(_read(scene, known, row, values, used), None) if row not in used else None
+    known = _by_term(setting, _list_candidates(setting))
+    for row in range(setting.system.l):
+        rolling = next(_read(setting, known, row, values, used), None) if row not in used else None
         if rolling is not None:
             found.append(rolling)
             used.update(rolling.rows)
@@ -68,33 +68,33 @@ def _height(vector: Chained) -> int:
     return height
 
 
-def peel_rolling(scene: Scene, values: Sequence[Node]) -> list[Path]:
+def peel_rolling(setting: Setting, values: Sequence[Node]) -> list[Path]:
     """Axes in space on which triples of constraints were written down, turn by turn: no vector of T need turn with them."""
-    candidates, found = _list_candidates(scene), list[Path]()
-    if all(scene.graph.zero in velocity for _, _, velocity in candidates):
+    candidates, found = _list_candidates(setting), list[Path]()
+    if all(setting.graph.zero in velocity for _, _, velocity in candidates):
         return found  # in the plane there are no triples
-    known = _by_term(scene, candidates)
-    for row in range(scene.system.l):
-        for matched in _match(scene, known, row, values, 3, set(range(row))):
-            path = scene.velocities.unturn(matched.rest).path
+    known = _by_term(setting, candidates)
+    for row in range(setting.system.l):
+        for matched in _match(setting, known, row, values, 3, set(range(row))):
+            path = setting.velocities.unturn(matched.rest).path
             if len(_turned_among(path)) == 3:
                 found.append(path)
                 break
     return found
 
 
-def _list_candidates(scene: Scene) -> list[Candidate]:
+def _list_candidates(setting: Setting) -> list[Candidate]:
     """The vectors that are known, newest positions first, then velocities."""
     return [
-        (is_position, vector, scene.velocity_of(vector, is_position))
-        for is_position, reader in ((True, scene.positions), (False, scene.velocities))
+        (is_position, vector, setting.velocity_of(vector, is_position))
+        for is_position, reader in ((True, setting.positions), (False, setting.velocities))
         for vector in sorted(reader.known.values(), key=lambda v: v.components, reverse=True)
     ]
 
 
-def _by_term(scene: Scene, candidates: Iterable[Candidate]) -> dict[Node, list[Candidate]]:
+def _by_term(setting: Setting, candidates: Iterable[Candidate]) -> dict[Node, list[Candidate]]:
     """The vectors by the components of their velocities, and by their first terms."""
-    g, found = scene.graph, dict[Node, list[Candidate]]()
+    g, found = setting.graph, dict[Node, list[Candidate]]()
     for candidate in candidates:
         for key in dict.fromkeys(key for node in candidate[2] for key in (node, *list_terms(g, node)[:1])):
             found.setdefault(key, []).append(candidate)
@@ -102,19 +102,19 @@ def _by_term(scene: Scene, candidates: Iterable[Candidate]) -> dict[Node, list[C
 
 
 def _read(
-    scene: Scene, known: dict[Node, list[Candidate]], row: int, values: Sequence[Node], used: Collection[int]
+    setting: Setting, known: dict[Node, list[Candidate]], row: int, values: Sequence[Node], used: Collection[int]
 ) -> Iterator[Rolling]:
     for size in (3, 2):
-        for matched in _match(scene, known, row, values, size, used):
+        for matched in _match(setting, known, row, values, size, used):
             axes = {axis for axis in range(3) if matched.rows[axis] >= 0}
-            place = _on_axes(scene, matched.rest, axes)
+            place = _on_axes(setting, matched.rest, axes)
             if place is not None:
                 is_position, vector, _ = matched.candidate
                 yield Rolling(matched.rows, matched.signs, vector, is_position, *place)
 
 
 def _match(
-    scene: Scene,
+    setting: Setting,
     known: dict[Node, list[Candidate]],
     row: int,
     values: Sequence[Node],
@@ -124,11 +124,11 @@ def _match(
     """Vectors of ``size`` components of which the row has one as a term and other open rows the rest, positions first and the
     newest first of them.
     """
-    g = scene.graph
+    g = setting.graph
     terms = (values[row], *list_terms(g, values[row]))
     keys = dict.fromkeys((*terms, *(g.neg(term) for term in terms)))
     candidates = {id(c[1]): c for key in keys for c in known.get(key, ()) if sum(x != g.zero for x in c[2]) == size}
-    others = [k for k in range(scene.system.l) if k != row and k not in used]
+    others = [k for k in range(setting.system.l) if k != row and k not in used]
     for candidate in sorted(candidates.values(), key=lambda c: (c[0], c[1].components), reverse=True):
         velocity = candidate[2]
         for first in (axis for axis in range(3) if velocity[axis] != g.zero):
@@ -173,29 +173,29 @@ def _take(graph: Graph, node: Node, taken: Node) -> Node | None:
     return g.sum(mine)
 
 
-def _on_axes(scene: Scene, rest: Vector, axes: set[int]) -> tuple[Path, Vector] | None:
+def _on_axes(setting: Setting, rest: Vector, axes: set[int]) -> tuple[Path, Vector] | None:
     """The rest as a vector on axes turned among ``axes`` whose components the spec has as expressions."""
-    g = scene.graph
+    g = setting.graph
     if len(axes) == 2:
-        parts = scene.velocities.peel(rest)
+        parts = setting.velocities.peel(rest)
         if len(parts) == 1 and parts[0].path and _turned_among(parts[0].path) == axes:
             return parts[0].path, parts[0].local
-    names = {scene.marks.of(node): node for node in reversed(reachable(g, rest))}
-    for path in sorted(scene.paths, key=len, reverse=True):
+    names = {setting.marks.of(node): node for node in reversed(reachable(g, rest))}
+    for path in sorted(setting.paths, key=len, reverse=True):
         if _turned_among(path) != axes:
             continue
         local = []
         for node in change_axes(g, rest, (), path):
-            mark = scene.marks.of(node)
+            mark = setting.marks.of(node)
             known = g.zero if not any(mark) else names.get(mark)
             if known is None:
-                opposite = names.get(scene.marks.negative(mark))
+                opposite = names.get(setting.marks.negative(mark))
                 known = None if opposite is None else g.neg(opposite)
             if known is None:
                 break
             local.append(known)
         if len(local) == 3:
-            return straighten(scene, path, (local[0], local[1], local[2]))
+            return straighten(setting, path, (local[0], local[1], local[2]))
     return None
 
 
@@ -203,42 +203,42 @@ def _turned_among(path: Path) -> set[int]:
     return {axis for turn in path for axis in turn.plane}
 
 
-def apply_rolling(scene: Scene, rolling: Rolling) -> None:
+def apply_rolling(setting: Setting, rolling: Rolling) -> None:
     """Use the equation: it settles a root, or replaces its rows once the base has a home."""
-    g = scene.graph
+    g = setting.graph
     local = rolling.local
-    x, y, z = substitute(g, local, scene.replaced)
+    x, y, z = substitute(g, local, setting.replaced)
     local = (x, y, z)
-    turned = _turned(scene, rolling)
-    velocity = scene.velocity_of(rolling.base, rolling.is_position)
+    turned = _turned(setting, rolling)
+    velocity = setting.velocity_of(rolling.base, rolling.is_position)
     numbered = [
         (axis, k, sign) for axis, (k, sign) in enumerate(zip(rolling.rows, rolling.signs, strict=True)) if k >= 0
     ]
-    if rolling.base.base is None and all(v in scene.system.v or v == g.zero for v in velocity):
+    if rolling.base.base is None and all(v in setting.system.v or v == g.zero for v in velocity):
         x, y, z = (g.sub(a, b) for a, b in zip(turned, local, strict=True))
-        scene.equations[velocity] = rolling.path, (x, y, z)
+        setting.equations[velocity] = rolling.path, (x, y, z)
         out = change_axes(g, local, rolling.path, ())
         for axis, k, sign in numbered:
-            scene.rows[k] = g.scale(sign, g.add(velocity[axis], out[axis]))
+            setting.rows[k] = g.scale(sign, g.add(velocity[axis], out[axis]))
         return
-    home = scene.home(rolling.base, rolling.is_position)
+    home = setting.home(rolling.base, rolling.is_position)
     there = add_vectors(g, change_axes(g, home.velocity, home.path, rolling.path), local)
     for axis, k, _ in numbered:
         # three equations for three rows
-        scene.rows[k] = g.add(g.sub(there[axis], turned[axis]), scene.held[k])
+        setting.rows[k] = g.add(g.sub(there[axis], turned[axis]), setting.held[k])
 
 
-def _turned(scene: Scene, rolling: Rolling) -> Vector:
+def _turned(setting: Setting, rolling: Rolling) -> Vector:
     """Symbols for the rows' values on the equation's axes."""
-    g = scene.graph
+    g = setting.graph
     signed = zip(rolling.rows, rolling.signs, strict=True)
-    x, y, z = (g.zero if k < 0 else g.scale(sign, scene.held[k]) for k, sign in signed)
+    x, y, z = (g.zero if k < 0 else g.scale(sign, setting.held[k]) for k, sign in signed)
     new, number = [], next(k for k in rolling.rows if k >= 0)
     for k, node in enumerate(change_axes(g, (x, y, z), (), rolling.path)):
         if node == g.zero:
             new.append(node)
             continue
         symbol = g.symbol(f"turned_{number}_{k}", "quasi")
-        scene.meaning[symbol] = node
+        setting.meaning[symbol] = node
         new.append(symbol)
     return new[0], new[1], new[2]

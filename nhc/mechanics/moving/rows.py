@@ -10,7 +10,7 @@ from nhc.algebra.calculus import list_terms
 from nhc.algebra.graph import NEG, SYM, Graph, Node
 from nhc.mechanics.directions import Sided, along_direction
 from nhc.mechanics.kinetic import Kinetic
-from nhc.mechanics.moving.axes import Scene
+from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.vectors import Chained
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Vector, change_axes
@@ -76,27 +76,27 @@ def _pair(members: Sequence[int], reach: dict[int, int]) -> Iterator[tuple[int, 
             yield first, partner
 
 
-def read_vector(scene: Scene, components: Vector) -> tuple[Chained, bool]:
+def read_vector(setting: Setting, components: Vector) -> tuple[Chained, bool]:
     """A velocity by its components: as the rate of a position where the spec differentiated one."""
-    places = [place_of(scene, node) for node in components]
+    places = [place_of(setting, node) for node in components]
     x, y, z = places
     if x is None or y is None or z is None:
-        return scene.velocities.read(components), False
-    return scene.positions.read((x, y, z)), True
+        return setting.velocities.read(components), False
+    return setting.positions.read((x, y, z)), True
 
 
-def order_roots(scene: Scene, kinetic: Kinetic, groups: Sequence[tuple[int, ...]]) -> list[tuple[int, ...]]:
+def order_roots(setting: Setting, kinetic: Kinetic, groups: Sequence[tuple[int, ...]]) -> list[tuple[int, ...]]:
     """The groups, those of coordinates' own velocities in the order in which the rows and the other groups use these."""
-    g, system = scene.graph, scene.system
+    g, system = setting.graph, setting.system
     votes = Counter[tuple[Node, int]]()
-    for value in scene.values:
+    for value in setting.values:
         sided = along_direction(g, value)
         if sided is not None:
             votes.update((node, axis) for axis, node in enumerate(direction_vector(g, sided)[0]))
     own = dict(zip(system.q, system.v, strict=True))
     for group in groups:
         for axis, k in enumerate(group):
-            place = place_of(scene, kinetic.atoms[k])
+            place = place_of(setting, kinetic.atoms[k])
             votes.update((own[term], axis) for term in list_terms(g, place or g.zero) if term in own and term != place)
     ordered = []
     for group in groups:
@@ -106,38 +106,38 @@ def order_roots(scene: Scene, kinetic: Kinetic, groups: Sequence[tuple[int, ...]
     return ordered
 
 
-def read_group(scene: Scene, kinetic: Kinetic, group: tuple[int, ...]) -> tuple[tuple[int, ...], Chained, bool]:
+def read_group(setting: Setting, kinetic: Kinetic, group: tuple[int, ...]) -> tuple[tuple[int, ...], Chained, bool]:
     """A group of squares as a vector: in the given order, or in one in which it stands on a vector that is known."""
 
     def filled(nodes: Iterable[Node]) -> Vector:
-        x, y, z = [*nodes, scene.graph.zero][:3]
+        x, y, z = [*nodes, setting.graph.zero][:3]
         return x, y, z
 
     def stands(order: tuple[int, ...]) -> bool:
-        places = [place_of(scene, kinetic.atoms[k]) for k in order]
+        places = [place_of(setting, kinetic.atoms[k]) for k in order]
         known = [place for place in places if place is not None]
-        return len(known) == len(places) and scene.positions.stands_on_known(filled(known))
+        return len(known) == len(places) and setting.positions.stands_on_known(filled(known))
 
     order = next(filter(stands, permutations(group)), group)
-    return order, *read_square(scene, filled(kinetic.atoms[k] for k in order))
+    return order, *read_square(setting, filled(kinetic.atoms[k] for k in order))
 
 
-def read_square(scene: Scene, components: Vector) -> tuple[Chained, bool]:
+def read_square(setting: Setting, components: Vector) -> tuple[Chained, bool]:
     """The same for components of a square, whose signs say nothing: those that the spec differentiated, or that share a base."""
-    g = scene.graph
+    g = setting.graph
     signed = [sorted({node, g.neg(node)}, key=lambda n: (g.op[n] == NEG, n)) for node in components]
-    placed = [next((n for n in both if place_of(scene, n) is not None), None) for both in signed]
+    placed = [next((n for n in both if place_of(setting, n) is not None), None) for both in signed]
     x, y, z = placed
     if x is not None and y is not None and z is not None:
-        return read_vector(scene, (x, y, z))
+        return read_vector(setting, (x, y, z))
     options = [(x, y, z) for x in signed[0][:1] for y in signed[1] for z in signed[2]]
-    best = next((option for option in options if scene.velocities.has_base(option)), options[0])
-    return scene.velocities.read(best), False
+    best = next((option for option in options if setting.velocities.has_base(option)), options[0])
+    return setting.velocities.read(best), False
 
 
-def place_of(scene: Scene, node: Node) -> Node | None:
+def place_of(setting: Setting, node: Node) -> Node | None:
     """The expression whose rate the node is, where the spec has one."""
-    g, system = scene.graph, scene.system
+    g, system = setting.graph, setting.system
     if node == g.zero:
         return g.zero
     if node in g.rate_of:
@@ -152,15 +152,15 @@ def place_of(scene: Scene, node: Node) -> Node | None:
     return place if body == node else g.neg(place)
 
 
-def rewrite_row(scene: Scene, row: Node) -> Node | None:
+def rewrite_row(setting: Setting, row: Node) -> Node | None:
     """A row along a direction, with its vector's component taken from the vector's home."""
-    g = scene.graph
+    g = setting.graph
     sided = along_direction(g, row)
     if sided is None:
         return None
     components, axis, sign = direction_vector(g, sided)
-    vector, is_position = read_vector(scene, components)
-    home = scene.home(vector, is_position)
+    vector, is_position = read_vector(setting, components)
+    home = setting.home(vector, is_position)
     component = change_axes(g, home.velocity, home.path, sided.path)[axis]
     return g.add(g.mul(sided.scale, component if sign > 0 else g.neg(component)), sided.rest)
 

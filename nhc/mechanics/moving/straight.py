@@ -11,34 +11,34 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import Replacement, gradient, reachable, substitute
 from nhc.algebra.graph import ADD, Graph, Node
 from nhc.algebra.rewriting.digits import normalise_kept, shorter_kept
-from nhc.mechanics.moving.axes import Scene
+from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.turns import Path, Vector, change_axes, turn_in, turn_out
 
 _TERMS = 60
 
 
-def straighten(scene: Scene, path: Path, local: Vector) -> tuple[Path, Vector]:
+def straighten(setting: Setting, path: Path, local: Vector) -> tuple[Path, Vector]:
     """The vector ``local`` on the axes before the last turn of ``path``, if that turn leads back from a straightened joint.
 
     Otherwise the path and the vector as they are.
     """
-    if not path or path[-1] not in scene.backs:
+    if not path or path[-1] not in setting.backs:
         return path, local
-    g, back, path = scene.graph, path[-1], path[:-1]
-    vectors = [*(change_axes(g, unit, (), path) for unit in _units(g)), scene.spin(path)]
+    g, back, path = setting.graph, path[-1], path[:-1]
+    vectors = [*(change_axes(g, unit, (), path) for unit in _units(g)), setting.spin(path)]
     symbols = [_symbols(g, number) for number in range(len(vectors))]
     named: dict[tuple[int, ...], list[Node]] = {}
     for node in reachable(g, local):
-        named.setdefault(scene.marks.of(node), []).append(node)
+        named.setdefault(setting.marks.of(node), []).append(node)
     mapping: dict[Node, Node] = {}
     for vector, own in zip(vectors, symbols, strict=True):
         for component, symbol in zip(turn_in(g, back, vector), turn_in(g, back, own), strict=True):
-            mark = scene.marks.of(component)
+            mark = setting.marks.of(component)
             if any(mark):
                 mapping.update((node, symbol) for node in named.get(mark, ()))
-                mapping.update((node, g.neg(symbol)) for node in named.get(scene.marks.negative(mark), ()))
+                mapping.update((node, g.neg(symbol)) for node in named.get(setting.marks.negative(mark), ()))
     there = _Shortened(g, mapping, ()).vector(local)
-    variables = [*symbols[-1], *scene.system.v]
+    variables = [*symbols[-1], *setting.system.v]
     x, y, z = (_by_velocities(g, node, variables) for node in turn_out(g, back, there))
     meaning = {s: v for own, vector in zip(symbols, vectors, strict=True) for s, v in zip(own, vector, strict=True)}
     return path, _Shortened(g, meaning, list(meaning.values())).vector((x, y, z))

@@ -84,9 +84,7 @@ def as_given(system: System) -> System | None:
     return replace(system, constraints=tuple(forms)) if changed else None
 
 
-def classify_as_given(
-    system: System, generic: Integrability, *, levels: bool = True
-) -> tuple[System, Integrability] | None:
+def classify_as_given(system: System, generic: Integrability, *, levels: bool) -> tuple[System, Integrability] | None:
     """What :func:`classify` finds for the parameters' values in the spec, where more is integrable then.
 
     Parameters whose values are no rational numbers stay as they are; long constraints are not looked at a second time.

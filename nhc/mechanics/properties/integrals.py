@@ -46,7 +46,7 @@ class PositionIntegral:
 
 
 def find_position_integrals(
-    system: System, frame: Frame, hidden: int, closed: Sequence[str] = ()
+    system: System, frame: Frame, hidden: int, closed: Sequence[str]
 ) -> tuple[PositionIntegral, ...]:
     """Up to ``hidden`` functionally independent integrals; fewer where the rest is not among the candidates.
 

@@ -43,7 +43,7 @@ class Recursion:
 
 
 def read_recursion(
-    graph: Graph, forms: Sequence[Node], w: Sequence[Node], parameters: int, inner: Container[Node] = ()
+    graph: Graph, forms: Sequence[Node], w: Sequence[Node], parameters: int, inner: Container[Node]
 ) -> Recursion | None:
     """The recursion behind nodes that are affine in w; None where one is not built of sums and products alone.
 

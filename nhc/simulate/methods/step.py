@@ -28,14 +28,19 @@ class NoSolution(Exception):
 
 @dataclass
 class Step:
-    """From (t, y) with slope to (t + h, reached) with arrived; ``tolerance`` 0 means fixed steps; ``shape`` is the interpolant.
+    """A step from (t, y) to (t + h, ``reached``) with the slopes ``slope`` and ``arrived`` there, and what a run carries on.
 
-    ``size``: the largest magnitudes so far; ``coming``: those that refused steps let hope for, ``ahead``: how far from here the
-    longest of these steps went; ``hope``: what steps of late were held to, while ``hoping``, that is until it came, ``until``:
-    when it must have come; ``seen`` and ``drift``: what came, and the errors meanwhile, added up; ``returns``: how often it did
-    not; ``noise``: what rounding may make of the slopes; ``wrong``: the square of the error of the step refused last, ``stuck``:
-    how often in a row that was none the less for its length; ``spared``: the part of the largest entry that does for one, if for
-    any.
+    ``tolerance`` 0 means fixed steps; ``k`` are the slopes of the stages, ``shape`` is the interpolant.  An entry's error counts
+    relative to its size.  An entry that leaves rest has none yet, so that refused steps have to foretell it:
+
+    - ``size``: the largest magnitude of each entry so far;
+    - ``coming``: magnitudes that the ends of refused steps foretell; ``ahead``: the longest of these steps;
+    - ``hoping``: steps are taken that count on such magnitudes, ``hope``, which must have come by the time ``until``; ``seen``:
+      what came meanwhile, ``drift``: the errors meanwhile, added up; ``returns``: how often it did not come and the run went back;
+    - ``noise``: what rounding may make of the slopes;
+    - ``wrong``: the square of the last refused step's error; ``stuck``: how often in a row a shorter step did not lessen it;
+    - ``spared``: of each entry, the part of the largest entry that its error may count relative to (empty: of none);
+    - ``push``, ``asked``: what clocks do to the slopes, and how often that was asked (:mod:`nhc.simulate.methods.beating`).
     """
 
     model: Model
@@ -79,8 +84,8 @@ class Step:
         return self.model.rhs(t, y, self.p)
 
     def jacobian(self, t: float, y: Vector, slope: Vector) -> list[Vector]:
-        """That at a state with this slope, or next to it where it has no value: as it is written a drag v*sqrt(v^2) has no slope at
-        rest.  What it is for bears with that.
+        """The Jacobian at a state with this slope, or right beside it where it has no value: as it is written, a drag v*sqrt(v^2)
+        has no derivative at rest.  Newton's iteration and estimates of errors need no more.
         """
         self.jacobians += 1
         try:
@@ -93,8 +98,8 @@ class Step:
     def find_sizes(self, reached: Vector) -> Vector:
         """What the errors of entries are relative to: their own sizes in the run so far, this end included.
 
-        Rounding counts as such up to a millionth of the largest: past a singular place, where a refused step may end, slopes are as
-        sensitive as noise.
+        They are no less than what rounding may make, but of that a millionth of the largest entry at most: past a singular place,
+        where a refused step may end, slopes are so sensitive that it would be anything.
         """
         rows = zip(self.size, self.coming, reached, strict=True)
         sizes = [max(size, coming, abs(end)) for size, coming, end in rows]
@@ -125,11 +130,11 @@ class Step:
         return max(self.size, default=0.0) <= 1e-3 * max(map(abs, self.reached), default=0.0)
 
     def learn_sizes(self, square: float, trust: float) -> None:
-        """Of what is next to nothing: sizes to come, by a refused step if it and those refused after it are right to the part
-        ``trust`` of their ends, or to three tenths where some entries are spared.
+        """Sizes to come of entries near zero, from the end of a refused step, if its error and those of the steps refused after
+        it are at most the part ``trust`` of their ends, or three tenths where some entries are spared.
 
-        Leaving rest as a power of the time, a motion has the same error relative to itself in each step, however short.
-        ``square``: of the error relative to what is allowed.
+        A motion that leaves rest as a power of the time has the same relative error in each step, however short.  ``square``: of
+        the error relative to what is allowed.
         """
         tame = trust >= 1.0  # any step that is solved
         self.stuck = self.stuck + 1 if self.wrong > 0.0 and square >= 0.25 * self.wrong else 0
@@ -148,8 +153,8 @@ class Step:
         self.coming = [max(a, b) for a, b in zip(self.coming, told, strict=True)]
 
     def spare(self) -> None:
-        """Where everything rests, or errors are none the less for shorter steps, as those of high powers of the time: from here on
-        a millionth of the largest entry does for what is next to nothing.
+        """Where everything rests, or shorter steps do not lessen the errors (of high powers of the time): from here on the error of
+        an entry near zero counts relative to a millionth of the largest entry.
         """
         if not self.telling or (self.stuck < LIMITS.hopeless and not self.resting):
             return

@@ -6,7 +6,7 @@ from nhc.mechanics.about import scene_about
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import start_of
-from nhc.simulate.prepare import prepare
+from nhc.simulate.prepare import Recipe, prepare
 from nhc.simulate.run import load
 from nhc.simulate.task import DONE, Task
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, grid, open_runner, open_system
@@ -23,7 +23,7 @@ def run() -> Verdict:
     grown = float(max(abs(energy - energy[0])))
     form = formulate(system, "multipliers")
     start = start_of(system, scene_about(system.spec, "reference"))
-    job = prepare(equations_of(system, form), form, start, system.q_names, natural=True, checks=True)
+    job = prepare(Recipe(equations_of(system, form), system.q_names, checks=True), form, start, natural=True)
     model, _ = load(job, "leapfrog")
     outcome = model.integrate(Task(job.p, job.y, times, 1e-12, STEP), "leapfrog", model.news())
     place = len(job.columns) + next(k for k, column in enumerate(job.checks) if column.group == "energy")

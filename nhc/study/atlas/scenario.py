@@ -22,7 +22,7 @@ from nhc.records import record
 from nhc.resources import find_specs
 from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.methods.tableau import Collocation
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.run import Model, load
 from nhc.simulate.task import Outcome, Task
 from nhc.study.units import Matrix
@@ -117,7 +117,8 @@ def open_runner(
     begin = start or start_of(system, scene_about(system.spec, about, settings))
     implicit = isinstance(RUNGE_KUTTA[method], Collocation)
     wanted = needs or system.q_names
-    job = prepare(equations_of(system, form), form, begin, wanted, jacobian=implicit, hold=hold, checks=True)
+    recipe = Recipe(equations_of(system, form), tuple(wanted), jacobian=implicit, hold=hold, checks=True)
+    job = prepare(recipe, form, begin)
     if not watch:
         functions = tuple(f for f in job.program.functions if f.name != "watch")
         job = replace(job, program=replace(job.program, functions=functions), watch=Watch())

@@ -54,7 +54,7 @@ SCENARIOS: tuple[Scenario, ...] = tuple(
 Result = tuple[Scenario, Verdict]
 
 
-def run_all(slow: bool = False, tell: Callable[[str], None] = lambda text: None) -> list[Result]:
+def run_all(slow: bool, tell: Callable[[str], None]) -> list[Result]:
     """The verdicts in the catalogue's order; ``tell`` hears the title of each before it runs."""
     found = []
     for scenario in SCENARIOS:

@@ -6,19 +6,12 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 
 from nhc.records import record
-from nhc.study.chart.case import Case, Cost, Result, Study
+from nhc.study.chart.case import Cost, Result, Study
+from nhc.study.chart.words import LANGUAGE_NAMES, duration, setting, spell_power
 
 EQUAL = 1.05
 """Times whose ratio is less than this count as equal."""
 TARGETS = (1e-3, 1e-6, 1e-9, 1e-12)
-NAMES = {
-    "c": "C",
-    "python": "Python",
-    "scipy": "SciPy",
-    "sundials": "SUNDIALS",
-    "heyoka": "heyoka",
-    "diffrax": "diffrax",
-}
 
 
 @record
@@ -69,7 +62,7 @@ def _advise(study: Study, target: float) -> Advice:
     case = best.case
     error = f"at most {best.error + floor:.1e}" if best.unresolved else f"{best.error:.1e}"
     text = (
-        f"{case.formulation} with {case.method} in {NAMES[case.language]} at {setting(case)}: error {error}, "
+        f"{case.formulation} with {case.method} in {LANGUAGE_NAMES[case.language]} at {setting(case)}: error {error}, "
         f"{duration(best.best)} ({best.calls} right-hand sides)"
     )
     return Advice(target, best, "; ".join([text, *_reasons(study, best, target)]))
@@ -107,11 +100,11 @@ def _reasons(study: Study, best: Result, target: float) -> list[str]:
         reasons.append(f"{form.case.formulation} takes {_times(form, best)}{_why(study.costs, best, form)}")
     language = rival((True, True, False))
     if language is not None:
-        reasons.append(f"{NAMES[language.case.language]} takes {_times(language, best)}")
+        reasons.append(f"{LANGUAGE_NAMES[language.case.language]} takes {_times(language, best)}")
     for name in dict.fromkeys(r.case.language for r in study.results if r.case.language not in ("c", "python")):
         peer = fastest([r for r in study.results if r.case.language == name], target, floor)
         if peer is not None:
-            whose = f"{NAMES.get(name, name)}'s {peer.case.method}"
+            whose = f"{LANGUAGE_NAMES.get(name, name)}'s {peer.case.method}"
             reasons.append(
                 f"{whose}{' on the same C' if name in ('scipy', 'sundials') else ''} takes {_times(peer, best)}"
             )
@@ -143,24 +136,3 @@ def _times(a: Result, b: Result) -> str:
     if ratio < EQUAL:
         return "as long"
     return f"{ratio:.0f} times as long" if ratio >= 9.95 else f"{ratio:.1f} times as long"
-
-
-def setting(case: Case) -> str:
-    """The tolerance or the step of a case."""
-    return f"steps of {case.step:.3g}" if case.step > 0 else f"tolerance {spell_power(case.tolerance)}"
-
-
-def spell_power(x: float) -> str:
-    """A power of ten as an axis spells it: 1e-6."""
-    mantissa, exponent = f"{x:.1e}".split("e")
-    return f"{mantissa.removesuffix('.0')}e{int(exponent)}"
-
-
-def duration(seconds: float) -> str:
-    """A time with its unit, two or three digits."""
-    if not math.isfinite(seconds):
-        return "-"
-    for size, unit in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")):
-        if seconds >= size:
-            return f"{seconds / size:.3g} {unit}"
-    return f"{seconds / 1e-9:.3g} ns"

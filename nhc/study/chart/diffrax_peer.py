@@ -8,7 +8,7 @@ from typing import Any
 
 from nhc.emit import EmitOptions, render
 from nhc.simulate.interpreted import load_text
-from nhc.study.chart.single import Bench
+from nhc.study.chart.single import Rig
 from nhc.study.chart.slope import absolute_tolerance
 
 LANGUAGE, METHOD = "diffrax", "Dopri8"
@@ -20,13 +20,13 @@ class NoDiffrax(Exception):
     """The right-hand side is too large for its compiler, or its run fails."""
 
 
-def bind(bench: Bench) -> Callable[[bool, float], tuple[list[list[float]], int]]:
+def bind(rig: Rig) -> Callable[[bool, float], tuple[list[list[float]], int]]:
     """Runs at any tolerance: with the rows of the reference (and the number of steps), or with the last one alone.
 
     Raises:
         NoDiffrax: it is too large.
     """
-    program = bench.job.program
+    program = rig.job.program
     size = sum(f.adds + f.multiplications + f.divisions for f in program.functions if f.name == "rhs")
     if size > MOST_OPERATIONS:
         raise NoDiffrax(f"{size} operations are more than XLA compiles in good time")
@@ -34,15 +34,15 @@ def bind(bench: Bench) -> Callable[[bool, float], tuple[list[list[float]], int]]
     jax.config.update("jax_enable_x64", True)
     (text,) = render(program, "python", EmitOptions(only=("rhs",), array="jax")).values()
     rhs = load_text(text, f"{program.system}_jax").rhs
-    p, start = numpy.asarray(bench.job.p), numpy.asarray(bench.job.y)
+    p, start = numpy.asarray(rig.job.p), numpy.asarray(rig.job.y)
     term = diffrax.ODETerm(lambda t, y, args: numpy.stack(numpy.asarray(rhs(t, y, p))))
-    times = numpy.asarray(bench.times)
+    times = numpy.asarray(rig.times)
 
     def solve_at(save: Any) -> Any:
         def solve(relative: Any, absolute: Any) -> Any:
             control = diffrax.PIDController(rtol=relative, atol=absolute)
             found = diffrax.diffeqsolve(
-                *(term, diffrax.Dopri8(), bench.times[0], bench.times[-1], None, start),
+                *(term, diffrax.Dopri8(), rig.times[0], rig.times[-1], None, start),
                 saveat=save,
                 stepsize_controller=control,
                 max_steps=MOST_STEPS,
@@ -55,7 +55,7 @@ def bind(bench: Bench) -> Callable[[bool, float], tuple[list[list[float]], int]]
     every, last = solve_at(diffrax.SaveAt(ts=times)), solve_at(diffrax.SaveAt(t1=True))
 
     def run(rows: bool, tolerance: float) -> tuple[list[list[float]], int]:
-        states, steps, good = (every if rows else last)(tolerance, absolute_tolerance(bench, tolerance))
+        states, steps, good = (every if rows else last)(tolerance, absolute_tolerance(rig, tolerance))
         states.block_until_ready()
         if not rows:
             return [], 0

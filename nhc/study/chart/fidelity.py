@@ -19,7 +19,7 @@ from nhc.records import record
 from nhc.simulate.auto import choose_method
 from nhc.simulate.compile import find_compiler
 from nhc.simulate.opening import find_need, find_scene
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
 from nhc.simulate.run import list_times
 from nhc.study.chart.case import RESOLVED, Case, Machine, Reference, Result
@@ -29,7 +29,7 @@ from nhc.study.chart.jobs import scene_of_needs
 from nhc.study.chart.measure import Rows, describe_machine
 from nhc.study.chart.reference import Solution, make_reference
 from nhc.study.chart.single import follow_case
-from nhc.study.chart.study import cost_of, open_bench, open_long
+from nhc.study.chart.study import cost_of, open_long, open_rig
 
 TOLERANCES = tuple(float(f"1e-{k}") for k in range(2, 11))
 POINTS = 201
@@ -170,7 +170,7 @@ def _open(name: str, source: Source, spec: Spec, scene: str, needs: Sequence[str
     if made.chosen or made.reduction.left:
         job = job_of(made.planner, start_of(system, own), jacobian=True)
     else:
-        job = prepare(equations_of(system, base), base, start_of(system, own), needs, jacobian=True)
+        job = prepare(Recipe(equations_of(system, base), tuple(needs), jacobian=True), base, start_of(system, own))
     return _Opened(name, source, spec, own, made, job)
 
 
@@ -180,13 +180,13 @@ def _run(
     """A model at every tolerance: the rung, and what each run gave."""
     method, why = choose_method(one.job, tolerances[-1])
     chosen = grid.methods or (method,)
-    bench = open_bench(one.name, one.job, times, solution, chosen, compiled)
+    rig = open_rig(one.name, one.job, times, solution, chosen, compiled)
     language = "c" if compiled else "python"
     results: list[Result] = []
     kept: list[Rows] = []
     for name in chosen:
         for tolerance in tolerances:
-            result, rows = follow_case(bench, Case(one.name, name, language, tolerance), grid.budget)
+            result, rows = follow_case(rig, Case(one.name, name, language, tolerance), grid.budget)
             if not result.failed:
                 error = max(errors_of(rows, solution.rows, solution.sizes))
                 result = replace(result, error=error, unresolved=not error >= RESOLVED * solution.about.error)
@@ -196,7 +196,7 @@ def _run(
     finest = kept[-1] if kept else ()
     errors = errors_of(finest, solution.rows, solution.sizes) if kept else (math.nan,) * width
     own = max(errors_of(kept[-2], finest, solution.sizes)) if len(kept) > 1 else math.nan
-    cost = cost_of(bench, (language,), None)
+    cost = cost_of(rig, (language,), None)
     rhs = next(function for function in one.job.program.functions if function.name == "rhs")
     return Rung(
         name=one.name,

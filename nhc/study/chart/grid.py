@@ -26,3 +26,24 @@ class Grid:
     tolerances: tuple[float, ...] = ()
     peers: bool = True
     budget: float = 0.008
+
+
+@record
+class Runs:
+    """With what each formulation of a chart is run.
+
+    ``tolerances``: from coarse to fine; ``explicit``: the user named them, so that each is run, however slow; ``budget``: seconds
+    for the repeats of one case.
+    """
+
+    languages: tuple[str, ...]
+    tolerances: tuple[float, ...]
+    explicit: bool
+    budget: float
+
+
+def settle_runs(grid: Grid, compiled: bool) -> Runs:
+    """What a grid asks for, with what nhc takes by itself; without a compiler (``compiled`` False) in Python alone."""
+    languages = tuple(x for x in grid.languages or LANGUAGES if compiled or x != "c") or ("python",)
+    tolerances = tuple(sorted(grid.tolerances or TOLERANCES, reverse=True))
+    return Runs(languages, tolerances, bool(grid.tolerances), grid.budget)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.language.spec import Need, Scene, Spec
-from nhc.mechanics.choosing.choose import FORMULATIONS, Formulation, NotApplicable, build, formulate
+from nhc.language.spec import FORMULATIONS, Need, Scene, Spec
+from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.scenes import start_of
@@ -14,7 +14,7 @@ from nhc.mechanics.system import System
 from nhc.program.ir import Function, Let, Origin, Result, Section, Statement, Store, Sweep
 from nhc.program.scene_model import reduce_one, scene_model
 from nhc.records import record
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
 
 SCENE = "scene"
@@ -65,8 +65,7 @@ def prepare_jobs(system: System, scene: Scene, wanted: Sequence[str], needs: Seq
         nhc.diagnostics.SpecError: nothing that was named applies, or the scene cannot start.
     """
     base = formulate(system)
-    names = list(wanted) or [base.name, *(f for f in FORMULATIONS if f != base.name)]
-    names = list(dict.fromkeys(base.name if name == "auto" else name for name in names))
+    names = list(dict.fromkeys(base.name if name == "auto" else name for name in wanted or FORMULATIONS))
     needed = scene_of_needs(system.spec, scene, needs)
     start = start_of(system, needed)
     jobs: dict[str, Job] = {}
@@ -132,7 +131,8 @@ def _bare(function: Function) -> tuple[Statement, ...]:
 
 
 def _full_job(system: System, form: Formulation, scene: Scene, needs: Sequence[str]) -> Job:
-    return prepare(equations_of(system, form), form, start_of(system, scene), needs, jacobian=True, checks=True)
+    recipe = Recipe(equations_of(system, form), tuple(needs), jacobian=True, checks=True)
+    return prepare(recipe, form, start_of(system, scene))
 
 
 def _shrunk(made: Reduction) -> Shrunk:

@@ -115,8 +115,8 @@ class ChartModel(RepeatedModel):
 
 
 @record
-class LongRun:
-    """``rows`` of needed columns, or none where the run failed."""
+class LongDoubleRun:
+    """A run in long double: ``rows`` of needed columns, or none where the run failed."""
 
     rows: list[list[float]]
     steps: int
@@ -133,7 +133,7 @@ class LongModel:
         """Binary digits of its numbers: 64 on x86, 53 where long double is double."""
         return int(getattr(self.library, f"{self.job.program.system}_digits")())
 
-    def integrate(self, method: str, times: Sequence[float], tolerance: float, step: float, most: int) -> LongRun:
+    def integrate(self, method: str, times: Sequence[float], tolerance: float, step: float, most: int) -> LongDoubleRun:
         """A run of one method; fixed steps where ``step`` is positive."""
         job, steps = self.job, ctypes.c_long(0)
         width = len(job.columns) + len(job.checks)
@@ -144,4 +144,4 @@ class LongModel:
         failed = function(*numbers, doubles(times), doubles(job.y), doubles(job.p), *stops, out, ctypes.byref(steps))
         values = list(out[: len(times) * width])
         rows = [] if failed else [values[k : k + width] for k in range(0, len(values), width)]
-        return LongRun(rows, steps.value)
+        return LongDoubleRun(rows, steps.value)

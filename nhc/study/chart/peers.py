@@ -12,7 +12,7 @@ from nhc.records import record
 from nhc.study.chart import cvode, diffrax_peer
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.measure import time_repeats
-from nhc.study.chart.single import Bench, judge
+from nhc.study.chart.single import Rig, judge
 from nhc.study.chart.slope import Rows, Slope, TooManyCalls, absolute_tolerance
 from nhc.study.chart.taylor import LANGUAGE, METHOD, run_taylor
 
@@ -42,25 +42,25 @@ PEERS = (
 )
 
 
-def run_peer(bench: Bench, peer: Peer, tolerances: Sequence[float], budget: float) -> list[Result]:
+def run_peer(rig: Rig, peer: Peer, tolerances: Sequence[float], budget: float) -> list[Result]:
     """A peer's cases; SciPy and SUNDIALS call the compiled right-hand side through ctypes, as their users do."""
     if peer.language == LANGUAGE:
-        return [run_taylor(bench, tolerance, budget) for tolerance in tolerances]
+        return [run_taylor(rig, tolerance, budget) for tolerance in tolerances]
     if peer.language == diffrax_peer.LANGUAGE:
-        return _run_diffrax(bench, tolerances, budget)
+        return _run_diffrax(rig, tolerances, budget)
     bind = _bind_scipy if peer.language == "scipy" else cvode.bind
-    return [_run(bench, Case(bench.name, peer.method, peer.language, t), bind, budget) for t in tolerances]
+    return [_run(rig, Case(rig.name, peer.method, peer.language, t), bind, budget) for t in tolerances]
 
 
 def _run(
-    bench: Bench,
+    rig: Rig,
     case: Case,
-    bind: Callable[[Bench, str, float], tuple[Callable[[Rows], Any], Slope]],
+    bind: Callable[[Rig, str, float], tuple[Callable[[Rows], Any], Slope]],
     budget: float,
 ) -> Result:
     if case.language == "scipy" and case.tolerance < LEAST_SCIPY:
         return Result(case, failed=f"SciPy does not take a relative tolerance below {LEAST_SCIPY:g}")
-    solve, slope = bind(bench, case.method, case.tolerance)
+    solve, slope = bind(rig, case.method, case.tolerance)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -68,9 +68,9 @@ def _run(
             states = found.y.T if case.language == "scipy" else found.y
             solve("end")  # what is timed: between its steps it needs no slopes
             counts = Result(case, calls=slope.calls, jacobians=int(found.njev or 0), steps=steps)
-            assert bench.compiled is not None
-            rows = bench.compiled.quantities(bench.times, [list(map(float, y)) for y in states], bench.job.p)
-            measured = judge(bench, counts, rows)
+            assert rig.compiled is not None
+            rows = rig.compiled.quantities(rig.times, [list(map(float, y)) for y in states], rig.job.p)
+            measured = judge(rig, counts, rows)
             if measured.failed:
                 return measured
             best, middle, repeats = time_repeats(lambda count: _repeat(solve, count), budget)
@@ -84,16 +84,16 @@ def _repeat(solve: Callable[[Rows], Any], count: int) -> None:
         solve("end")
 
 
-def _bind_scipy(bench: Bench, method: str, tolerance: float) -> tuple[Callable[[Rows], Any], Slope]:
+def _bind_scipy(rig: Rig, method: str, tolerance: float) -> tuple[Callable[[Rows], Any], Slope]:
     """A run of ``solve_ivp``, with the rows of the reference, the last one alone, or those of its own steps."""
     import numpy as np
     from scipy.integrate import solve_ivp
 
-    slope, start = Slope(bench), np.array(bench.job.y)
-    floor = absolute_tolerance(bench, tolerance)
+    slope, start = Slope(rig), np.array(rig.job.y)
+    floor = absolute_tolerance(rig, tolerance)
 
-    ends = bench.times[0], bench.times[-1]
-    wanted = {"grid": bench.times, "end": ends[1:], "steps": None}
+    ends = rig.times[0], rig.times[-1]
+    wanted = {"grid": rig.times, "end": ends[1:], "steps": None}
 
     def solve(rows: Rows) -> Any:
         slope.calls = 0
@@ -105,24 +105,24 @@ def _bind_scipy(bench: Bench, method: str, tolerance: float) -> tuple[Callable[[
     return solve, slope
 
 
-def _run_diffrax(bench: Bench, tolerances: Sequence[float], budget: float) -> list[Result]:
-    cases = [Case(bench.name, diffrax_peer.METHOD, diffrax_peer.LANGUAGE, tolerance) for tolerance in tolerances]
+def _run_diffrax(rig: Rig, tolerances: Sequence[float], budget: float) -> list[Result]:
+    cases = [Case(rig.name, diffrax_peer.METHOD, diffrax_peer.LANGUAGE, tolerance) for tolerance in tolerances]
     try:
-        run = diffrax_peer.bind(bench)
+        run = diffrax_peer.bind(rig)
     except diffrax_peer.NoDiffrax as error:
         return [Result(case, failed=str(error)) for case in cases]
-    return [_take_diffrax(bench, case, run, budget) for case in cases]
+    return [_take_diffrax(rig, case, run, budget) for case in cases]
 
 
 def _take_diffrax(
-    bench: Bench, case: Case, run: Callable[[bool, float], tuple[list[list[float]], int]], budget: float
+    rig: Rig, case: Case, run: Callable[[bool, float], tuple[list[list[float]], int]], budget: float
 ) -> Result:
     try:
         states, steps = run(True, case.tolerance)
-        values = bench.interpreted.quantities(bench.times, states, bench.job.p)
+        values = rig.interpreted.quantities(rig.times, states, rig.job.p)
     except (diffrax_peer.NoDiffrax, ArithmeticError) as error:
         return Result(case, failed=str(error) or "it is singular")
-    measured = judge(bench, Result(case, steps=steps), values)
+    measured = judge(rig, Result(case, steps=steps), values)
     if measured.failed:
         return measured
     run(False, case.tolerance)  # compiles

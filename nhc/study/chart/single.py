@@ -20,8 +20,8 @@ MOST = 100_000
 
 
 @record
-class Bench:
-    """A formulation ready to be run; ``times`` are those of the reference's rows."""
+class Rig:
+    """A formulation ready to be run beside the reference ``solution``; ``times`` are those of the reference's rows."""
 
     name: str
     job: Job
@@ -31,17 +31,17 @@ class Bench:
     interpreted: InterpretedModel | NaturalModel
 
 
-def run_case(bench: Bench, case: Case, budget: float) -> Result:
+def run_case(rig: Rig, case: Case, budget: float) -> Result:
     """Errors and times of one case; a run that does not reach the end says why."""
-    return follow_case(bench, case, budget)[0]
+    return follow_case(rig, case, budget)[0]
 
 
-def follow_case(bench: Bench, case: Case, budget: float) -> tuple[Result, Rows]:
+def follow_case(rig: Rig, case: Case, budget: float) -> tuple[Result, Rows]:
     """The same with the rows of columns and checks; none where the run failed."""
-    model = bench.compiled if case.language == "c" else bench.interpreted
+    model = rig.compiled if case.language == "c" else rig.interpreted
     assert model is not None
-    job = bench.job
-    task = Task(job.p, job.y, bench.times, case.tolerance, case.step, MOST, job.stops)
+    job = rig.job
+    task = Task(job.p, job.y, rig.times, case.tolerance, case.step, MOST, job.stops)
     outcome = model.integrate(task, case.method, model.news())
     found = collect(job, case.method, model, task, outcome, 0.0, ())
     counts = Result(
@@ -50,10 +50,10 @@ def follow_case(bench: Bench, case: Case, budget: float) -> tuple[Result, Rows]:
     if found.ended != "done":
         return replace(counts, failed=f"{found.reason} (t = {outcome.t:.6g})"), ()
     rows = [(*row, *checks) for row, checks in zip(found.rows, found.checks, strict=True)]
-    measured = judge(bench, counts, rows)
+    measured = judge(rig, counts, rows)
     if measured.failed:
         return measured, ()
-    ends = replace(task, times=(bench.times[0], bench.times[-1]))
+    ends = replace(task, times=(rig.times[0], rig.times[-1]))
     timed = model.integrate(
         ends, case.method, model.news()
     )  # between its steps it needs no slopes: the work that is timed
@@ -63,19 +63,19 @@ def follow_case(bench: Bench, case: Case, budget: float) -> tuple[Result, Rows]:
 
     def repeat(count: int) -> None:
         if case.language == "c":
-            assert bench.compiled is not None
-            bench.compiled.repeat(ends, case.method, count)
+            assert rig.compiled is not None
+            rig.compiled.repeat(ends, case.method, count)
             return
         for _ in range(count):
-            bench.interpreted.integrate(ends, case.method, bench.interpreted.news())
+            rig.interpreted.integrate(ends, case.method, rig.interpreted.news())
 
     best, middle, repeats = time_repeats(repeat, budget)
     return replace(measured, best=best, median=middle, repeats=repeats), rows
 
 
-def judge(bench: Bench, counts: Result, rows: Rows) -> Result:
+def judge(rig: Rig, counts: Result, rows: Rows) -> Result:
     """The errors of rows of columns and checks against the reference."""
-    solution, job = bench.solution, bench.job
+    solution, job = rig.solution, rig.job
     groups = [column.group for column in (*job.columns, *job.checks)]
     error = final_error(rows, solution.rows, solution.sizes)
     if not math.isfinite(error):

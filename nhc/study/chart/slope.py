@@ -6,7 +6,7 @@ import ctypes
 from typing import Any, Literal
 
 from nhc.study.chart.model import doubles
-from nhc.study.chart.single import Bench
+from nhc.study.chart.single import Rig
 
 MOST_CALLS = 10_000
 Rows = Literal["grid", "end", "steps"]
@@ -18,21 +18,21 @@ class TooManyCalls(Exception):
 
 
 class Slope:
-    """y'(t, y) of a bench's compiled model as an array of its own; ``calls`` counts.
+    """y'(t, y) of a rig's compiled model as an array of its own; ``calls`` counts.
 
     Raises, when called:
         ArithmeticError: it is singular there.
         TooManyCalls: there were enough.
     """
 
-    def __init__(self, bench: Bench) -> None:
+    def __init__(self, rig: Rig) -> None:
         import numpy as np
 
-        assert bench.compiled is not None
-        self.function = getattr(bench.compiled.library, f"{bench.job.program.system}_slope")
+        assert rig.compiled is not None
+        self.function = getattr(rig.compiled.library, f"{rig.job.program.system}_slope")
         self.function.argtypes = (ctypes.c_double, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_void_p)
-        self.p = doubles(bench.job.p)
-        self.state, self.slope = np.empty(len(bench.job.y)), np.empty(len(bench.job.y))
+        self.p = doubles(rig.job.p)
+        self.state, self.slope = np.empty(len(rig.job.y)), np.empty(len(rig.job.y))
         self.into, self.out = self.state.ctypes.data, self.slope.ctypes.data
         self.calls = 0
 
@@ -46,6 +46,6 @@ class Slope:
         return self.slope.copy()
 
 
-def absolute_tolerance(bench: Bench, tolerance: float) -> float:
+def absolute_tolerance(rig: Rig, tolerance: float) -> float:
     """Like nhc's own: relative to the size of the state, where a component is small."""
-    return tolerance * 1e-6 * max(1e-3, *(abs(x) for x in bench.job.y))
+    return tolerance * 1e-6 * max(1e-3, *(abs(x) for x in rig.job.y))

@@ -12,13 +12,13 @@ from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.simulate.methods import STRUCTURE
 from nhc.simulate.natural import NaturalModel
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.study.chart.case import Case, Result
-from nhc.study.chart.grid import MOST_PYTHON
+from nhc.study.chart.case_runner import CaseRunner, Left
+from nhc.study.chart.grid import MOST_PYTHON, Runs
 from nhc.study.chart.model import RepeatedModel, compile_natural
-from nhc.study.chart.pace import Left, Pace
 from nhc.study.chart.reference import Solution
-from nhc.study.chart.single import Bench
+from nhc.study.chart.single import Rig
 
 MOST_STEPS = 60_000
 """Fixed steps of second order beyond which a run says nothing that its coarser ones do not."""
@@ -28,7 +28,7 @@ def prepare_natural(system: System, scene: Scene, needs: Sequence[str]) -> Job:
     """The job of a scene as structure-preserving methods take it; its ``structure`` says what is lacking."""
     form = formulate(system, "multipliers" if system.constraints else "")
     start = start_of(system, scene)
-    return prepare(equations_of(system, form), form, start, needs, natural=True, checks=True)
+    return prepare(Recipe(equations_of(system, form), tuple(needs), checks=True), form, start, natural=True)
 
 
 def choose_schemes(job: Job, wanted: Sequence[str]) -> tuple[list[str], Left]:
@@ -61,32 +61,29 @@ def list_steps(tolerances: Sequence[float], anchor: int, order: int, rows: int) 
 def run_schemes(
     job: Job,
     wanted: Sequence[str],
+    runs: Runs,
     times: Sequence[float],
     solution: Solution,
-    languages: Sequence[str],
-    tolerances: Sequence[float],
-    explicit: bool,
     anchor: int,
-    budget: float,
 ) -> tuple[list[Result], Left]:
     """All cases of the methods that apply, on ladders of fixed steps; what was left out, with the reason."""
     schemes, left = choose_schemes(job, wanted)
     found: list[Result] = []
     slow: list[str] = []
     for name in schemes:
-        compiled = RepeatedModel(compile_natural(job, name), job) if "c" in languages else None
-        bench = Bench(job.formulation.name, job, tuple(times), solution, compiled, NaturalModel(job.program))
-        pace = Pace(bench, explicit, budget)
-        ladder = list_steps(tolerances, anchor, STRUCTURE[name].order, len(times) - 1)
-        for language in languages:
+        compiled = RepeatedModel(compile_natural(job, name), job) if "c" in runs.languages else None
+        rig = Rig(job.formulation.name, job, tuple(times), solution, compiled, NaturalModel(job.program))
+        runner = CaseRunner(rig, runs.explicit, runs.budget)
+        ladder = list_steps(runs.tolerances, anchor, STRUCTURE[name].order, len(times) - 1)
+        for language in runs.languages:
             most = MOST_STEPS if language == "c" else MOST_PYTHON // 8  # a step of these costs several right-hand sides
             for rung, (count, tolerance) in enumerate(ladder):
                 if count > most:
                     slow.append(f"{name} in {'C' if language == 'c' else 'Python'}")
                     continue
                 step = abs(times[-1] - times[0]) / count
-                found += pace.run(Case(bench.name, name, language, tolerance, step), rung)
-        left += pace.left()
+                found += runner.run(Case(rig.name, name, language, tolerance, step), rung)
+        left += runner.left()
     if slow:
         left.append((", ".join(dict.fromkeys(slow)), "of second order: its finer tolerances take too many steps"))
     return found, left

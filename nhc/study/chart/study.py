@@ -20,23 +20,15 @@ from nhc.simulate.prepare import Job
 from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
 from nhc.study.chart.case import Case, Cost, Result, Study
-from nhc.study.chart.grid import (
-    LANGUAGES,
-    METHODS,
-    POINTS,
-    SCOUT,
-    STRUCTURE,
-    TOLERANCES,
-    Grid,
-)
+from nhc.study.chart.case_runner import CaseRunner
+from nhc.study.chart.grid import METHODS, POINTS, SCOUT, STRUCTURE, Grid, Runs, settle_runs
 from nhc.study.chart.jobs import Prepared, Shrunk, prepare_jobs, scene_of_needs
 from nhc.study.chart.measure import describe_machine, time_repeats
 from nhc.study.chart.model import ChartModel, LongModel, compile_chart, compile_long
-from nhc.study.chart.pace import Pace
 from nhc.study.chart.peers import PEERS, run_peer
 from nhc.study.chart.reference import METHODS as REFERENCE_METHODS
 from nhc.study.chart.reference import Solution, make_reference
-from nhc.study.chart.single import MOST, Bench
+from nhc.study.chart.single import MOST, Rig
 from nhc.study.chart.structure import prepare_natural, run_schemes
 
 Show = Callable[[float, str], None]
@@ -55,31 +47,30 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     needs = tuple(dict.fromkeys(find_need(spec, need) for need in grid.needs))
     system = resolve(spec)
     made, compiled = prepare_jobs(system, scene, grid.formulations, needs, bool(grid.scene)), bool(find_compiler())
-    languages = tuple(x for x in grid.languages or LANGUAGES if compiled or x != "c") or ("python",)
+    runs = settle_runs(grid, compiled)
     notes = () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
     solution = make_reference(made.full, times, open_long(made.full) if compiled else None)
     methods = tuple(m for m in grid.methods if m in RUNGE_KUTTA) if grid.methods else METHODS
-    tolerances = tuple(sorted(grid.tolerances or TOLERANCES, reverse=True))
     results: list[Result] = []
     anchor, costs = 8, list[Cost]()
     left = [*made.skipped, *made.repeated]
     for done, (name, job) in enumerate(made.distinct.items()):
         if show is not None:
             show(done / len(made.distinct), name)
-        bench = open_bench(name, job, times, solution, methods, compiled)
-        costs.append(cost_of(bench, languages, made.shrunk.get(name)))
-        found, missing = run_bench(bench, methods, languages, tolerances, bool(grid.tolerances), grid.budget)
+        rig = open_rig(name, job, times, solution, methods, compiled)
+        costs.append(cost_of(rig, runs.languages, made.shrunk.get(name)))
+        found, missing = run_rig(rig, methods, runs)
         results += found
         left += missing
-        if grid.peers and job is first and "c" in languages:
-            found, missing = run_peers(bench, tolerances, bool(grid.tolerances), grid.budget)
+        if grid.peers and job is first and "c" in runs.languages:
+            found, missing = run_peers(rig, runs)
             results += found
             left += missing
         if job is first:
-            anchor = count_steps(bench)
-    found, missing = run_structure(system, scene, grid, needs, times, solution, languages, tolerances, anchor)
+            anchor = count_steps(rig)
+    found, missing = run_structure(system, scene, grid, needs, runs, times, solution, anchor)
     if show is not None:
         show(1.0, "")
     results += found
@@ -90,9 +81,9 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         scene=scene.name,
         time=first.time,
         needs=tuple(column.heading for column in first.columns),
-        tolerances=tolerances,
+        tolerances=runs.tolerances,
         methods=grid.methods or (*METHODS, *dict.fromkeys(r.case.method for r in found)),
-        languages=languages,
+        languages=runs.languages,
         points=POINTS,
         costs=price_all(made, costs),
         results=tuple(results),
@@ -108,10 +99,9 @@ def run_structure(
     scene: Scene,
     grid: Grid,
     needs: Sequence[str],
+    runs: Runs,
     times: Sequence[float],
     solution: Solution,
-    languages: Sequence[str],
-    tolerances: Sequence[float],
     anchor: int,
 ) -> tuple[list[Result], list[tuple[str, str]]]:
     """The structure-preserving methods: those that are named, else all that apply, unless other formulations are asked for."""
@@ -122,7 +112,7 @@ def run_structure(
     if not named and grid.formulations and job.formulation.name not in grid.formulations:
         return [], []
     wanted = named or STRUCTURE
-    return run_schemes(job, wanted, times, solution, languages, tolerances, bool(grid.tolerances), anchor, grid.budget)
+    return run_schemes(job, wanted, runs, times, solution, anchor)
 
 
 def open_long(job: Job) -> LongModel | None:
@@ -133,23 +123,23 @@ def open_long(job: Job) -> LongModel | None:
         return None
 
 
-def open_bench(
+def open_rig(
     name: str, job: Job, times: Sequence[float], solution: Solution, methods: Sequence[str], compiled: bool
-) -> Bench:
+) -> Rig:
     """Both models of a formulation, ready to be run."""
     model = ChartModel(compile_chart(job, tuple(dict.fromkeys((*methods, SCOUT)))), job) if compiled else None
-    return Bench(name, job, tuple(times), solution, model, InterpretedModel(job.program, job.events, job.holds))
+    return Rig(name, job, tuple(times), solution, model, InterpretedModel(job.program, job.events, job.holds))
 
 
-def cost_of(bench: Bench, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
+def cost_of(rig: Rig, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
     """What one right-hand side costs, at states along the reference motion."""
-    job, in_c, in_python = bench.job, math.nan, math.nan
+    job, in_c, in_python = rig.job, math.nan, math.nan
     function = next(f for f in job.program.functions if f.name == "rhs")
-    task = Task(job.p, job.y, bench.times, 1e-6, 0.0, MOST, job.stops)
-    models = [model for model in (bench.compiled, bench.interpreted) if model is not None]
+    task = Task(job.p, job.y, rig.times, 1e-6, 0.0, MOST, job.stops)
+    models = [model for model in (rig.compiled, rig.interpreted) if model is not None]
     outcome = models[0].integrate(task, SCOUT, models[0].news())
-    times, states = bench.times[: len(outcome.states)], outcome.states
-    compiled, interpreted = bench.compiled, bench.interpreted
+    times, states = rig.times[: len(outcome.states)], outcome.states
+    compiled, interpreted = rig.compiled, rig.interpreted
     if isinstance(compiled, ChartModel) and "c" in languages:
         best, _, _ = time_repeats(lambda n: _use(compiled.repeat_rhs(times, states, job.p, n)), 0.02)
         in_c = best / len(times)
@@ -163,7 +153,7 @@ def cost_of(bench: Bench, languages: Sequence[str], shrunk: Shrunk | None) -> Co
     calls = f"{function.adds} +-, {function.multiplications} *, {function.divisions} /, {function.calls} calls"
     form = job.formulation
     left, full = (shrunk.left, shrunk.full_states) if shrunk is not None else ((), len(job.y))
-    return Cost(bench.name, form.number, form.reason, len(job.y), calls, in_c, in_python, left, full)
+    return Cost(rig.name, form.number, form.reason, len(job.y), calls, in_c, in_python, left, full)
 
 
 def price_all(made: Prepared, costs: Sequence[Cost]) -> tuple[Cost, ...]:
@@ -179,53 +169,45 @@ def _use(value: float) -> None:
     """A result that only had to be computed."""
 
 
-def run_bench(
-    bench: Bench,
-    methods: Sequence[str],
-    languages: Sequence[str],
-    tolerances: Sequence[float],
-    explicit: bool,
-    budget: float,
-) -> tuple[list[Result], list[tuple[str, str]]]:
+def run_rig(rig: Rig, methods: Sequence[str], runs: Runs) -> tuple[list[Result], list[tuple[str, str]]]:
     """All cases of a formulation; what was left out, with the reason."""
-    pace, anchor = Pace(bench, explicit, budget), count_steps(bench)
+    runner, anchor = CaseRunner(rig, runs.explicit, runs.budget), count_steps(rig)
     found = [
         result
         for method in methods
-        for language in languages
-        for rung, tolerance in enumerate(tolerances)
-        for result in pace.run(
-            Case(bench.name, method, language, tolerance, step_of(bench, method, tolerance, anchor)), rung
+        for language in runs.languages
+        for rung, tolerance in enumerate(runs.tolerances)
+        for result in runner.run(
+            Case(rig.name, method, language, tolerance, step_of(rig, method, tolerance, anchor)), rung
         )
     ]
-    return found, pace.left()
+    return found, runner.left()
 
 
-def run_peers(
-    bench: Bench, tolerances: Sequence[float], explicit: bool, budget: float
-) -> tuple[list[Result], list[tuple[str, str]]]:
+def run_peers(rig: Rig, runs: Runs) -> tuple[list[Result], list[tuple[str, str]]]:
     """The cases of other integrators that are installed; those that are not."""
     found: list[Result] = []
     for peer in PEERS:
         if peer.there():
-            rungs = [t for k, t in enumerate(tolerances) if explicit or peer.stride == 1 or k % peer.stride == 1]
-            found += run_peer(bench, peer, rungs, budget)
+            every = runs.explicit or peer.stride == 1
+            rungs = [t for k, t in enumerate(runs.tolerances) if every or k % peer.stride == 1]
+            found += run_peer(rig, peer, rungs, runs.budget)
     return found, [(peer.language, "not installed") for peer in PEERS if not peer.there()]
 
 
-def count_steps(bench: Bench) -> int:
+def count_steps(rig: Rig) -> int:
     """Steps of the first adaptive method at 1e-3: where the ladders of fixed steps begin."""
-    job = bench.job
-    model = bench.compiled or bench.interpreted
-    ends = (bench.times[0], bench.times[-1])
+    job = rig.job
+    model = rig.compiled or rig.interpreted
+    ends = (rig.times[0], rig.times[-1])
     outcome = model.integrate(Task(job.p, job.y, ends, 1e-3, 0.0, MOST, job.stops), SCOUT, model.news())
     return max(8, 2 * outcome.steps)
 
 
-def step_of(bench: Bench, method: str, tolerance: float, anchor: int) -> float:
+def step_of(rig: Rig, method: str, tolerance: float, anchor: int) -> float:
     """The fixed step that stands for a tolerance: it shrinks as the method's order wants; 0 for an adaptive method."""
     if is_adaptive(method):
         return 0.0
     finer: float = (1e-3 / tolerance) ** (1.0 / RUNGE_KUTTA[method].order)
     count = math.ceil(anchor * finer)
-    return abs(bench.times[-1] - bench.times[0]) / max(count, 2)
+    return abs(rig.times[-1] - rig.times[0]) / max(count, 2)

@@ -9,7 +9,7 @@ from typing import Any
 from nhc.program.ir import Binary, Call, Expr, Function, Let, Load, Negate, Number, Pi, Power, Ref, Solve, Store
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.measure import time_repeats
-from nhc.study.chart.single import Bench, judge
+from nhc.study.chart.single import Rig, judge
 
 LANGUAGE, METHOD = "heyoka", "Taylor"
 MOST_OPERATIONS = 2000  # its compiler takes seconds for larger right-hand sides
@@ -20,17 +20,17 @@ class NoTaylor(Exception):
     """The right-hand side has no form in heyoka's expressions, or its run fails."""
 
 
-def run_taylor(bench: Bench, tolerance: float, budget: float) -> Result:
+def run_taylor(rig: Rig, tolerance: float, budget: float) -> Result:
     """heyoka's case at a tolerance; its own compilation is not in the time."""
-    case = Case(bench.name, METHOD, LANGUAGE, tolerance)
+    case = Case(rig.name, METHOD, LANGUAGE, tolerance)
     try:
-        solve = _bind(bench, tolerance)
+        solve = _bind(rig, tolerance)
         rows, steps = solve(True)
         counts = Result(case, steps=steps)
-        values = bench.interpreted.quantities(bench.times, rows, bench.job.p)
+        values = rig.interpreted.quantities(rig.times, rows, rig.job.p)
     except (NoTaylor, ArithmeticError) as error:
         return Result(case, failed=str(error) or "it is singular")
-    measured = judge(bench, counts, values)
+    measured = judge(rig, counts, values)
     if measured.failed:
         return measured
 
@@ -42,10 +42,10 @@ def run_taylor(bench: Bench, tolerance: float, budget: float) -> Result:
     return replace(measured, best=best, median=middle, repeats=repeats)
 
 
-def _bind(bench: Bench, tolerance: float) -> Callable[[bool], tuple[list[list[float]], int]]:
+def _bind(rig: Rig, tolerance: float) -> Callable[[bool], tuple[list[list[float]], int]]:
     import heyoka as hy
 
-    job = bench.job
+    job = rig.job
     function = next(f for f in job.program.functions if f.name == "rhs")
     names = [f"y{k}" for k in range(len(job.y))]
     made = hy.make_vars(*names)
@@ -58,8 +58,8 @@ def _bind(bench: Bench, tolerance: float) -> Callable[[bool], tuple[list[list[fl
         integrator.time = job.time[0]
         integrator.state[:] = job.y
         if rows:
-            found = integrator.propagate_grid(list(bench.times))
-            if len(found[-1]) != len(bench.times):
+            found = integrator.propagate_grid(list(rig.times))
+            if len(found[-1]) != len(rig.times):
                 raise NoTaylor("it stops before the end")
             return [[float(x) for x in row] for row in found[-1]], int(found[3])
         integrator.propagate_until(job.time[1])

@@ -41,7 +41,7 @@ _BUDGET, _MOST = 0.02, 1_000_000
 class NotMeasured(Exception):
     """The full model's own run is not good enough to measure errors against it; ``help`` says what may be done."""
 
-    def __init__(self, message: str, help: tuple[str, ...] = ()) -> None:
+    def __init__(self, message: str, help: tuple[str, ...]) -> None:
         super().__init__(message)
         self.help = help
 
@@ -121,7 +121,7 @@ class Meter:
         try:
             source = Source(f"{self.job.system.name}.yaml", text)
             needs = tuple(need.name for need in self.job.scene.need) if whole else ()
-            return open_scene(source, self.scene, self.formulation, needs, method=self.method)
+            return open_scene(source, self.scene, self.formulation, needs=needs, method=self.method)
         except SpecError as error:
             raise Refused(f"no model without it: {error.diagnostics[0].message}") from error
         except (RunError, ArithmeticError) as error:
@@ -236,7 +236,7 @@ def ranges_of(source: Source, spec: Spec, meter: Meter) -> tuple[tuple[str, floa
     units = derive_units(spec)
     needs = tuple(name for c in spec.coordinates for name in (c.name, f"{c.name}'"))
     found = _complete(
-        run(open_scene(source, meter.scene, meter.formulation, needs, method=meter.method), meter.settings)
+        run(open_scene(source, meter.scene, meter.formulation, needs=needs, method=meter.method), meter.settings)
     )
     columns = zip(found.headings, zip(*found.rows, strict=True), strict=True)
     return tuple(

@@ -29,7 +29,7 @@ from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.outcomes import describe_outcome
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.run import list_times
 from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import DONE, ModelError, Outcome, Task
@@ -195,7 +195,7 @@ class Bench:
 
 def open_bench(equations: Equations, formulation: Formulation, start: Start, compiled: bool = True) -> Bench:
     """Build, compile and load what the laboratory needs of a scene."""
-    job = prepare(equations, formulation, start, jacobian=True)
+    job = prepare(Recipe(equations, jacobian=True), formulation, start)
     planner = Planner(equations, formulation)
     system = equations.system
     frame = coordinate_frame(system, choose_dependent(system).dependent) if system.l else None

@@ -65,7 +65,7 @@ class LongRun:
     why: str
 
 
-def long_run(bench: Bench, method: str = "dop853", step: float = 0.0, lengths: float = LENGTHS) -> LongRun:
+def long_run(bench: Bench, lengths: float, method: str = "dop853", step: float = 0.0) -> LongRun:
     """Run ``lengths`` times the scene's time with one method and look at what should stay as it was."""
     start, end = bench.job.time
     wanted = start + lengths * (end - start)

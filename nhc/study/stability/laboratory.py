@@ -97,10 +97,10 @@ def examine(equations: Equations, formulation: Formulation, question: Question) 
         return Laboratory(bench, motion, None, (), (), None, (), tuple(missing), missing[-1][1], conduct(bench))
     along = attempt("eigenvalues along the scene", lambda: spectrum(bench))
     limits = step_limits(bench, along) if along is not None else ()
-    runs = [long_run(bench, lengths=question.lengths)]
+    runs = [long_run(bench, question.lengths)]
     step = next((x.measured for x in limits if x.method == "rk4"), 0.0)
     if step > 0:
-        runs.append(long_run(bench, "rk4", min(step, bench.duration / 25) / 4, question.lengths))
+        runs.append(long_run(bench, question.lengths, "rk4", min(step, bench.duration / 25) / 4))
     growth = attempt("sensitivity", lambda: sensitivity(bench))
     near = attempt("distances", lambda: distances(bench)) or ()
     found = Laboratory(bench, motion, along, limits, tuple(runs), growth, near, tuple(missing), "")

@@ -1,62 +1,44 @@
-"""Passes over statements: operation counts, free names."""
+"""What statements are made of: their expressions, the parts of these, and how many operations they take."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
-from nhc.program.ir import (
-    Binary,
-    Call,
-    Evaluate,
-    Expr,
-    Guard,
-    Let,
-    Load,
-    Negate,
-    Number,
-    Pi,
-    Power,
-    Ref,
-    Result,
-    Section,
-    Solve,
-    Statement,
-    Store,
-    Sweep,
-)
+from nhc.program.ir import Binary, Call, Expr, Guard, Let, Negate, Power, Ref, Result, Solve, Statement, Store, Sweep
+
+_VALUED = (Let, Store, Result)
 
 
-def expressions(statement: Statement) -> Iterator[Expr]:
+def list_expressions(statement: Statement) -> tuple[Expr, ...]:
     """The expressions that a statement evaluates."""
-    match statement:
-        case Let() | Store() | Result():
-            yield statement.value
-        case Guard():
-            yield statement.value
-            yield statement.scale
-        case Solve():
-            for row in (*statement.matrix, *statement.columns):
-                yield from row
-        case Section() | Load() | Evaluate() | Sweep():
-            return
+    if isinstance(statement, _VALUED):
+        return (statement.value,)
+    if isinstance(statement, Guard):
+        return (statement.value, statement.scale)
+    if isinstance(statement, Solve):
+        rows = statement.matrix + statement.columns
+        return tuple(entry for row in rows for entry in row)
+    if isinstance(statement, Sweep):
+        return tuple(inner.value for inner in statement.body)
+    return ()
 
 
-def walk(expression: Expr) -> Iterator[Expr]:
-    """Every part of an expression, itself first."""
-    yield expression
-    match expression:
-        case Binary():
-            yield from walk(expression.left)
-            yield from walk(expression.right)
-        case Negate():
-            yield from walk(expression.operand)
-        case Power():
-            yield from walk(expression.base)
-        case Call():
-            for argument in expression.arguments:
-                yield from walk(argument)
-        case Number() | Pi() | Ref():
-            return
+def walk(expression: Expr) -> list[Expr]:
+    """The expression and all that it is made of, from left to right; a sum may be thousands of terms deep, hence the stack."""
+    found: list[Expr] = []
+    stack: list[Expr] = [expression]
+    while stack:
+        node = stack.pop()
+        found.append(node)
+        if isinstance(node, Binary):
+            stack += (node.right, node.left)
+        elif isinstance(node, Negate):
+            stack.append(node.operand)
+        elif isinstance(node, Power):
+            stack.append(node.base)
+        elif isinstance(node, Call):
+            stack += reversed(node.arguments)
+    return found
 
 
 def count_operations(body: Iterable[Statement]) -> tuple[int, int, int, int]:
@@ -76,7 +58,7 @@ def count_operations(body: Iterable[Statement]) -> tuple[int, int, int, int]:
             size, columns = len(statement.matrix), len(statement.columns)
             work = sum(k * (k - 1) + k * columns for k in range(1, size + 1)) + columns * size * (size - 1) // 2
             adds, multiplications, divisions = adds + work, multiplications + work, divisions + size * (1 + columns)
-        pending = list(expressions(statement))
+        pending = list(list_expressions(statement))
         while pending:
             part = pending.pop()
             if type(part) is Ref:  # every other one

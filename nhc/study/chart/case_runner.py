@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.grid import MOST_PYTHON, PYTHON_STRIDE
 from nhc.study.chart.measure import choose_clock
-from nhc.study.chart.single import Bench, run_case
+from nhc.study.chart.single import Rig, run_case
 
 SLOW = {"c": 0.6, "python": 1.2}  # seconds of a case with its repeats, after which its line has no finer ones
 TIMES = 150.0  # the interpreter takes at least that many times the time of compiled code
@@ -15,10 +15,10 @@ Left = list[tuple[str, str]]
 
 
 @dataclass
-class Pace:
+class CaseRunner:
     """Runs the cases of a formulation; ``explicit``: the user named the tolerances, so that each is run."""
 
-    bench: Bench
+    rig: Rig
     explicit: bool
     budget: float
     slow: list[str] = field(default_factory=list)
@@ -38,7 +38,7 @@ class Pace:
             return []
         clock = choose_clock()
         before = clock()
-        made = run_case(self.bench, case, self.budget)
+        made = run_case(self.rig, case, self.budget)
         if clock() - before > SLOW[language] and not self.explicit:
             self._ended.add(line)
             self.slow.append(f"{case.method} in {'C' if language == 'c' else 'Python'}")
@@ -60,10 +60,10 @@ class Pace:
         if self.many:
             names = ", ".join(dict.fromkeys(self.many))
             why = f"its finer tolerances take more than {MOST_PYTHON} right-hand sides or {SLOW['python']:g} s"
-            found.append((f"{self.bench.name} with {names} in Python", why))
+            found.append((f"{self.rig.name} with {names} in Python", why))
         if self.slow:
             names = ", ".join(dict.fromkeys(self.slow))
             found.append(
-                (f"{self.bench.name} with {names}", "its finer tolerances take too long; name them to have them run")
+                (f"{self.rig.name} with {names}", "its finer tolerances take too long; name them to have them run")
             )
         return found
