@@ -87,18 +87,22 @@ def _folders() -> list[Row]:
 def _runs() -> list[Row]:
     """The compiler that ``nhc run`` takes, with its flags, and the folder of what is kept with its size."""
     from nhc.resources import cache_folder
-    from nhc.simulate.compile import find_compiler, lane_flags, machine_flags
+    from nhc.simulate.compile import CompileError, find_compiler, lane_flags, machine_flags, try_out
 
     compiler, folder = find_compiler(), cache_folder()
     flags = " ".join(machine_flags()) or "no flags for this processor"
     lanes = 8 if any("v4" in flag for flag in lane_flags(0)) else 4
-    found = f"{compiler}; {flags}; {lanes} lanes" if compiler else "none: runs are in Python, some hundred times slower"
     models, answers, size_in_bytes = _measure(folder)
+    works, found = True, f"{' '.join(compiler)}; {flags}; {lanes} lanes"
+    try:
+        try_out()
+    except CompileError as error:
+        works, found = False, f"{error}; runs are in Python, some hundred times slower"
     size = f"{models} compiled models, {answers} answers, {size_in_bytes / 1e6:.1f} MB"
     place = next(path for path in (folder, *folder.parents) if path.exists())
     writable = os.access(place, os.W_OK) and place.is_dir()
     return [
-        ("compiler of runs", bool(compiler), found),
+        ("compiler of runs", works, found),
         ("cache", writable, f"{folder} ({size if writable else 'cannot be written'})"),
     ]
 
@@ -119,12 +123,17 @@ def _measure(folder: Path) -> tuple[int, int, int]:
 
 def _tool(name: str, purpose: str) -> Row:
     """Find a program and the first line in which it names its version; ``CC`` takes the place of ``cc``."""
-    wanted = (os.environ.get("CC") or name) if name == "cc" else name
-    path = shutil.which(wanted)
-    if path is None:
-        return name, False, f"{purpose}; no `{wanted}` on the path"
+    from nhc.simulate.compile import find_compiler
+
+    named = os.environ.get("CC") if name == "cc" else None
+    path = shutil.which(name)
+    command = find_compiler() if named else (path,) if path else ()
+    if not command:
+        return name, False, f"{purpose}; no `{named or name}` on the path"
     try:
-        done = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=20, check=False)
+        done = subprocess.run([*command, "--version"], capture_output=True, text=True, timeout=20, check=False)
     except (OSError, subprocess.TimeoutExpired):
-        return name, False, f"{path} does not run"
-    return name, True, (done.stdout.splitlines() or [path])[0]
+        return name, False, f"{' '.join(command)} does not run"
+    if done.returncode:
+        return name, False, f"`{' '.join(command)} --version` fails"
+    return name, True, (done.stdout.splitlines() or [" ".join(command)])[0]

@@ -163,12 +163,15 @@ def _report(error: Exception) -> Exit:
         say("error: the exact test found no point for this system: too many nested roots, or singular everywhere")
         say("  = help: give a square root a coordinate of its own with a `holonomic:` equation, or write its square")
         return Exit.NUMERICAL
-    from nhc.simulate.compile import CacheError
+    from nhc.simulate.compile import CacheError, CompileError
 
-    if isinstance(error, CacheError):  # runs go on in Python; what charts and studies measure is compiled
-        say(
-            f"error: {error}\n  = help: name a folder that can be written in `NHC_CACHE`; `nhc doctor` says what nhc finds here"
+    if isinstance(error, CompileError):  # runs go on in Python; what charts and studies measure is compiled
+        what = (
+            "a folder that can be written in `NHC_CACHE`"
+            if isinstance(error, CacheError)
+            else "another compiler in `CC`"
         )
+        say(f"error: {error}\n  = help: name {what}; `nhc doctor` says what nhc finds here")
         return Exit.USAGE
     if os.environ.get("NHC_DEBUG") == "1":
         traceback.print_exception(error)

@@ -15,7 +15,7 @@ from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.solving.blocks import determinant_of, row_scale, size_of
-from nhc.mechanics.properties.singular import find_rank_loss
+from nhc.mechanics.properties.singular import find_rank_loss, find_vanishing_factors
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.regular.trials import usual_digits
 from nhc.mechanics.system import System
@@ -33,6 +33,7 @@ WEAK = tuple(Fraction(1, k) for k in (33, 100, 333, 1000, 10000))
 DEEP = Fraction(1, 333)
 THIN = Fraction(1, 10**4)
 """The same of a square's scale, and of a determinant's that is divided by once, not squared: four digits are lost there."""
+RANK_LOST = "the constraints lose rank"
 _LARGE = 400  # operations beyond which a pivot is not followed
 _TERMS = 60
 _MOST_ROWS = 4  # of a matrix whose determinant is written out
@@ -67,6 +68,8 @@ class Watch:
         """What it means that value ``index``, which is not the user's, changed its sign."""
         what, kind = self.about[index], self.kinds[index]
         beyond = "results beyond it would be wrong"
+        if index < self.dips and kind == "rank":
+            return f"{what} here: all coefficients of one of them vanish, and {beyond}"
         if index < self.dips:
             return f"{what}: the determinant changes its sign here, and {beyond}"
         if kind == "mass":
@@ -106,7 +109,9 @@ def watch_function(
     determinants = [*_turned(planner), *_determinant(planner, known)]
     whole, solves = _whole(planner, known)
     measures = [*frames, *determinants, *_pivots(planner, known), *_rank(planner), *whole]
-    signs = [m for m in (*frames, *determinants) if m.value not in events]
+    seen = {m.value for m in (*frames, *determinants)}
+    factors = [m for m in _factors(planner) if m.value not in seen]
+    signs = [m for m in (*frames, *determinants, *factors) if m.value not in events]
     nodes, about, kinds = [*events, *(m.value for m in signs)], [""] * len(events), ["event"] * len(events)
     about += [m.what for m in signs]
     kinds += [m.kind for m in signs]
@@ -216,5 +221,11 @@ def _rank(planner: Planner) -> list[_Measure]:
     value = g.sum([g.power(minor, 2) for minor in substitute(g, lost.minors, planner.put_in)])
     if planner.is_constant(value):
         return []
-    what = "the constraints lose rank"
-    return [_Measure(value, size_of(g, value), True, "rank", what, (THIN,))]
+    return [_Measure(value, size_of(g, value), True, "rank", RANK_LOST, (THIN,))]
+
+
+def _factors(planner: Planner) -> list[_Measure]:
+    """What a constraint is multiplied by as a whole, where that may vanish: only its sign tells."""
+    g = planner.graph
+    values = substitute(g, find_vanishing_factors(planner.system), planner.put_in)
+    return [_Measure(value, g.one, False, "rank", RANK_LOST, ()) for value in values if not planner._is_constant(value)]

@@ -11,6 +11,7 @@ import ctypes
 import hashlib
 import os
 import platform
+import shlex
 import shutil
 import subprocess
 import sys
@@ -37,23 +38,53 @@ class CacheError(CompileError):
     """There is no place for what the compiler would make."""
 
 
-def find_compiler() -> str:
-    """The path of ``$CC``, cc, gcc or clang; empty where there is none."""
-    for name in (os.environ.get("CC", ""), "cc", "gcc", "clang"):
-        found = shutil.which(name) if name else None
-        if found:
-            return found
-    return ""
+def tell_why(error: CompileError) -> str:
+    """The reason for a note, which has no line of help."""
+    return f"{error} (`NHC_CACHE` may name another folder)" if isinstance(error, CacheError) else str(error)
+
+
+def find_compiler() -> tuple[str, ...]:
+    """The compiler's path and the arguments that ``$CC`` has behind it, as in ``ccache gcc``; empty where there is none.
+
+    Where ``$CC`` is set nothing else is looked for: who names a compiler does not want another one's code.
+    """
+    named = os.environ.get("CC", "").strip()
+    for name in (named,) if named else ("cc", "gcc", "clang"):
+        for words in ([name], _split(name)):
+            found = shutil.which(words[0]) if words else None
+            if found:  # by its whole path, since it is called from other folders
+                return os.path.abspath(found), *words[1:]
+    return ()
+
+
+def _split(command: str) -> list[str]:
+    try:
+        return shlex.split(command)
+    except ValueError:  # a quote that is not closed
+        return []
+
+
+def _tell_missing() -> str:
+    named = os.environ.get("CC", "").strip()
+    return (
+        f"no C compiler: `CC` names `{named}`, which is not found"
+        if named
+        else "no C compiler (looked for cc, gcc, clang)"
+    )
 
 
 @cache
-def compiler_version(compiler: str) -> str:
+def compiler_version(compiler: tuple[str, ...]) -> str:
     """What the compiler says of itself."""
     try:
-        done = subprocess.run([compiler, "--version"], capture_output=True, text=True, timeout=30, check=False)
+        done = subprocess.run([*compiler, "--version"], capture_output=True, text=True, timeout=30, check=False)
     except (OSError, subprocess.TimeoutExpired) as error:
-        raise CompileError(f"`{compiler} --version` fails: {error}", missing=True) from error
+        raise CompileError(f"`{shlex.join(compiler)} --version` fails: {_tell(error)}", missing=True) from error
     return done.stdout + done.stderr
+
+
+def _tell(error: Exception) -> str:
+    return (error.strerror or str(error)) if isinstance(error, OSError) else "it does not end"
 
 
 @cache
@@ -82,15 +113,29 @@ def build(sources: Mapping[str, str], unit: str, flags: Sequence[str] = ()) -> P
     """
     compiler = find_compiler()
     if not compiler:
-        raise CompileError("no C compiler (looked for $CC, cc, gcc, clang)", missing=True)
+        raise CompileError(_tell_missing(), missing=True)
     options = (*FLAGS, *_accepted(compiler, machine_flags()), *flags)
     entry = cache_folder() / _key(sources, unit, options, compiler)
     library = entry / f"{Path(unit).stem}.so"
     if library.exists() and not _loads(library):
         shutil.rmtree(entry, ignore_errors=True)
     if not library.exists():
-        _compile(sources, unit, (compiler, *options), library)
+        _compile(sources, unit, (*compiler, *options), library)
     return library
+
+
+def try_out() -> None:
+    """Compile a small unit as models are compiled, and keep nothing of it.
+
+    Raises:
+        CompileError: no compiler, or it makes no library.
+    """
+    compiler = find_compiler()
+    if not compiler:
+        raise CompileError(_tell_missing(), missing=True)
+    with tempfile.TemporaryDirectory() as folder:
+        unit = {"one.c": "int one(void);\nint one(void) { return 1; }\n"}
+        _compile(unit, "one.c", (*compiler, *FLAGS), Path(folder) / "entry" / "one.so")
 
 
 def _loads(library: Path) -> bool:
@@ -129,22 +174,22 @@ def lane_flags(states: int) -> tuple[str, ...]:
 
 
 @cache
-def _accepted(compiler: str, wanted: tuple[str, ...]) -> tuple[str, ...]:
+def _accepted(compiler: tuple[str, ...], wanted: tuple[str, ...]) -> tuple[str, ...]:
     """The flags where the compiler takes them."""
     if not wanted:
         return ()
     try:
         done = subprocess.run(
-            [compiler, *wanted, "-Werror", "-E", "-x", "c", os.devnull], capture_output=True, timeout=30, check=False
+            [*compiler, *wanted, "-Werror", "-E", "-x", "c", os.devnull], capture_output=True, timeout=30, check=False
         )
     except (OSError, subprocess.TimeoutExpired):
         return ()
     return wanted if done.returncode == 0 else ()
 
 
-def _key(sources: Mapping[str, str], unit: str, options: Sequence[str], compiler: str) -> str:
+def _key(sources: Mapping[str, str], unit: str, options: Sequence[str], compiler: tuple[str, ...]) -> str:
     digest = hashlib.sha256()
-    parts = [unit, *options, compiler_version(compiler), sys.platform, platform.machine()]
+    parts = [unit, *compiler[1:], *options, compiler_version(compiler), sys.platform, platform.machine()]
     for name in sorted(sources):
         parts += [name, sources[name]]
     for part in parts:
@@ -159,13 +204,13 @@ def _compile(sources: Mapping[str, str], unit: str, command: Sequence[str], libr
         entry.parent.mkdir(parents=True, exist_ok=True)
         work = Path(tempfile.mkdtemp(prefix=f".{entry.name}.", dir=entry.parent))
     except OSError as error:
-        raise CacheError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
+        raise _no_place(entry.parent, error) from error
     try:
         try:
             for name, text in sources.items():
                 (work / name).write_text(text, encoding="utf-8")
         except OSError as error:
-            raise CacheError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
+            raise _no_place(entry.parent, error) from error
         done = subprocess.run(
             [*command, unit, "-lm", "-o", library.name],
             cwd=work,
@@ -174,15 +219,31 @@ def _compile(sources: Mapping[str, str], unit: str, command: Sequence[str], libr
             timeout=TIME_LIMIT,
             check=False,
         )
-        if done.returncode != 0:
-            first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr.strip()[:200])
-            raise CompileError(f"`{Path(command[0]).name}` does not compile the emitted source: {first}")
+        if done.returncode != 0 or not (work / library.name).exists():
+            raise CompileError(f"`{Path(command[0]).name}` does not compile the emitted source: {_tell_failure(done)}")
         try:
             os.rename(work, entry)
         except OSError as error:
             if not library.exists():
-                raise CacheError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
+                raise _no_place(entry.parent, error) from error
+    except OSError as error:
+        raise CompileError(f"`{command[0]}` does not run: {error.strerror}") from error
     except subprocess.TimeoutExpired as error:
         raise CompileError(f"the compiler takes longer than {TIME_LIMIT:.0f} s") from error
     finally:
         shutil.rmtree(work, ignore_errors=True)
+
+
+def _no_place(folder: Path, error: OSError) -> CacheError:
+    return CacheError(f"cannot write into the cache `{folder}`: {error.strerror}")
+
+
+def _tell_failure(done: subprocess.CompletedProcess[str]) -> str:
+    """What a compiler that made no library says, else how it ended."""
+    lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    said = next((line for line in lines if "error" in line), lines[0][:200] if lines else "")
+    if said:
+        return said
+    if done.returncode < 0:
+        return f"it was killed by signal {-done.returncode}"
+    return f"it ends with status {done.returncode} and without a word" if done.returncode else "it writes no library"

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 from nhc.program.stepping import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
 from nhc.records import record
-from nhc.simulate.compile import CompileError, build, loop_flags
+from nhc.simulate.compile import CompileError, build, loop_flags, tell_why
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.halving import REFERENCE, find_step
 from nhc.simulate.interpreted import InterpretedModel
@@ -86,7 +86,7 @@ def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str
             path = build(sources, f"{job.program.system}_run.c", loop_flags(len(job.y)))
             return CompiledModel(path, job.program.system, len(job.y), job.width), ()
         except CompileError as error:
-            notes = (f"{error}; running the emitted Python, which is some hundred times slower",)
+            notes = (f"{tell_why(error)}; running the emitted Python, which is some hundred times slower",)
     if method in STRUCTURE:
         return NaturalModel(job.program), notes
     frames = job.watch.weak, job.watch.frames

@@ -9,6 +9,8 @@ import pytest
 
 from nhc.cli import main
 from nhc.cli.doctor import EXTRAS, REQUIRED
+from nhc.simulate import compile as compiling
+from tests.conftest import Compile
 
 
 def test_this_installation_is_well(capsys: pytest.CaptureFixture[str]) -> None:
@@ -53,6 +55,17 @@ def test_a_missing_tool_is_no_failure(monkeypatch: pytest.MonkeyPatch, capsys: p
     monkeypatch.setenv("CC", "no-such-compiler")
     assert main(["doctor"]) == 0
     assert "no `no-such-compiler` on the path" in capsys.readouterr().out
+
+
+def test_a_compiler_that_compiles_nothing_is_missing(
+    quick_models: Compile, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(compiling, "_compile", quick_models)
+    monkeypatch.setenv("CC", "false")
+    assert main(["doctor"]) == 0
+    rows = [" ".join(line.split()) for line in capsys.readouterr().out.splitlines() if "missing" in line]
+    assert "missing cc `/usr/bin/false --version` fails" in [row.replace("`/bin/", "`/usr/bin/") for row in rows]
+    assert any(row.startswith("missing compiler of runs `false` does not compile") for row in rows)
 
 
 def test_requirements_and_extras_are_those_of_the_package(root: Path) -> None:

@@ -20,6 +20,7 @@ import pytest
 from nhc.cli.entry import main
 from nhc.language import Source, read
 from nhc.report.trajectory import npz_bytes
+from nhc.simulate import compile as compiling
 from nhc.simulate.compile import CacheError, CompileError, build, cache_folder
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.opening import RunError, open_scene
@@ -27,6 +28,7 @@ from nhc.simulate.peers import SCIPY
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.source import write_natural, write_source
+from tests.conftest import Compile
 from tests.support import COMPILER, STRICT, formulations, interrupt, reference, spec_path
 
 
@@ -432,6 +434,58 @@ def test_without_a_compiler_it_runs_python_and_says_so(
     monkeypatch.delenv("CC", raising=False)
     code, out, err = call(capsys, "pendulum", "--points", "3")
     assert code == 0 and len(table(out)[1]) == 3 and "no C compiler" in err and "emitted Python" in err
+
+
+COMPILERS = {  # what stands in the script that ``CC`` names -> what the note says of it
+    "exit 0": "it writes no library",
+    "exit 1": "it ends with status 1 and without a word",
+    "kill -9 $$": "it was killed by signal 9",
+    "echo 'cannot open the license' >&2; exit 2": "cannot open the license",
+}
+
+
+@pytest.fixture
+def as_for_users(quick_models: Compile, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The compiler that a user has named, and a cache without a model."""
+    monkeypatch.setattr(compiling, "_compile", quick_models)
+    monkeypatch.setenv("NHC_CACHE", str(tmp_path / "models"))
+
+
+@pytest.mark.parametrize("script", COMPILERS)
+@pytest.mark.usefixtures("as_for_users")
+def test_why_a_compiler_makes_nothing_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], script: str
+) -> None:
+    """A compiler is named by a path from this folder, and called from another one."""
+    monkeypatch.chdir(tmp_path)
+    Path("mycc").write_text(f"#!/bin/sh\n{script}\n")
+    Path("mycc").chmod(0o755)
+    monkeypatch.setenv("CC", "./mycc")
+    code, out, err = call(capsys, "pendulum", "--points", "2")
+    assert code == 0 and len(table(out)[1]) == 2
+    assert f"note: `mycc` does not compile the emitted source: {COMPILERS[script]}; running the emitted Python" in err
+
+
+@pytest.mark.usefixtures("as_for_users")
+def test_only_the_compiler_that_is_named_compiles(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("CC", "no_such_compiler")
+    code, _, err = call(capsys, "pendulum", "--points", "2")
+    assert code == 0 and "note: no C compiler: `CC` names `no_such_compiler`, which is not found; running the" in err
+    monkeypatch.setenv("CC", "env LC_ALL=C cc")  # a compiler with what stands before it, as `ccache gcc`
+    code, _, err = call(capsys, "pendulum", "--points", "2")
+    assert code == 0 and "note" not in err and len(list((tmp_path / "models").glob("*/*.so"))) == 1
+
+
+@pytest.mark.usefixtures("as_for_users")
+def test_a_chart_ends_with_advice_where_nothing_compiles(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("CC", "false")
+    code = main(["chart", "pendulum", "--no-peers", "--tolerances", "1e-3", "--methods", "rk4"])
+    err = capsys.readouterr().err
+    assert code == 2 and "= help: name another compiler in `CC`" in err and "internal error" not in err
 
 
 def test_the_cache_is_where_it_is_said_to_be(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -260,3 +260,28 @@ def test_a_choice_that_is_singular_is_not_blamed_on_the_masses(
     said = capsys.readouterr().err
     assert "the constraints cannot be solved for x', y'" in said and "mass matrix" not in said
     assert "leave `--stay` out" in said
+
+
+FACTORED = """\
+nhc: 1
+system: factored
+coordinates: [x, y, th]
+T: (x'^2 + y'^2)/2 + th'^2/4
+V: x
+constraints: ["{factor}*(-sin(th)*x' + cos(th)*y') = 0"]
+scenes: {{go: {{initial: {{x: 1, th: 0.4, x': 1}}, time: [0, 5]}}}}
+"""
+
+
+@pytest.mark.parametrize("formulation", ["auto", "voronec", "multipliers"])
+@pytest.mark.parametrize(("factor", "stops"), [("x", True), ("x*sin(t/2)^2", True), ("exp(-9*x)", False)])
+def test_a_constraint_that_vanishes_as_a_whole_ends_the_run(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], formulation: str, factor: str, stops: bool
+) -> None:
+    """Measured against its own size it is as good as ever; a factor that only becomes small does no harm."""
+    path = tmp_path / "factored.yaml"
+    path.write_text(FACTORED.format(factor=factor).replace("time: [0", "time: [0.1"))
+    code = main(["run", str(path), "--points", "2", "-f", formulation])
+    out, err = capsys.readouterr()
+    assert code == (3 if stops else 0) and ("constraints lose rank" in err) is stops
+    assert (out == "") is stops

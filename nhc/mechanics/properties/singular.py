@@ -67,6 +67,18 @@ def find_rank_loss(system: System) -> RankLoss:
     return RankLoss(False, (shared,) if cannot_vanish_together(g, rest, known) else tuple(kept))
 
 
+def find_vanishing_factors(system: System) -> list[Node]:
+    """What all coefficients of one constraint share and what may vanish, without powers: there it says nothing.
+
+    No measure that compares a constraint with its own size sees these places.
+    """
+    g, known, found = system.graph, intervals(system), dict[Node, None]()
+    for row in rows_in_base(system, system.constraints):
+        shared = reduce(and_, (_factors(g, entry) for entry in row if entry != g.zero))
+        found |= dict.fromkeys(base for base in sorted(shared) if not cannot_vanish(g, base, known))
+    return list(found)
+
+
 def _split_shared(graph: Graph, minors: Sequence[Node], known: Mapping[Node, Interval]) -> tuple[Node, list[Node]]:
     """The factors that all minors have and that may vanish, as a product without powers, and what is left of the minors."""
     g = graph

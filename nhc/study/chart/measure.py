@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from nhc.simulate.compile import compiler_version, find_compiler, machine_flags
+from nhc.simulate.compile import CompileError, compiler_version, find_compiler, machine_flags
 from nhc.study.chart.case import Machine
 from nhc.version import __version__
 
@@ -98,7 +98,10 @@ def energy_error(rows: Rows, reference: Rows, groups: Sequence[str]) -> float:
 def describe_machine() -> Machine:
     """The processor, the compiler and the versions, without the machine's name."""
     compiler = find_compiler()
-    line = compiler_version(compiler).split("\n", 1)[0].strip() if compiler else "no C compiler"
+    try:
+        line = compiler_version(compiler).split("\n", 1)[0].strip() if compiler else "no C compiler"
+    except CompileError as error:
+        line = str(error)
     flags = " ".join(("-O2", *machine_flags())) if compiler else ""
     return Machine(_processor(), os.cpu_count() or 1, line, flags, platform.python_version(), __version__)
 

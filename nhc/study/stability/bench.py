@@ -23,7 +23,7 @@ from nhc.program.build import Planner, build_functions
 from nhc.program.needed import Column, needed_function, reactions_of
 from nhc.program.stepping import LEAST_TOLERANCE, SAFETY
 from nhc.program.structure import structure_of
-from nhc.simulate.compile import CompileError, build
+from nhc.simulate.compile import CompileError, build, tell_why
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
@@ -247,7 +247,7 @@ def _load(job: Job, compiled: bool) -> tuple[CompiledModel | InterpretedModel, t
             path = build(sources, f"{job.program.system}_run.c")
             return CompiledModel(path, job.program.system, len(job.y), len(job.columns)), ()
         except CompileError as error:
-            notes = (f"{error}; running the emitted Python with shorter runs",)
+            notes = (f"{tell_why(error)}; running the emitted Python with shorter runs",)
     return InterpretedModel(job.program, job.events, job.holds, job.watch.dips), notes
 
 
