@@ -76,8 +76,7 @@ def open_scene(
     form = formulate(system, formulation)
     equations = equations_of(system, form)
     start, notes = projected_start(system, chosen) if project else (start_of(system, chosen), ())
-    if event is not None:
-        event = continue_beyond(system.graph, event, start.values(system), intervals(system))
+    ending = None if event is None else continue_beyond(system.graph, event, start.values(system), intervals(system))
     implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
     plain = not (wanted or until or natural or checks or whole or draw)  # else more is asked than the scene needs
     weak = (method in RUNGE_KUTTA or method == AUTO) and not (stay or whole)
@@ -85,7 +84,7 @@ def open_scene(
     if reduced is not None:
         job = replace(reduced, recipe=Recipe(equations, jacobian=implicit, hold=hold, weak=weak))
     else:
-        job = prepare(equations, form, start, wanted, event, implicit, natural, hold, checks, draw, weak, not beside)
+        job = prepare(equations, form, start, wanted, ending, implicit, natural, hold, checks, draw, weak, not beside)
     job = replace(job, notes=notes)
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:
