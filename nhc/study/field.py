@@ -15,9 +15,10 @@ from nhc.algebra.graph import Node
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.linearize import Leaf
+from nhc.mechanics.properties.symmetry import Generator
 from nhc.records import record
 from nhc.study.tape import Tapes
-from nhc.study.turns import Turn
+from nhc.study.turns import Turn, turn_of
 from nhc.study.units import Matrix, Units, Vector, beside, choose_units, cleaned, trials
 
 RANK = 1e-9
@@ -40,8 +41,8 @@ class SteadyModel:
     """A field with its parameters' values; ``rest`` are the entries of the state that are not cyclic.
 
     ``symmetries`` are groups of turns and shifts that a steady motion may go along: it stands still in axes that move with
-    it, by ``turning``.  ``units``: those of every state and rate that goes in or comes out, where they are not
-    the spec's.
+    it, by ``turning``; ``generators`` are they as functions of the parameters.  ``units``: those of every state and rate that goes
+    in or comes out, where they are not the spec's.
     """
 
     flow: Flow
@@ -51,6 +52,7 @@ class SteadyModel:
     p: tuple[float, ...]
     tapes: Tapes
     symmetries: tuple[tuple[Turn, ...], ...] = ()
+    generators: tuple[tuple[Generator, ...], ...] = ()
     turning: Turn | None = None
     units: Units | None = None
 
@@ -69,7 +71,13 @@ class SteadyModel:
         return tuple(k for k in range(count) if any(abs(g.value(row[k]) or 0) == 1 for row in slopes))
 
     def with_parameter(self, index: int, value: float) -> SteadyModel:
-        return replace(self, p=(*self.p[:index], value, *self.p[index + 1 :]))
+        return self.with_parameters((*self.p[:index], value, *self.p[index + 1 :]))
+
+    def with_parameters(self, p: tuple[float, ...]) -> SteadyModel:
+        """The model at other values, in the spec's units."""
+        flow, values = self.flow, dict(zip(self.flow.system.p, p, strict=True))
+        groups = ((turn_of(flow.graph, one, len(flow.y), values) for one in group) for group in self.generators)
+        return replace(self, p=p, symmetries=tuple(map(tuple, groups)))
 
     def values(self, y: Sequence[float]) -> dict[Node, float]:
         """Each symbol of the state, the parameters and the time with its value, in the spec's units."""

@@ -5,10 +5,15 @@ from __future__ import annotations
 import cmath
 import json
 import math
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 
+from nhc.algebra.exact.families import find_families
+from nhc.algebra.exact.modular import FieldPoint, is_zero, rank
+from nhc.algebra.exact.residues import PRIMES
+from nhc.algebra.graph import Graph
 from nhc.cli import main
 from nhc.language import Source, read
 from nhc.pipeline import Options, linearize
@@ -227,3 +232,56 @@ def test_on_the_axis_of_a_turn_it_is_no_direction(start: str, side: int, drag: s
     up = 1j * math.sqrt(50)
     assert found.linearisation.turns == 0 and along(found) == {}
     assert matches(eigenvalues(found.linearisation), [swing, swing, -swing, -swing, up, -up], 1e-9)
+
+
+GEARS = """nhc: 1
+system: gears
+coordinates: [a, b, c, x]
+parameters: {r1: 0.3, r2: 0.5, r3: 0.2, k: 20, J: 0.1, W: 1}
+T: J/2*(a'^2 + 2*b'^2 + 3*c'^2 + x'^2)
+V: k/2*((r1*a - r2*b)^2*(1 + x^2) + (r2*b - r3*c)^2 + x^2)
+"""
+
+
+def test_gears_turn_by_their_radii() -> None:
+    """No coordinate is cyclic; what leaves the field alone is (1/r1, 1/r2, 1/r3), and so on paper and along a sweep."""
+    found = find(GEARS, "a'=W/r1, b'=W/r2, c'=W/r3")
+    assert found.linearisation.turns == 1 and not found.linearisation.steady.equilibrium
+    assert along(found) == pytest.approx({("a",): 1 / 0.3, ("b",): 2.0, ("c",): 5.0}, rel=1e-12)
+    assert "k*r1*r2/J" in {entry.replace(" ", "") for row in found.paper for entry in row}
+    swept = linearize(Source("s.yaml", GEARS), Request("a'=1", holds=("a'=1",), sweep=("r1", 0.2, 0.8, 3))).swept
+    assert swept is not None
+    for r1, point in zip(swept.values, swept.points, strict=True):
+        assert point.steady.y[4:7] == pytest.approx([1.0, r1 / 0.5, r1 / 0.2], rel=1e-9)
+    still = find(GEARS.replace("r3*c)^2", "r3*c)^2 + a^2"), "a'=W/r1, b'=W/r2, c'=W/r3")
+    assert still.linearisation.turns == 0 and still.linearisation.steady.equilibrium
+
+
+def test_relations_by_rational_functions_of_parameters() -> None:
+    """Their ratios are those of the sheet; what has a degree beyond two is not made up."""
+    g = Graph()
+    r, s, x, y = (g.symbol(name, "any") for name in "rsxy")
+    prime = PRIMES[0]
+
+    def find_of(nodes: list[int]) -> list[list[int]] | None:
+        def sample(fixed: Mapping[int, int]) -> list[list[int]]:
+            return [FieldPoint(g, seed, prime).evaluate(nodes, fixed) for seed in range(len(nodes) + 4)]
+
+        return find_families(g, [r, s], sample, len(nodes), prime)
+
+    def times(*factors: int) -> int:
+        return g.product(factors)
+
+    def check(nodes: list[int], *expected: list[int]) -> None:
+        found = find_of(nodes)
+        assert found is not None and len(found) == len(expected)
+        assert all(is_zero(g, g.dot(row, nodes)) for row in found)
+        assert rank(g, [*found, *expected]) == rank(g, expected) == len(found)
+
+    one, minus, none = g.one, g.number(-1), g.zero
+    check([times(r, x), times(s, x)], [s, g.neg(r)])
+    wide = [times(g.add(r, s), x), times(x, y), times(s, s, x), times(x, y, r, s)]
+    check(wide, [times(s, s), none, g.neg(g.add(r, s)), none], [none, times(r, s), none, minus])
+    check([x, y, g.add(x, times(r, y))], [one, r, minus])
+    assert find_of([x, times(r, r, r, x)]) is None
+    assert find_of([x, times(g.function("sin", r), y)]) == []
