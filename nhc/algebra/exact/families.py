@@ -35,14 +35,12 @@ def draw_parameters(parameters: Sequence[Node], prime: int, seed: int) -> dict[N
 
 def find_families(
     graph: Graph, parameters: Sequence[Node], sample: Sample, width: int, prime: int
-) -> list[list[Node]] | None:
-    """The k(parameters), polynomials, with sum_j k_j row_j = 0: a basis over their quotients; None where that is not of low degree.
+) -> list[list[Node] | None]:
+    """The k(parameters), polynomials, with sum_j k_j row_j = 0: a basis over their quotients; None where of no low degree.
 
     Raises:
         Unlucky: as ``sample`` does.
     """
-    if len(parameters) > _MOST:
-        return None
     here, other = (draw_parameters(parameters, prime, seed) for seed in (1, 2))
 
     def basis_at(place: Mapping[Node, int]) -> list[list[int]]:
@@ -52,29 +50,31 @@ def find_families(
         return found
 
     basis = null_space(sample(here), width, prime)
+    if len(parameters) > _MOST:
+        return [None] * len(basis)
     moved = {symbol: basis_at({**here, symbol: other[symbol]}) for symbol in parameters}
     places = [(i, j) for i in range(len(basis)) for j in range(width)]
     needed = {(i, j): tuple(symbol for symbol in parameters if moved[symbol][i][j] != basis[i][j]) for i, j in places}
-    most = max(map(len, needed.values()), default=0)
-    if most > _TOGETHER:
-        return None
+    most = max((len(symbols) for symbols in needed.values() if len(symbols) <= _TOGETHER), default=0)
     count = 2 * comb(most + _DEGREE, _DEGREE) + _SPARE if most else 0
     values = [draw_parameters(parameters, prime, 3 + k) for k in range(count)]
     bases = [basis_at(place) for place in values]
-    families = []
-    for i, vector in enumerate(basis):
-        entries = []
-        for j, residue in enumerate(vector):
-            seen = [one[i][j] for one in bases]
-            entry = (
-                _quotient(graph, needed[i, j], values, seen, prime)
-                if needed[i, j]
-                else _constant(graph, residue, prime)
-            )
-            if entry is None:
-                return None
-            entries.append(entry)
-        families.append(_without_quotients(graph, entries))
+
+    def entry_of(i: int, j: int) -> tuple[Node, Node] | None:
+        symbols = needed[i, j]
+        if not symbols:
+            return _constant(graph, basis[i][j], prime)
+        return (
+            _quotient(graph, symbols, values, [one[i][j] for one in bases], prime)
+            if len(symbols) <= _TOGETHER
+            else None
+        )
+
+    families = list[list[Node] | None]()
+    for i in range(len(basis)):
+        entries = [entry_of(i, j) for j in range(width)]
+        known = [entry for entry in entries if entry is not None]
+        families.append(_without_quotients(graph, known) if len(known) == width else None)
     return families
 
 

@@ -65,10 +65,10 @@ def _plane(flow: Flow, rest: Sequence[int], reach: int) -> list[_Simple]:
     n, one = flow.system.n, Fraction(1)
     names = {name: place for place, name in enumerate(flow.names)}
     quaternions = {place for rotation in flow.system.rotations for place in rotation.places}
-    plain = [i for i in range(n) if i not in quaternions]
-    rates = [names.get(f"{flow.system.q_names[i]}'") for i in plain]
+    vectors = [i for i in range(n) if i not in quaternions]
+    rates = [names.get(f"{flow.system.q_names[i]}'") for i in vectors]
     angular = [[names.get(w) for w in declared.velocities] for declared in flow.system.spec.rotations]
-    kinds = [_among(plain, rest), _among(rates, rest), *(_among(places, rest) for places in angular)]
+    kinds = [_among(vectors, rest), _among(rates, rest), *(_among(places, rest) for places in angular)]
     pairs = [(i, j) for kind in kinds for k, i in enumerate(kind) for j in kind[k + 1 : k + 1 + reach]]
     return [*({(i, len(flow.y)): one} for i in kinds[0]), *({(i, j): -one, (j, i): one} for i, j in pairs)]
 
@@ -119,11 +119,12 @@ def _groups(
         used = [k for k in range(size) if k not in drawn.idle]
         many = len(null_space(drawn.columns(here, used), len(used), drawn.prime)) if used else 0
         every = [*drawn.columns(here, used), *drawn.columns({}, used)] if many else []
-        plain = [[g.number(x) for x in v] for v in find_relations(every, len(used), drawn.prime)] if many else []
-        wider = None
-        if len(plain) < many:
+        vectors = [[g.number(x) for x in v] for v in find_relations(every, len(used), drawn.prime)] if many else []
+        if len(vectors) < many:
             wider = find_families(g, parameters, partial(drawn.columns, used=used), len(used), drawn.prime)
-        made = [_combine(flow, [generators[k] for k in used], vector) for vector in wider or plain]
+            whole = [vector for vector in wider if vector is not None]
+            vectors = whole if len(whole) == many else vectors
+        made = [_combine(flow, [generators[k] for k in used], vector) for vector in vectors]
         found.append(tuple(one for one in made if one and _keeps_steps(flow, one)))
     return found
 
