@@ -26,6 +26,8 @@ RANK = 1e-9
 SINGULAR = 1e-6
 """Where the coordinates are less regular than this they fail themselves (gimbal lock), and nothing can be said."""
 
+_PART = 0.1  # of a velocity in a direction that nothing holds
+
 
 @record
 class Hold:
@@ -156,10 +158,29 @@ class SteadyModel:
         It vanishes with the circles that an angle goes along, at a pole or a centre.  Elsewhere is where the search began, and all
         around: whichever has less, for a system may be small beside the units it is given in.
         """
-        here, begin = self._inertias(y), self._inertias(guess)
-        around = np.max([here, *(self._inertias(near) for near in _around(y))], axis=0)
-        usual = np.minimum(begin, around)
+        here, around = self._inertias(y), self._around_inertias(y)
+        usual = np.minimum(self._inertias(guess), around)
         return math.sqrt(min((a / b for a, b in zip(here, usual, strict=True) if b > a), default=1.0))
+
+    def idle_velocities(self, y: Sequence[float], guess: Sequence[float]) -> tuple[str, ...]:
+        """The kept velocities that neither inertia nor a constraint holds at y, beside the inertia that they have all around, or
+        where the search began.
+        """
+        try:
+            matrix, kept = self.mass(y), self.flow.kept
+        except ArithmeticError:
+            return ()
+        usual = np.maximum(self._around_inertias(y), self._inertias(guess))
+        lengths = 1.0 / np.sqrt(np.where(usual > 0.0, usual, 1.0))
+        bordered = matrix[:, :kept] * lengths
+        bordered[:kept] *= lengths[:, None]
+        sizes, right = np.linalg.svd(bordered)[1:]
+        least = right[sizes <= SINGULAR * np.max(sizes, initial=0.0)]
+        names = self.flow.names[self.flow.system.n :]
+        return tuple(name for k, name in enumerate(names) if np.any(np.abs(least[:, k]) > _PART))
+
+    def _around_inertias(self, y: Sequence[float]) -> Vector:
+        return np.asarray(np.max([self._inertias(y), *(self._inertias(near) for near in _around(y))], axis=0))
 
     def _inertias(self, y: Sequence[float]) -> Vector:
         """The diagonal of the kept velocities' mass matrix; zeros where it has no value."""

@@ -17,6 +17,7 @@ from nhc.algebra.graph import Graph
 from nhc.cli import main
 from nhc.language import Source, read
 from nhc.pipeline import Options, linearize
+from nhc.study.field import SteadyModel
 from nhc.study.linearize import eigenvalues, verdict
 from nhc.study.motion import Findings, Request
 from nhc.study.steady import NotSteady
@@ -286,3 +287,42 @@ def test_relations_by_rational_functions_of_parameters() -> None:
     check([x, y, g.add(x, times(r, y))], [one, r, minus])
     assert find_of([x, times(r, r, r, x)]) == [None]
     assert find_of([x, times(g.function("sin", r), y)]) == []
+
+
+BALLS = """nhc: 1
+system: two_balls
+coordinates: [x, y, th, ph]
+rotation:
+  R: {velocities: [w1, w2, w3], frame: space}
+  S: {velocities: [u1, u2, u3], frame: space}
+parameters: {a: 1, m: 1, M: 2, g: 9.81, b: 0.5}
+define: {nx: sin(th)*cos(ph), ny: sin(th)*sin(ph), nz: cos(th), X: x + (a + b)*nx, Y: y + (a + b)*ny, Z: (a + b)*nz}
+T: m/2*(x'^2 + y'^2) + m*a^2/5*(w1^2 + w2^2 + w3^2) + M/2*(X'^2 + Y'^2 + Z'^2) + M*b^2/5*(u1^2 + u2^2 + u3^2)
+V: M*g*Z
+constraints:
+  - x' - a*w2 = 0
+  - y' + a*w1 = 0
+  - X' - (x' + (a*w2 + b*u2)*nz - (a*w3 + b*u3)*ny) = 0
+  - Y' - (y' + (a*w3 + b*u3)*nx - (a*w1 + b*u1)*nz) = 0
+"""
+
+
+@pytest.mark.parametrize(
+    ("about", "where"), [("th=0", "where the search begins"), ("th=0.001", "at the steady motion")]
+)
+def test_an_azimuth_at_its_pole_is_named(about: str, where: str) -> None:
+    """The balls' orientations are rotations, and no orientation is to blame where the place of contact has lost its azimuth."""
+    with pytest.raises(NotSteady, match=f"{where}.*: `ph'` moves nothing there, as an azimuth at its pole") as told:
+        find(BALLS, about)
+    assert "rotation" not in told.value.advice
+
+
+def test_a_search_that_runs_off_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not with the words of the C library."""
+
+    def overflow(*_: object) -> None:
+        raise OverflowError(34, "Numerical result out of range")
+
+    monkeypatch.setattr(SteadyModel, "field", overflow)
+    with pytest.raises(NotSteady, match=r"^the search for a steady motion runs off$"):
+        find(GEARS, "a'=1")
