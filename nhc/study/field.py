@@ -163,15 +163,20 @@ class SteadyModel:
         return math.sqrt(min((a / b for a, b in zip(here, usual, strict=True) if b > a), default=1.0))
 
     def idle_velocities(self, y: Sequence[float], guess: Sequence[float]) -> tuple[str, ...]:
-        """The kept velocities that neither inertia nor a constraint holds at y, beside the inertia that they have all around, or
-        where the search began.
+        """The kept velocities that neither inertia nor a constraint holds at y, while something does all around: beside the inertia
+        that they have there, or where the search began.
         """
+        usual = np.maximum(self._around_inertias(y), self._inertias(guess))
+        lengths = 1.0 / np.sqrt(np.where(usual > 0.0, usual, 1.0))
+        here, beside = self._unheld(y, lengths), [self._unheld(near, lengths) for near in _around(y)]
+        return tuple(name for name in here if not any(name in names for names in beside))
+
+    def _unheld(self, y: Sequence[float], lengths: Vector) -> tuple[str, ...]:
+        """The kept velocities, of these lengths, in directions without inertia that no constraint excludes."""
         try:
             matrix, kept = self.mass(y), self.flow.kept
         except ArithmeticError:
             return ()
-        usual = np.maximum(self._around_inertias(y), self._inertias(guess))
-        lengths = 1.0 / np.sqrt(np.where(usual > 0.0, usual, 1.0))
         bordered = matrix[:, :kept] * lengths
         bordered[:kept] *= lengths[:, None]
         sizes, right = np.linalg.svd(bordered)[1:]

@@ -114,7 +114,6 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
         try:
             made = _iterate(own, turns, np.concatenate([y, _first_turn(own, turns, y)]), holds)
         except ArithmeticError as error:
-            # only the guess itself can have no equations: steps keep to where there are some
             failed.append(
                 _tell_way(own, y, error) if isinstance(error, NotSteady) else _tell_singular(model, guess, error)
             )
@@ -133,11 +132,10 @@ def _tell_singular(model: SteadyModel, guess: Sequence[float], error: Arithmetic
     """What it means that the equations have no values on the way from the guess."""
     idle = model.idle_velocities(guess, guess)
     if len(idle) == 1:
-        what = f"the coordinates are singular where the search begins: {_IDLE.format(idle[0])}"
-        return NotSteady(what, math.inf, guess, _OTHER_POLE)
-    far = isinstance(error, OverflowError)
-    what = "the search for a steady motion runs off" if far else f"the model is singular on the way: {error}"
-    return NotSteady(what, math.inf, guess)
+        why = _IDLE.format(idle[0])
+        return NotSteady(f"the coordinates are singular where the search begins: {why}", math.inf, guess, _OTHER_POLE)
+    far = "the search for a steady motion runs off" if isinstance(error, OverflowError) else ""
+    return NotSteady(far or f"the model is singular on the way: {error}", math.inf, guess)
 
 
 def _tell_way(model: SteadyModel, y: Vector, error: NotSteady) -> NotSteady:
