@@ -263,7 +263,10 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
         return ["there the constraints lose rank, and no formulation has a motion beyond: end the scene before"]
     if outcome.kind != CROSSED:
         return []
-    if job.watch.kinds[find_lost(job, outcome)] in ("mass", "whole"):
+    kind = job.watch.kinds[find_lost(job, outcome)]
+    if kind == "edge":
+        return ["end the scene before, or give an expression that has values all the way"]
+    if kind in ("mass", "whole"):
         return ["look at T there, or take coordinates that are regular, such as a `rotation:` for angles in space"]
     if found.method in PEERS:
         return [f"leave `--method {found.method}` out: nhc's own methods go on with another choice of velocities"]

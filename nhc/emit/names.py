@@ -13,6 +13,7 @@ class Scope:
     def __init__(self, reserved: Iterable[str], longest: int) -> None:
         self._taken = set(reserved)
         self._longest = longest
+        self._numbers: dict[str, int] = {}  # of each prefix the last that was given: none becomes free again
         self.spellings: dict[str, str] = {}  # what each name is in the language
 
     def bind_all(self, names: Iterable[str]) -> None:
@@ -28,9 +29,10 @@ class Scope:
 
     def fresh(self, prefix: str) -> str:
         """A name for a temporary: ``prefix`` and the first number that is free."""
-        number = 1
+        number = self._numbers.get(prefix, 0) + 1
         while f"{prefix}{number}" in self._taken:
             number += 1
+        self._numbers[prefix] = number
         name = f"{prefix}{number}"
         self._taken.add(name)
         return name

@@ -160,8 +160,12 @@ class SymbolicMatrix:
     held: tuple[tuple[str, Node], ...]
 
 
-def symbolic_matrix(flow: Flow, rest: Sequence[int], point: Mapping[Node, Node]) -> SymbolicMatrix | str:
+def symbolic_matrix(
+    flow: Flow, rest: Sequence[int], point: Mapping[Node, Node], shifts: Sequence[Sequence[Node]] = ()
+) -> SymbolicMatrix | str:
     """The Jacobian of the rates of ``rest`` at a steady motion given as nodes, or why there is none.
+
+    The motion may go along ``shifts`` of the coordinates of ``rest``, under which the field looks the same.
 
     Kept velocities that may have any value on the steady motion stay symbols.  On a steady motion all rates of ``rest``
     vanish, so the slopes of the kept velocities' rates are M^-1 df/dy: nothing is differentiated through the inverse.
@@ -171,7 +175,7 @@ def symbolic_matrix(flow: Flow, rest: Sequence[int], point: Mapping[Node, Node])
         return "the multipliers' equations are solved as numbers only"
     if any(n + k not in rest for k in range(flow.kept)):
         return "a kept velocity is not part of it"
-    place = _free_velocities(flow, rest, dict(point))
+    place = _free_velocities(flow, rest, dict(point), shifts)
     if place is None:
         return "the motion is steady as numbers, not as an expression in the parameters"
     slopes = [flow.velocity_slopes[i] if i < n else flow.residual_slopes[i - n] for i in rest]
@@ -207,22 +211,28 @@ def _solved(g: Graph, flow: Flow, rest: Sequence[int], values: list[Node]) -> li
     return [[g.zero if zero[r * width + c] else x for c, x in enumerate(row)] for r, row in enumerate(rows)]
 
 
-def _free_velocities(flow: Flow, rest: Sequence[int], place: dict[Node, Node]) -> dict[Node, Node] | None:
+def _free_velocities(
+    flow: Flow, rest: Sequence[int], place: dict[Node, Node], shifts: Sequence[Sequence[Node]]
+) -> dict[Node, Node] | None:
     """The point with as many nonzero kept velocities left open as keep it steady; None if it is not steady at all."""
     for i in rest:
         symbol = flow.y[i]
         if i < flow.system.n or place.get(symbol, symbol) in (symbol, flow.graph.zero):
             continue
         freed = {key: node for key, node in place.items() if key != symbol}
-        if _is_steady(flow, rest, freed):
+        if _is_steady(flow, rest, freed, shifts):
             place = freed
-    return place if _is_steady(flow, rest, place) else None
+    return place if _is_steady(flow, rest, place, shifts) else None
 
 
-def _is_steady(flow: Flow, rest: Sequence[int], place: Mapping[Node, Node]) -> bool:
+def _is_steady(flow: Flow, rest: Sequence[int], place: Mapping[Node, Node], shifts: Sequence[Sequence[Node]]) -> bool:
     g, n = flow.graph, flow.system.n
-    nodes = [flow.velocities[i] for i in rest if i < n] + list(flow.right)
+    nodes = [flow.velocities[i] for i in rest if i < n]
     try:
-        return all(are_zero(g, substitute(g, nodes, place)))
+        rates = substitute(g, [*nodes, *flow.right], place)
+        if not all(are_zero(g, rates[len(nodes) :])):
+            return False
+        along = rates[: len(nodes)]
+        return all(are_zero(g, along)) or (bool(shifts) and rank(g, [*shifts, along]) == rank(g, shifts))
     except (ZeroDivisionError, Unlucky):
         return False

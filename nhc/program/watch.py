@@ -1,8 +1,9 @@
 """What a run keeps an eye on: values whose change of sign ends it, or hands it to another formulation.
 
-In this order: the user's event; the determinants that the formulation divides by; how far those, the pivots of the mass
-matrix and the rank of the constraints are from nothing; how far they are from weak.  All but the event are free of scale: a
-determinant d with the size s that its entries allow gives d^2 - (c s)^2, a pivot or a sum of squares p gives p - c s.
+In this order: the user's event; the edges beyond which it has no value; the determinants that the formulation divides by; how far
+those, the pivots of the mass matrix and the rank of the constraints are from nothing; how far they are from weak.  All after the
+edges are free of scale: a determinant d with the size s that its entries allow gives d^2 - (c s)^2, a pivot or a sum of squares p
+gives p - c s.
 """
 
 from __future__ import annotations
@@ -40,10 +41,20 @@ _MOST_ROWS = 4  # of a matrix whose determinant is written out
 
 
 @record
-class Watch:
-    """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass, rank or whole, and deep for a frame's lower levels.
+class Event:
+    """The ``value`` whose zero ends a run; it has a meaning while its ``edges`` are positive; ``told``: what happens where not."""
 
-    ``events``, ``signs``, ``close`` count the user's events, the determinants, and the values that tell a singularity by
+    value: Node
+    edges: tuple[Node, ...] = ()
+    told: tuple[str, ...] = ()
+
+
+@record
+class Watch:
+    """``about[k]`` says what value k is, ``kinds[k]`` is event, edge, frame, mass, rank or whole, and deep for a frame's
+    lower levels.
+
+    ``events``, ``signs``, ``close`` count the user's events, the edges and determinants, and the values that tell a singularity by
     closeness; those after them tell weakness, first of ``frames`` determinants of coframes, each at the levels ``WEAK``.
     """
 
@@ -70,6 +81,8 @@ class Watch:
         beyond = "results beyond it would be wrong"
         if index < self.dips and kind == "rank":
             return f"{what} here: all coefficients of one of them vanish, and {beyond}"
+        if kind == "edge":
+            return f"the expression of `--until` has no value beyond this place, where {what}"
         if index < self.dips:
             return f"{what}: the determinant changes its sign here, and {beyond}"
         if kind == "mass":
@@ -96,7 +109,7 @@ class _Measure:
 
 def watch_function(
     planner: Planner,
-    event: Node | None,
+    event: Event | None,
     weak: bool,
     known: dict[Node, tuple[float, float]],
 ) -> tuple[Function | None, Watch]:
@@ -104,7 +117,7 @@ def watch_function(
 
     ``known``: intervals of symbols beside those of the spec, such as a scene's parameters.
     """
-    events = [] if event is None else planner.on_motion([event])
+    events, edges = _asked(planner, event)
     frames = _frames(planner)
     determinants = [*_turned(planner), *_determinant(planner, known)]
     whole, solves = _whole(planner, known)
@@ -112,9 +125,9 @@ def watch_function(
     seen = {m.value for m in (*frames, *determinants)}
     factors = [m for m in _factors(planner) if m.value not in seen]
     signs = [m for m in (*frames, *determinants, *factors) if m.value not in events]
-    nodes, about, kinds = [*events, *(m.value for m in signs)], [""] * len(events), ["event"] * len(events)
-    about += [m.what for m in signs]
-    kinds += [m.kind for m in signs]
+    nodes = [*events, *edges, *(m.value for m in signs)]
+    about = [*("" for _ in events), *(() if event is None else event.told), *(m.what for m in signs)]
+    kinds = [*("event" for _ in events), *("edge" for _ in edges), *(m.kind for m in signs)]
     levels: list[tuple[_Measure, Fraction]] = [(m, NOTHING) for m in measures]
     close = len(levels)
     if weak:
@@ -125,8 +138,15 @@ def watch_function(
         kinds.append("deep" if NOTHING < level <= DEEP and measure.kind == "frame" else measure.kind)
     if not nodes:
         return None, Watch()
-    watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close, len(frames) if weak else 0)
+    watch = Watch(tuple(about), tuple(kinds), len(events), len(edges) + len(signs), close, len(frames) if weak else 0)
     return planner.lower_out("watch", "values whose change of sign ends a run", nodes, about, solves=solves), watch
+
+
+def _asked(planner: Planner, event: Event | None) -> tuple[list[Node], list[Node]]:
+    if event is None:
+        return [], []
+    value, *edges = planner.on_motion([event.value, *event.edges])
+    return [value], edges
 
 
 def look_out(planner: Planner, parameters: Sequence[Sequence[float]]) -> Lookout | None:
@@ -228,4 +248,4 @@ def _factors(planner: Planner) -> list[_Measure]:
     """What a constraint is multiplied by as a whole, where that may vanish: only its sign tells."""
     g = planner.graph
     values = substitute(g, find_vanishing_factors(planner.system), planner.put_in)
-    return [_Measure(value, g.one, False, "rank", RANK_LOST, ()) for value in values if not planner._is_constant(value)]
+    return [_Measure(value, g.one, False, "rank", RANK_LOST, ()) for value in values if not planner.is_constant(value)]

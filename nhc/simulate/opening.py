@@ -80,12 +80,11 @@ def open_scene(
     form = formulate(system, formulation)
     equations = equations_of(system, form)
     start, notes = projected_start(system, chosen) if project else (start_of(system, chosen), ())
-    if event is not None:
-        event = continue_beyond(system.graph, event, start.values(system), intervals(system))
+    ending = None if event is None else continue_beyond(system.graph, event, start.values(system), intervals(system))
     implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
     plain = not (wanted or until or natural or checks or whole or draw)  # else more is asked than the scene needs
     weak = (method in RUNGE_KUTTA or method == AUTO) and not (stay or whole)
-    recipe = Recipe(equations, wanted, event, implicit, hold, checks, draw, weak)
+    recipe = Recipe(equations, wanted, ending, implicit, hold, checks, draw, weak)
     job = prepare_reduced(recipe, form, start) if plain else None
     job = job or prepare(recipe, form, start, natural=natural, fixed=not beside)
     job = replace(job, notes=notes)

@@ -21,7 +21,7 @@ from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program
 from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch
 from nhc.program.structure import Structure, structure_of
-from nhc.program.watch import Watch, watch_function
+from nhc.program.watch import Event, Watch, watch_function
 from nhc.records import record
 from nhc.simulate.stepping_over import Jumping, find_jumping
 
@@ -39,7 +39,7 @@ class Recipe:
 
     equations: Equations
     needs: tuple[str, ...] = ()
-    event: Node | None = None
+    event: Event | None = None
     jacobian: bool = False
     hold: bool = True
     checks: bool = False

@@ -15,15 +15,18 @@ from nhc.algebra.graph import Node
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.linearize import HiddenLeaf
+from nhc.mechanics.properties.symmetry import Generator
 from nhc.records import record
 from nhc.study.tape import Tapes
-from nhc.study.turns import Turn
+from nhc.study.turns import Turn, turn_of
 from nhc.study.units import Matrix, Units, Vector, beside, choose_units, cleaned, trials
 
 RANK = 1e-9
 """Singular values below this part of the largest one count as zero."""
 SINGULAR = 1e-6
 """Where the coordinates are less regular than this they fail themselves (gimbal lock), and nothing can be said."""
+
+_PART = 0.1  # of a velocity in a direction that nothing holds
 
 
 @record
@@ -40,8 +43,8 @@ class SteadyModel:
     """A field with its parameters' values; ``rest`` are the entries of the state that are not cyclic.
 
     ``symmetries`` are groups of turns and shifts that a steady motion may go along: it stands still in axes that move with
-    it, by ``turning``.  ``units``: those of every state and rate that goes in or comes out, where they are not
-    the spec's.
+    it, by ``turning``; ``generators`` are they as functions of the parameters.  ``units``: those of every state and rate that goes
+    in or comes out, where they are not the spec's.
     """
 
     flow: Flow
@@ -51,6 +54,7 @@ class SteadyModel:
     p: tuple[float, ...]
     tapes: Tapes
     symmetries: tuple[tuple[Turn, ...], ...] = ()
+    generators: tuple[tuple[Generator, ...], ...] = ()
     turning: Turn | None = None
     units: Units | None = None
 
@@ -69,7 +73,13 @@ class SteadyModel:
         return tuple(k for k in range(count) if any(abs(g.value(row[k]) or 0) == 1 for row in slopes))
 
     def with_parameter(self, index: int, value: float) -> SteadyModel:
-        return replace(self, p=(*self.p[:index], value, *self.p[index + 1 :]))
+        return self.with_parameters((*self.p[:index], value, *self.p[index + 1 :]))
+
+    def with_parameters(self, p: tuple[float, ...]) -> SteadyModel:
+        """The model at other values, in the spec's units."""
+        flow, values = self.flow, dict(zip(self.flow.system.p, p, strict=True))
+        groups = ((turn_of(flow.graph, one, len(flow.y), values) for one in group) for group in self.generators)
+        return replace(self, p=p, symmetries=tuple(map(tuple, groups)))
 
     def values(self, y: Sequence[float]) -> dict[Node, float]:
         """Each symbol of the state, the parameters and the time with its value, in the spec's units."""
@@ -148,10 +158,34 @@ class SteadyModel:
         It vanishes with the circles that an angle goes along, at a pole or a centre.  Elsewhere is where the search began, and all
         around: whichever has less, for a system may be small beside the units it is given in.
         """
-        here, begin = self._inertias(y), self._inertias(guess)
-        around = np.max([here, *(self._inertias(near) for near in _around(y))], axis=0)
-        usual = np.minimum(begin, around)
+        here, around = self._inertias(y), self._around_inertias(y)
+        usual = np.minimum(self._inertias(guess), around)
         return math.sqrt(min((a / b for a, b in zip(here, usual, strict=True) if b > a), default=1.0))
+
+    def idle_velocities(self, y: Sequence[float], guess: Sequence[float]) -> tuple[str, ...]:
+        """The kept velocities that neither inertia nor a constraint holds at y, while something does all around: beside the inertia
+        that they have there, or where the search began.
+        """
+        usual = np.maximum(self._around_inertias(y), self._inertias(guess))
+        lengths = 1.0 / np.sqrt(np.where(usual > 0.0, usual, 1.0))
+        here, beside = self._unheld(y, lengths), [self._unheld(near, lengths) for near in _around(y)]
+        return tuple(name for name in here if not any(name in names for names in beside))
+
+    def _unheld(self, y: Sequence[float], lengths: Vector) -> tuple[str, ...]:
+        """The kept velocities, of these lengths, in directions without inertia that no constraint excludes."""
+        try:
+            matrix, kept = self.mass(y), self.flow.kept
+        except ArithmeticError:
+            return ()
+        bordered = matrix[:, :kept] * lengths
+        bordered[:kept] *= lengths[:, None]
+        sizes, right = np.linalg.svd(bordered)[1:]
+        least = right[sizes <= SINGULAR * np.max(sizes, initial=0.0)]
+        names = self.flow.names[self.flow.system.n :]
+        return tuple(name for k, name in enumerate(names) if np.any(np.abs(least[:, k]) > _PART))
+
+    def _around_inertias(self, y: Sequence[float]) -> Vector:
+        return np.asarray(np.max([self._inertias(y), *(self._inertias(near) for near in _around(y))], axis=0))
 
     def _inertias(self, y: Sequence[float]) -> Vector:
         """The diagonal of the kept velocities' mass matrix; zeros where it has no value."""

@@ -43,7 +43,6 @@ from nhc.study.linearize import Linearisation, linearise_at
 from nhc.study.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
 from nhc.study.sweep import Branch, Sweep, sweep
 from nhc.study.tape import Tapes
-from nhc.study.turns import turn_of
 
 Found = TypeVar("Found")
 
@@ -94,7 +93,7 @@ def steady_model(equations: Equations, formulation: Formulation, p: Sequence[flo
             raise NotSteady("the constraints cannot be solved for any velocities", math.inf) from None
     made = SteadyModel(flow, frame, leaf, cyclic_of(flow), tuple(p), Tapes(flow.graph, flow.y))
     groups = symmetries_of(flow, frame, made.rest)
-    return replace(made, symmetries=tuple(tuple(turn_of(one, len(flow.y)) for one in group) for group in groups))
+    return replace(made, generators=groups).with_parameters(made.p)
 
 
 def linearise(equations: Equations, formulation: Formulation, request: Request, start: Start | None = None) -> Findings:
@@ -121,13 +120,24 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     halted = bool(lost) and has_halted(model, guess, steady.y)
     point = point_of(flow, scene)
     place = _exact_place(flow, point, model.values(guess), steady)
-    paper = symbolic_matrix(flow, model.rest, place) if place else "the state is no expression in the parameters"
+    shifts = _list_shifts(model) if steady.turns else []
+    paper = (
+        symbolic_matrix(flow, model.rest, place, shifts) if place else "the state is no expression in the parameters"
+    )
     swept = _sweep(model, guess, holds, request.sweep) if request.sweep else None
     if isinstance(paper, str):
         return Findings(flow, formulation, model, made, (), (), paper, swept, lost, halted)
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
     held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
     return Findings(flow, formulation, model, made, rows, held, "", swept, lost, halted)
+
+
+def _list_shifts(model: SteadyModel) -> list[list[Node]]:
+    """The symmetries that shift coordinates and do nothing else, by the coordinates that are not cyclic."""
+    zero, end = model.flow.graph.zero, len(model.flow.y)
+    kept = [i for i in model.rest if i < model.flow.system.n]
+    every = model.generators[-1] if model.generators else ()
+    return [[one.get((i, end), zero) for i in kept] for one in every if all(column == end for _, column in one)]
 
 
 def linearise_whole(equations: Equations, formulation: Formulation, request: Request) -> Findings:

@@ -67,18 +67,22 @@ class Steady:
     others: tuple[tuple[float, ...], ...] = field(default=(), compare=False)
 
 
+_OTHER_POLE = "take coordinates that are regular there, such as angles about another axis, or look near another motion"
+_IDLE = "`{}` moves nothing there, as an azimuth at its pole"
+
+
 class Locked(NotSteady):
     """The coordinates are singular at the motion ``steady`` that was found: rates and slopes there are worth nothing.
 
     ``regularity`` says how nearly: in [0, 1], and next to nothing.
     """
 
-    def __init__(self, steady: Steady, regularity: float) -> None:
-        message = (
-            f"the coordinates are singular at the steady motion that is found (conditioning {regularity:.2g}), as angles are in a "
-            "gimbal lock"
-        )
+    def __init__(self, steady: Steady, regularity: float, idle: Sequence[str] = ()) -> None:
+        message = f"the coordinates are singular at the steady motion that is found (conditioning {regularity:.2g})"
         advice = "give the orientation as a `rotation`, take other angles, or look near another motion"
+        if len(idle) == 1:
+            advice = _OTHER_POLE
+        message += f": {_IDLE.format(idle[0])}" if len(idle) == 1 else ", as angles are in a gimbal lock"
         super().__init__(message, math.inf, steady.y, advice)
         self.steady, self.regularity = steady, regularity
 
@@ -110,9 +114,9 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
         try:
             made = _iterate(own, turns, np.concatenate([y, _first_turn(own, turns, y)]), holds)
         except ArithmeticError as error:
-            # only the guess itself can have no equations: steps keep to where there are some
-            told = NotSteady(f"the model is singular on the way: {error}", float("inf"), own.outside(y))
-            failed.append(_tell_way(own, y, error) if isinstance(error, NotSteady) else told)
+            failed.append(
+                _tell_way(own, y, error) if isinstance(error, NotSteady) else _tell_singular(model, guess, error)
+            )
             continue
         found.append((round(float(np.linalg.norm(np.array(own.inside(made.y)) - y)), 6), made))
     if not found:
@@ -122,6 +126,16 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
     check_frame(model, best.y, "at the steady motion")
     check_coordinates(model, best, guess)
     return best
+
+
+def _tell_singular(model: SteadyModel, guess: Sequence[float], error: ArithmeticError) -> NotSteady:
+    """What it means that the equations have no values on the way from the guess."""
+    idle = model.idle_velocities(guess, guess)
+    if len(idle) == 1:
+        why = _IDLE.format(idle[0])
+        return NotSteady(f"the coordinates are singular where the search begins: {why}", math.inf, guess, _OTHER_POLE)
+    far = "the search for a steady motion runs off" if isinstance(error, OverflowError) else ""
+    return NotSteady(far or f"the model is singular on the way: {error}", math.inf, guess)
 
 
 def _tell_way(model: SteadyModel, y: Vector, error: NotSteady) -> NotSteady:
@@ -165,7 +179,7 @@ def check_coordinates(model: SteadyModel, steady: Steady, guess: Sequence[float]
     """
     regularity = min(model.regularity(steady.y), model.presence(steady.y, guess))
     if regularity <= SINGULAR:
-        raise Locked(steady, regularity)
+        raise Locked(steady, regularity, model.idle_velocities(steady.y, guess))
 
 
 def check_smooth(model: SteadyModel, steady: Steady) -> None:

@@ -11,7 +11,6 @@ from nhc.records import record
 from nhc.study.field import Hold, SteadyModel
 from nhc.study.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
 from nhc.study.steady import NotSteady, find_steady
-from nhc.study.turns import Turn
 
 _BISECTIONS = 60
 _ZERO = "an eigenvalue passes zero"
@@ -48,7 +47,7 @@ class Branch:
         self._known: dict[float, tuple[float, ...]] = {}
         self._guess = tuple(guess)
         self.family: int | None = None
-        self._turns: tuple[Turn, ...] | None = None
+        self._turns: int | None = None  # how many, which tells the group
 
     def __call__(self, value: float) -> Linearisation:
         """The linearisation at a value.
@@ -59,9 +58,9 @@ class Branch:
         model, holds = self._model(value)
         near = min(self._known, key=lambda known: abs(known - value), default=None)
         if self._turns is not None:
-            model = replace(model, symmetries=(self._turns,))
+            model = replace(model, symmetries=tuple(g for g in ((), *model.symmetries) if len(g) == self._turns))
         steady = find_steady(model, self._guess if near is None else self._known[near], holds)
-        self._known[value], self._turns = steady.y, steady.turns
+        self._known[value], self._turns = steady.y, len(steady.turns)
         return linearise_at(model, steady, self.family)
 
 

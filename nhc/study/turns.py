@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 
 import numpy as np
 
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.flow import Flow
+from nhc.mechanics.properties.symmetry import Generator
 from nhc.study.units import Matrix, Vector
 
 AXIS = 1e-9
@@ -40,11 +42,16 @@ class Turn:
         return Turn(self.matrix * states[:, None] / states / time, self.shift * states / time)
 
 
-def turn_of(generator: Mapping[tuple[int, int], Fraction], size: int) -> Turn:
-    """From the entries (row, column) of S, with those of s in the column ``size``."""
+def turn_of(graph: Graph, generator: Generator, size: int, parameters: Mapping[Node, float]) -> Turn:
+    """From the entries (row, column) of S, with those of s in the column ``size``, at the parameters' values.
+
+    Parameters that make all entries small, or large, do not make the turn so.
+    """
     made = np.zeros((size, size + 1))
-    for place, x in generator.items():
+    for place, x in zip(generator, evaluate(graph, list(generator.values()), dict(parameters)), strict=True):
         made[place] = float(x)
+    if any(graph.deps[x] for x in generator.values()):
+        made /= np.max(np.abs(made)) or 1.0
     return Turn(made[:, :size], made[:, size])
 
 

@@ -24,7 +24,8 @@ from nhc.language import decode, read
 from nhc.mechanics.choosing.choose import dependent_of, formulate
 from nhc.mechanics.frame import coordinate_frame, total_derivative
 from nhc.mechanics.properties import sampling
-from nhc.mechanics.properties.conserved import Candidate, combine, find_conserved, generalized_energy, power, spell
+from nhc.mechanics.properties.candidates import Candidate, combine, spell
+from nhc.mechanics.properties.conserved import find_conserved, generalized_energy, power
 from nhc.mechanics.properties.facts import Facts, describe
 from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
@@ -608,12 +609,34 @@ def test_facts_are_the_same_as_lines_and_data(name: str) -> None:
 def test_a_combination_is_spelt_as_it_is_made(vector: tuple[Fraction, ...], wanted: str) -> None:
     g = Graph()
     candidates = [Candidate(name, g.symbol(name)) for name in "abc"]
-    assert spell(vector, candidates) == wanted
+    weights = [g.number(k) for k in vector]
+    assert spell(g, weights, candidates) == wanted
     values = dict(zip((c.node for c in candidates), (2.0, 3.0, 7.0), strict=True))
     known = {"a": 2, "b": 3, "c": 7}
     text = re.sub(r"(\d) ([abc])", r"\1*\2", wanted)
     exact = sympy.sympify(text, {name: sympy.Integer(k) for name, k in known.items()})
-    assert evaluate(g, [combine(g, vector, candidates)], values)[0] == pytest.approx(float(exact), rel=1e-15)
+    assert evaluate(g, [combine(g, weights, candidates)], values)[0] == pytest.approx(float(exact), rel=1e-15)
+
+
+def test_coefficients_that_are_functions_of_the_parameters() -> None:
+    """Three gears: a turn of all of them by their radii changes neither T nor V, whatever the inertias are."""
+    text = """nhc: 1
+system: gears
+coordinates: [a, b, c]
+parameters: {r1: 1, r2: 2, r3: 3, J: 4, K: 5, k: 6}
+T: (J*a'^2 + K*b'^2 + c'^2)/2
+V: k/2*((r1*a - r2*b)^2 + COUPLED)
+"""
+
+    def tell(coupled: str) -> str:
+        system = resolve(decode(Source("s.yaml", coupled)))
+        return "\n".join(describe(system, formulate(system), Bag(system.spec.origin)).lines)
+
+    turning = tell(text.replace("COUPLED", "(r2*b - r3*c)^2"))
+    assert "constants of the motion: E, r1*r2 p_c + r1*r3 p_b + r2*r3 p_a (" in turning
+    assert "constants of the motion: E (" in tell(text.replace("COUPLED", "(r2*b - r3*c)^2 + a^2"))
+    summed = text.replace("COUPLED", "0*c^2").replace("r2*b", "(r2 + r3)*b").replace(" + c'^2", " + J*c'^2")
+    assert "(r2 + r3) p_a" in tell(summed)
 
 
 @pytest.mark.parametrize("function", ["sin", "cos", "sinh", "cosh", "exp"])

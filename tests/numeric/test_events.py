@@ -63,11 +63,47 @@ def test_a_zero_at_the_end_of_what_has_a_value(expression: str, method: str, ste
     assert found.times[-1] == pytest.approx(math.pi / 3, abs=1e-8)
 
 
-@pytest.mark.parametrize("expression", ["sqrt(x - 1)", "sqrt(x - 2)", "sqrt(x - 0.5) + 1"])
-def test_what_has_no_value_at_the_start_or_ends_without_a_zero(expression: str) -> None:
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("method", "step"), METHODS)
+@pytest.mark.parametrize(
+    ("expression", "x"),
+    [
+        ("log(x - 0.5) + 9", 0.5 + math.exp(-9)),
+        ("log(x - 0.5) + 40", 0.5),  # no double lies between the zero and the edge
+        ("log(log(1/2 + x) + 1e-3) + 5", math.exp(math.exp(-5) - 1e-3) - 0.5),
+        ("sqrt(x - 0.5) - 1e-4", 0.5 + 1e-8),
+        ("sqrt(x - 0.5) - 1e-9", 0.5),
+        ("(x - 0.5)^(-3/4) - 1e6", 0.5 + 1e-8),
+        ("asin(x - 1.5) + pi/2 - 1e-5", 0.5 + 5e-11),
+        ("acos(1.5 - x) - 1e-5", 0.5 + 5e-11),
+    ],
+)
+def test_a_zero_shortly_before_the_end_of_what_has_a_value(
+    expression: str, x: float, method: str, step: float, compiled: bool
+) -> None:
+    found = until(expression, method, step, compiled)
+    assert found.ended == "event"
+    assert found.times[-1] == pytest.approx(math.acos(x), abs=1e-8)
+
+
+@pytest.mark.parametrize("expression", ["sqrt(x - 1)", "sqrt(x - 2)", "log(x - 1) + 9"])
+def test_what_has_no_value_at_the_start(expression: str) -> None:
     found = until(expression, "dop853", 0.0, True)
     assert found.ended == "failed"
     assert "`--until` has no value" in found.reason
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("method", "step"), METHODS)
+@pytest.mark.parametrize(
+    "expression", ["sqrt(x - 0.5) + 1", "log(x - 0.5) - 9", "acos(1.5 - x) + 1e-9", "(x - 0.5)^(-3/4) + 1"]
+)
+def test_what_ends_without_a_zero(expression: str, method: str, step: float, compiled: bool) -> None:
+    """The run ends at the edge itself, not a step before, and says what ends there."""
+    found = until(expression, method, step, compiled)
+    assert found.ended == "failed"
+    assert "`--until` has no value beyond this place, where `" in found.reason
+    assert found.outcome.t == pytest.approx(math.pi / 3, abs=1e-8)
 
 
 @pytest.mark.parametrize("compiled", [False, True])

@@ -5,13 +5,19 @@ from __future__ import annotations
 import cmath
 import json
 import math
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 
+from nhc.algebra.exact.families import find_families
+from nhc.algebra.exact.modular import FieldPoint, is_zero, rank
+from nhc.algebra.exact.residues import PRIMES
+from nhc.algebra.graph import Graph
 from nhc.cli import main
 from nhc.language import Source, read
 from nhc.pipeline import Options, linearize
+from nhc.study.field import SteadyModel
 from nhc.study.linearize import eigenvalues, verdict
 from nhc.study.motion import Findings, Request
 from nhc.study.steady import NotSteady
@@ -227,3 +233,96 @@ def test_on_the_axis_of_a_turn_it_is_no_direction(start: str, side: int, drag: s
     up = 1j * math.sqrt(50)
     assert found.linearisation.turns == 0 and along(found) == {}
     assert matches(eigenvalues(found.linearisation), [swing, swing, -swing, -swing, up, -up], 1e-9)
+
+
+GEARS = """nhc: 1
+system: gears
+coordinates: [a, b, c, x]
+parameters: {r1: 0.3, r2: 0.5, r3: 0.2, k: 20, J: 0.1, W: 1}
+T: J/2*(a'^2 + 2*b'^2 + 3*c'^2 + x'^2)
+V: k/2*((r1*a - r2*b)^2*(1 + x^2) + (r2*b - r3*c)^2 + x^2)
+"""
+
+
+def test_gears_turn_by_their_radii() -> None:
+    """No coordinate is cyclic; what leaves the field alone is (1/r1, 1/r2, 1/r3), and so on paper and along a sweep."""
+    found = find(GEARS, "a'=W/r1, b'=W/r2, c'=W/r3")
+    assert found.linearisation.turns == 1 and not found.linearisation.steady.equilibrium
+    assert along(found) == pytest.approx({("a",): 1 / 0.3, ("b",): 2.0, ("c",): 5.0}, rel=1e-12)
+    assert "k*r1*r2/J" in {entry.replace(" ", "") for row in found.paper for entry in row}
+    swept = linearize(Source("s.yaml", GEARS), Request("a'=1", holds=("a'=1",), sweep=("r1", 0.2, 0.8, 3))).swept
+    assert swept is not None
+    for r1, point in zip(swept.values, swept.points, strict=True):
+        assert point.steady.y[4:7] == pytest.approx([1.0, r1 / 0.5, r1 / 0.2], rel=1e-9)
+    still = find(GEARS.replace("r3*c)^2", "r3*c)^2 + a^2"), "a'=W/r1, b'=W/r2, c'=W/r3")
+    assert still.linearisation.turns == 0 and still.linearisation.steady.equilibrium
+
+
+def test_relations_by_rational_functions_of_parameters() -> None:
+    """Their ratios are those of the sheet; what has a degree beyond two is not made up."""
+    g = Graph()
+    r, s, x, y = (g.symbol(name, "any") for name in "rsxy")
+    prime = PRIMES[0]
+
+    def find_of(nodes: list[int]) -> list[list[int] | None]:
+        def sample(fixed: Mapping[int, int]) -> list[list[int]]:
+            return [FieldPoint(g, seed, prime).evaluate(nodes, fixed) for seed in range(len(nodes) + 4)]
+
+        return find_families(g, [r, s], sample, len(nodes), prime)
+
+    def times(*factors: int) -> int:
+        return g.product(factors)
+
+    def check(nodes: list[int], *expected: list[int]) -> None:
+        found = find_of(nodes)
+        rows = [row for row in found if row is not None]
+        assert len(found) == len(rows) == len(expected)
+        assert all(is_zero(g, g.dot(row, nodes)) for row in rows)
+        assert rank(g, [*rows, *expected]) == rank(g, expected) == len(rows)
+
+    one, minus, none = g.one, g.number(-1), g.zero
+    check([times(r, x), times(s, x)], [s, g.neg(r)])
+    wide = [times(g.add(r, s), x), times(x, y), times(s, s, x), times(x, y, r, s)]
+    check(wide, [times(s, s), none, g.neg(g.add(r, s)), none], [none, times(r, s), none, minus])
+    check([x, y, g.add(x, times(r, y))], [one, r, minus])
+    assert find_of([x, times(r, r, r, x)]) == [None]
+    assert find_of([x, times(g.function("sin", r), y)]) == []
+
+
+BALLS = """nhc: 1
+system: two_balls
+coordinates: [x, y, th, ph]
+rotation:
+  R: {velocities: [w1, w2, w3], frame: space}
+  S: {velocities: [u1, u2, u3], frame: space}
+parameters: {a: 1, m: 1, M: 2, g: 9.81, b: 0.5}
+define: {nx: sin(th)*cos(ph), ny: sin(th)*sin(ph), nz: cos(th), X: x + (a + b)*nx, Y: y + (a + b)*ny, Z: (a + b)*nz}
+T: m/2*(x'^2 + y'^2) + m*a^2/5*(w1^2 + w2^2 + w3^2) + M/2*(X'^2 + Y'^2 + Z'^2) + M*b^2/5*(u1^2 + u2^2 + u3^2)
+V: M*g*Z
+constraints:
+  - x' - a*w2 = 0
+  - y' + a*w1 = 0
+  - X' - (x' + (a*w2 + b*u2)*nz - (a*w3 + b*u3)*ny) = 0
+  - Y' - (y' + (a*w3 + b*u3)*nx - (a*w1 + b*u1)*nz) = 0
+"""
+
+
+@pytest.mark.parametrize(
+    ("about", "where"), [("th=0", "where the search begins"), ("th=0.001", "at the steady motion")]
+)
+def test_an_azimuth_at_its_pole_is_named(about: str, where: str) -> None:
+    """The balls' orientations are rotations, and no orientation is to blame where the place of contact has lost its azimuth."""
+    with pytest.raises(NotSteady, match=f"{where}.*: `ph'` moves nothing there, as an azimuth at its pole") as told:
+        find(BALLS, about)
+    assert "rotation" not in told.value.advice
+
+
+def test_a_search_that_runs_off_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not with the words of the C library."""
+
+    def overflow(*_: object) -> None:
+        raise OverflowError(34, "Numerical result out of range")
+
+    monkeypatch.setattr(SteadyModel, "field", overflow)
+    with pytest.raises(NotSteady, match=r"^the search for a steady motion runs off$"):
+        find(GEARS, "a'=1")

@@ -12,6 +12,7 @@ from nhc.algebra.graph import Graph
 from nhc.algebra.probe import Probe
 from nhc.algebra.rewriting.digits import _Points
 from nhc.diagnostics import Source
+from nhc.emit.names import Scope
 from nhc.mechanics.properties import integrability
 from nhc.pipeline import Options, check, emit
 from nhc.program import build
@@ -86,3 +87,20 @@ def test_bounds_at_all_points_are_those_of_a_probe_at_each() -> None:
             assert value == points.values[node][k] or (math.isnan(value) and math.isnan(points.values[node][k]))
             if math.isfinite(value):
                 assert probe.errors[node] == points.errors[node][k]
+
+
+def test_temporaries_are_counted_on() -> None:
+    """The thousandth name of a prefix is not searched for from the first one on; names that are there already are left alone."""
+
+    class Asked(set[str]):
+        times = 0
+
+        def __contains__(self, name: object) -> bool:
+            self.times += 1
+            return super().__contains__(name)
+
+    scope = Scope((), 63)
+    scope._taken = asked = Asked({"t3", "t5"})
+    assert [scope.fresh("t") for _ in range(4)] == ["t1", "t2", "t4", "t6"]
+    assert [scope.fresh("u") for _ in range(1000)][-1] == "u1000"
+    assert asked.times <= 1010

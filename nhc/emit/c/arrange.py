@@ -71,7 +71,8 @@ def pair(lets: list[Let], turned: list[str]) -> list[Let]:
     places: dict[Expr, int] = {}
     for name in turned:
         places.setdefault(angle_of(values[name]), len(places))
-    angles = [s for s in lets if s.name not in turned]
+    beside = set(turned)
+    angles = [s for s in lets if s.name not in beside]
     return angles + sorted((values[name] for name in turned), key=lambda s: places[angle_of(s)])
 
 

@@ -11,15 +11,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import combinations
 
 from nhc.algebra.calculus import count, gradient, substitute, tangent
 from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero, rank
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.relations import find_relations, without
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import Node
 from nhc.mechanics.frame import Frame, form_value
+from nhc.mechanics.properties.candidates import Candidate, combine, combine_by_parameters, spell
 from nhc.mechanics.properties.constancy import are_constant, has_jumps, jumps, rates_of
 from nhc.mechanics.properties.named import energy_name, momentum_name
 from nhc.mechanics.properties.sampling import Sampler
@@ -33,15 +33,6 @@ _SPARE = 6  # points more than candidates
 _BUDGET = 260_000  # candidates times operations of the reference at one point
 _MOST = 60  # candidates
 ENERGY, MOMENTUM = "energy", "momentum"
-
-
-@record
-class Candidate:
-    """A function of q, q' and t with the text that names it; ``kind`` is energy, momentum or empty."""
-
-    text: str
-    node: Node
-    kind: str = ""
 
 
 @record
@@ -214,7 +205,7 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
     momenta = [Candidate(name, momentum, MOMENTUM) for name, momentum in zip(names, p, strict=True)]
     turns = _rotations(system, p, names)
     scaled = [
-        Candidate(f"{system.symbol_name(s)} {c.text}", g.mul(s, c.node), MOMENTUM)
+        Candidate(f"{system.symbol_name(s)} {c.text}", g.mul(s, c.node), MOMENTUM, scaled=True)
         for s in _constraint_parameters(system)
         for c in (*momenta, *turns)
     ]
@@ -307,15 +298,21 @@ def _search(
         return []
     constant = find_relations([row[:width] for row in rows], width, prime)
     trivial = find_relations([row[width:] for row in rows], width, prime)
+    vectors = [[g.number(k) for k in vector] for vector in without(constant, trivial)]
+    plain = [k for k, c in enumerate(candidates) if not c.scaled]
+    numbers = [v for v in vectors if all(v[k] == g.zero for k, c in enumerate(candidates) if c.scaled)]
+    for weights in combine_by_parameters(sampler, [candidates[k].node for k in plain], len(numbers)):
+        wide = dict(zip(plain, weights, strict=True))
+        vectors.append([wide.get(k, g.zero) for k in range(width)])
     integrals: list[Integral] = []
-    for vector in without(constant, trivial):
+    for vector in vectors:
         node = combine(g, vector, candidates)
         nodes = [*known, *(i.node for i in integrals)]
         if not _is_independent(sampler, frame, nodes, node):
             continue
         if are_constant(sampler, [node])[0] and not jumps(sampler, node):
-            kinds = {c.kind for k, c in zip(vector, candidates, strict=True) if k}
-            integrals.append(Integral(spell(vector, candidates), node, moving={ENERGY, MOMENTUM} <= kinds))
+            kinds = {c.kind for k, c in zip(vector, candidates, strict=True) if k != g.zero}
+            integrals.append(Integral(spell(g, vector, candidates), node, moving={ENERGY, MOMENTUM} <= kinds))
     return integrals
 
 
@@ -331,19 +328,3 @@ def _is_independent(sampler: Sampler, frame: Frame | None, known: Sequence[Node]
     if not sampler.leaf.steps:
         return rank(g, rows) == len(nodes)
     return sampler.rank(rows) == len(nodes)
-
-
-def combine(graph: Graph, vector: Sequence[Fraction], candidates: Sequence[Candidate]) -> Node:
-    """sum k_j candidate_j."""
-    return graph.sum([graph.mul(graph.number(k), c.node) for k, c in zip(vector, candidates, strict=True) if k])
-
-
-def spell(vector: Sequence[Fraction], candidates: Sequence[Candidate]) -> str:
-    """The combination as text, the last candidate (its leading one) first."""
-    terms = [(k, c.text) for k, c in zip(vector, candidates, strict=True) if k]
-    text = ""
-    for k, name in reversed(terms):
-        size = "" if abs(k) == 1 else f"{abs(k)} "
-        sign = ("-" if k < 0 else "") if not text else (" - " if k < 0 else " + ")
-        text += f"{sign}{size}{name}"
-    return text

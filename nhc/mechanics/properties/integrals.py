@@ -19,7 +19,7 @@ from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.relations import find_relations, without
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.mechanics.frame import Frame
-from nhc.mechanics.properties.conserved import Candidate, combine
+from nhc.mechanics.properties.candidates import Candidate, combine
 from nhc.mechanics.properties.leaf import Leaf, has_values, leaf_of, parts_on, rank_on
 from nhc.mechanics.properties.named import named_text
 from nhc.mechanics.properties.primitives import find_primitives
@@ -201,7 +201,7 @@ def _search(system: System, leaf: Leaf, frame: Frame, candidates: Sequence[Candi
     trivial = find_relations(_rows(g, leaf, slopes, width), width, prime)
     found = []
     for vector in without(constant, trivial):
-        node = combine(g, vector, candidates)
+        node = combine(g, [g.number(k) for k in vector], candidates)
         rates = [tangent(g, [node], dict(zip(system.q, e, strict=True)))[0] for e in frame.free_vectors]
         rates += tangent(g, [node], {**dict(zip(system.q, frame.drift, strict=True)), system.t: g.one})
         if _vanish(g, leaf, rates):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from nhc.algebra.dense import Singular, rank_modulo
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
@@ -38,8 +38,10 @@ class Sampler:
         self.moving = system.graph.mask((*system.v, *self.rates, *self.multipliers))
         self.jumping: dict[Node, bool] = {}  # what was found of each: the energy is asked for as one of many things
 
-    def residues(self, roots: Sequence[Node], count: int, prime: int, seed: int = 1) -> list[list[int]]:
-        """The roots, which may contain q, q', q'', lambda and t, at ``count`` points.
+    def residues(
+        self, roots: Sequence[Node], count: int, prime: int, seed: int = 1, fixed: Mapping[Node, int] | None = None
+    ) -> list[list[int]]:
+        """The roots, which may contain q, q', q'', lambda and t, at ``count`` points; ``fixed`` are values of parameters.
 
         Raises:
             Unlucky: no regular point was found.
@@ -47,10 +49,10 @@ class Sampler:
         found: list[list[int]] = []
         undetermined = 0
         everything = [*self.velocities.nodes, *self.reference.nodes(), *roots]
-        zeros = dict.fromkeys(self.zeroed, 0)
+        known = {**dict.fromkeys(self.zeroed, 0), **(fixed or {})}
         seeds = range(seed * 1_000_033, seed * 1_000_033 + MOST_DRAWS)
         for _, point in draw_points(
-            self.system.graph, everything, prime, seeds, zeros, self.moving, settle=self.leaf.settle
+            self.system.graph, everything, prime, seeds, known, self.moving, settle=self.leaf.settle
         ):
             try:
                 self.settle(point)

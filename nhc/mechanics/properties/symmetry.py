@@ -4,17 +4,20 @@ A turn of space about a fixed axis multiplies a quaternion from the left, one ab
 are linear in e; angular velocities on the axes that turn are turned with them.  Coordinates, velocities and the components of an
 angular velocity are turned two at a time, and each coordinate may be shifted: the headings of a car and its trailers together,
 with x' and y' where the state has them.  A combination S y + s of such fields is a symmetry of y' = f(y) where
-S f = (df/dy) (S y + s).  All combinations are found by exact linear algebra at random points of a prime field; those that change
-what a sign is taken of are none.
+S f = (df/dy) (S y + s).  All combinations are found by exact linear algebra at random points of a prime field, with coefficients
+that may depend on the parameters (gears turn by their radii); those that change what a sign is taken of are none.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 
 from nhc.algebra.calculus import reachable, tangent
+from nhc.algebra.dense import null_space
+from nhc.algebra.exact.families import draw_parameters, find_families
 from nhc.algebra.exact.modular import FieldPoint, Unlucky, are_zero
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.relations import find_relations
@@ -24,9 +27,10 @@ from nhc.mechanics.flow import Flow, jacobian_residues, solve_at
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.rotation import Rotation
 
-Generator = Mapping[tuple[int, int], Fraction]
-"""S by its entries (row, column) over the state; s in the column after the last."""
+Generator = Mapping[tuple[int, int], Node]
+"""S by its entries (row, column) over the state, functions of the parameters; s in the column after the last."""
 
+_Simple = Mapping[tuple[int, int], Fraction]
 _POINTS, _SPARE, _DRAWS = 3, 8, 400
 _NEAR = 2  # x, y and z of a body stand side by side; pairs that do not are tried where these have no turn
 _MOST = 120  # generators, the rank of whose defects costs the cube
@@ -53,7 +57,7 @@ def symmetries_of(flow: Flow, frame: Frame | None, rest: Sequence[int]) -> tuple
     return tuple(group for before, group in pairwise([(), *found]) if len(group) > len(before))
 
 
-def _plane(flow: Flow, rest: Sequence[int], reach: int) -> list[Generator]:
+def _plane(flow: Flow, rest: Sequence[int], reach: int) -> list[_Simple]:
     """A shift of each coordinate; turns of coordinates, of their rates, of components of angular velocities, two at a time.
 
     ``reach``: how far apart two of a kind may stand.
@@ -61,10 +65,10 @@ def _plane(flow: Flow, rest: Sequence[int], reach: int) -> list[Generator]:
     n, one = flow.system.n, Fraction(1)
     names = {name: place for place, name in enumerate(flow.names)}
     quaternions = {place for rotation in flow.system.rotations for place in rotation.places}
-    plain = [i for i in range(n) if i not in quaternions]
-    rates = [names.get(f"{flow.system.q_names[i]}'") for i in plain]
+    vectors = [i for i in range(n) if i not in quaternions]
+    rates = [names.get(f"{flow.system.q_names[i]}'") for i in vectors]
     angular = [[names.get(w) for w in declared.velocities] for declared in flow.system.spec.rotations]
-    kinds = [_among(plain, rest), _among(rates, rest), *(_among(places, rest) for places in angular)]
+    kinds = [_among(vectors, rest), _among(rates, rest), *(_among(places, rest) for places in angular)]
     pairs = [(i, j) for kind in kinds for k, i in enumerate(kind) for j in kind[k + 1 : k + 1 + reach]]
     return [*({(i, len(flow.y)): one} for i in kinds[0]), *({(i, j): -one, (j, i): one} for i, j in pairs)]
 
@@ -73,7 +77,7 @@ def _among(places: Sequence[int | None], rest: Sequence[int]) -> list[int]:
     return [place for place in places if place is not None and place in rest]
 
 
-def _generator(flow: Flow, rotation: Rotation, side: int, axis: int, rest: Sequence[int]) -> Generator:
+def _generator(flow: Flow, rotation: Rotation, side: int, axis: int, rest: Sequence[int]) -> _Simple:
     """The turn of a rotation about an axis of space (``side`` -1) or of the body (1), on the entries ``rest``."""
     declared = next(r for r in flow.system.spec.rotations if r.name == rotation.name)
     i, j = (axis + 1) % 3, (axis + 2) % 3
@@ -95,43 +99,82 @@ def _generator(flow: Flow, rotation: Rotation, side: int, axis: int, rest: Seque
 
 
 def _groups(
-    flow: Flow, rest: Sequence[int], generators: Sequence[Generator], sizes: Sequence[int]
+    flow: Flow, rest: Sequence[int], generators: Sequence[_Simple], sizes: Sequence[int]
 ) -> list[tuple[Generator, ...]]:
     """The symmetries among the first so many generators, for each size, by the same points.
 
     Raises:
         Unlucky: the field has no values at random points.
     """
-    rows, idle = list[list[int]](), set(range(len(generators)))
-    prime = primes_of(flow.graph)[0]
-    wanted = max(_POINTS, -(-(len(generators) + _SPARE) // max(len(rest), 1))) if generators else 0
-    for draw in range(_DRAWS):
-        if wanted == 0:
-            break
-        try:
-            columns, still = _defects(flow, rest, generators, FieldPoint(flow.graph, 13_000_003 + draw, prime))
-        except Unlucky:
-            continue
-        rows += [list(row) for row in zip(*columns, strict=True)]
-        idle &= still
-        wanted -= 1
-    if wanted:
-        raise Unlucky
+    if not generators:
+        return [() for _ in sizes]
+    g, drawn = flow.graph, _Drawn(flow, rest, generators)
+    parameters = [
+        symbol for symbol in flow.system.p if any(g.deps[x] & g.deps[symbol] for x in (*flow.velocities, *flow.flat))
+    ]
+    here = draw_parameters(parameters, drawn.prime, 1)
+    drawn.rows(here)  # tells which generators are idle
     found = []
     for size in sizes:
-        used = [k for k in range(size) if k not in idle]
-        vectors = find_relations([[row[k] for k in used] for row in rows], len(used), prime) if used else []
-        made = [_combine([generators[k] for k in used], vector) for vector in vectors]
+        used = [k for k in range(size) if k not in drawn.idle]
+        many = len(null_space(drawn.columns(here, used), len(used), drawn.prime)) if used else 0
+        every = [*drawn.columns(here, used), *drawn.columns({}, used)] if many else []
+        vectors = [[g.number(x) for x in v] for v in find_relations(every, len(used), drawn.prime)] if many else []
+        if len(vectors) < many:
+            wider = find_families(g, parameters, partial(drawn.columns, used=used), len(used), drawn.prime)
+            whole = [vector for vector in wider if vector is not None]
+            vectors = whole if len(whole) == many else vectors
+        made = [_combine(flow, [generators[k] for k in used], vector) for vector in vectors]
         found.append(tuple(one for one in made if one and _keeps_steps(flow, one)))
     return found
 
 
-def _combine(generators: Sequence[Generator], weights: Sequence[Fraction]) -> Generator:
-    total: dict[tuple[int, int], Fraction] = {}
+class _Drawn:
+    """What generators do to the field at random points; ``idle`` are those that do nothing at any."""
+
+    def __init__(self, flow: Flow, rest: Sequence[int], generators: Sequence[_Simple]) -> None:
+        self._flow, self._rest, self._generators = flow, rest, generators
+        self._known = dict[tuple[int, ...], list[list[int]]]()
+        self.idle, self.prime = set(range(len(generators))), primes_of(flow.graph)[0]
+
+    def columns(self, fixed: Mapping[Node, int], used: Sequence[int]) -> list[list[int]]:
+        """The rows of some generators."""
+        return [[row[k] for k in used] for row in self.rows(fixed)]
+
+    def rows(self, fixed: Mapping[Node, int]) -> list[list[int]]:
+        """The defects of the generators at some points more than they are, with these values of the parameters.
+
+        Raises:
+            Unlucky: the field has no values there.
+        """
+        key = tuple(fixed.values())
+        if key in self._known:
+            return self._known[key]
+        flow, rest = self._flow, self._rest
+        wanted = max(_POINTS, -(-(len(self._generators) + _SPARE) // max(len(rest), 1)))
+        rows = list[list[int]]()
+        for draw in range(_DRAWS):
+            point = FieldPoint(flow.graph, 13_000_003 + draw, self.prime)
+            try:
+                point.evaluate([], fixed)
+                columns, still = _defects(flow, rest, self._generators, point)
+            except Unlucky:
+                continue
+            rows += [list(row) for row in zip(*columns, strict=True)]
+            self.idle &= still
+            wanted -= 1
+            if not wanted:
+                self._known[key] = rows
+                return rows
+        raise Unlucky
+
+
+def _combine(flow: Flow, generators: Sequence[_Simple], weights: Sequence[Node]) -> Generator:
+    g, total = flow.graph, dict[tuple[int, int], Node]()
     for weight, generator in zip(weights, generators, strict=True):
         for place, x in generator.items():
-            total[place] = total.get(place, Fraction(0)) + weight * x
-    return {place: x for place, x in total.items() if x}
+            total[place] = g.add(total.get(place, g.zero), g.mul(weight, g.number(x)))
+    return {place: x for place, x in total.items() if x != g.zero}
 
 
 def _keeps_steps(flow: Flow, generator: Generator) -> bool:
@@ -139,14 +182,14 @@ def _keeps_steps(flow: Flow, generator: Generator) -> bool:
     g, seeds = flow.graph, dict[Node, Node]()
     for (row, column), x in generator.items():
         y, along = flow.y[row], flow.y[column] if column < len(flow.y) else g.one
-        seeds[y] = g.add(seeds.get(y, g.zero), g.mul(g.number(x), along))
+        seeds[y] = g.add(seeds.get(y, g.zero), g.mul(x, along))
     nodes = reachable(g, [*flow.velocities, *flow.flat], g.mask(seeds))
     arguments = dict.fromkeys(kid for node in nodes if g.op[node] in STEPPED for kid in g.kids[node])
     return all(are_zero(g, tangent(g, list(arguments), seeds)))
 
 
 def _defects(
-    flow: Flow, rest: Sequence[int], generators: Sequence[Generator], point: FieldPoint
+    flow: Flow, rest: Sequence[int], generators: Sequence[_Simple], point: FieldPoint
 ) -> tuple[list[list[int]], set[int]]:
     """df/dy (S y + s) - S f for every generator, over the entries ``rest``, at a point; the generators with zeros in both terms."""
     p, size = point.prime, len(flow.unknowns)
