@@ -97,7 +97,9 @@ def differentiate_rates(planner: PlannerBase) -> Slopes:
     route = planner.route
     solve = None if route.short else route.solve
     rates = (
-        planner.known(planner.equations.motion.rates) if solve is None else make_residual(planner, *planner._dense())
+        planner.known(planner.equations.motion.rates)
+        if solve is None
+        else make_residual(planner, *planner.dense_system())
     )
     backward = sweep_rows(planner, rates, solve)
     kept = [rates[k] for k in planner.kept_w]
@@ -134,7 +136,7 @@ def make_residual(planner: PlannerBase, matrix: Sequence[Sequence[Node]], right:
 def _solve_densely(planner: PlannerBase) -> Slopes:
     """The columns as unknowns of a second dense solve; where they are long, the rows of the inverse as weights of a sweep."""
     g, y = planner.graph, planner.y_nodes
-    matrix, right = planner._dense()
+    matrix, right = planner.dense_system()
     residual = make_residual(planner, matrix, right)
     if all(matrix[i][j] == matrix[j][i] for i in range(len(matrix)) for j in range(i)):
         swept = _sweep_densely(planner, matrix, right, residual)
@@ -142,7 +144,7 @@ def _solve_densely(planner: PlannerBase) -> Slopes:
             return swept
     columns = [list(column) for column in zip(*(gradient(g, node, y) for node in residual), strict=True)]
     symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
-    solves = (*planner.solves, planner._dense_solve(matrix, columns, symbols))
+    solves = (*planner.solves, planner.plan_dense_solve(matrix, columns, symbols))
     return Slopes(tuple(tuple(column[k] for column in symbols) for k in planner.kept_w), (), solves)
 
 
@@ -154,7 +156,7 @@ def _sweep_densely(
     unknowns = (*planner.equations.motion.rates, *planner.equations.multipliers)
     inverse = {k: [g.symbol(f"d{k}_{i}", "unknown") for i in range(size)] for k in planner.kept_w}
     units = [[g.one if i == k else g.zero for i in range(size)] for k in inverse]
-    solve = planner._dense_solve(matrix, [right, *units], [unknowns, *inverse.values()])
+    solve = planner.plan_dense_solve(matrix, [right, *units], [unknowns, *inverse.values()])
     seeds = [g.symbol(f"row_{k}", "direction") for k in inverse]
     weights = [
         g.sum([g.mul(seed, row[i]) for seed, row in zip(seeds, inverse.values(), strict=True)]) for i in range(size)

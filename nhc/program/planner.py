@@ -106,9 +106,9 @@ class PlannerBase:
                 *self.turned_guards,
             )
             return
-        matrix, right = self._dense()
+        matrix, right = self.dense_system()
         unknowns = (*rates, *equations.multipliers)
-        self.solves = (self._dense_solve(matrix, [right], [unknowns]),)
+        self.solves = (self.plan_dense_solve(matrix, [right], [unknowns]),)
 
     def _guard_pivots(self, pivots: Sequence[tuple[Node, Node]], tolerance: float) -> list[GuardPlan]:
         what = MASS_LOST
@@ -128,14 +128,16 @@ class PlannerBase:
         """A number, or a parameter standing alone: no guard is worth its cost."""
         return self.graph.value(pivot) is not None
 
-    def _dense(self) -> tuple[list[list[Node]], list[Node]]:
+    def dense_system(self) -> tuple[list[list[Node]], list[Node]]:
+        """The matrix and the right side of the rates, with the multipliers' rows where there are multipliers."""
         if self.equations.multipliers:
             return bordered_system(self.equations)
         return [list(row) for row in self.equations.mass], list(self.equations.force)
 
-    def _dense_solve(
+    def plan_dense_solve(
         self, matrix: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], symbols: Sequence[Sequence[Node]]
     ) -> SolvePlan:
+        """A solve with pivoting while the code runs: each of ``columns`` gives the values of a row of ``symbols``."""
         what = "the constraints and the mass matrix do not determine the accelerations"
         return SolvePlan(
             tuple(tuple(row) for row in matrix),

@@ -90,7 +90,7 @@ class ScenePlanner(Planner):
             factor for factor in (*self._factors(g.a[node]), *self._factors(g.b[node])) if not self.is_constant(factor)
         ]
 
-    def _dense(self) -> tuple[list[list[Node]], list[Node]]:
+    def dense_system(self) -> tuple[list[list[Node]], list[Node]]:
         """The fixed equations; a bordered system is made from the full ones first."""
         size = len(self.original.mass)
         if self.original.multipliers:
