@@ -9,7 +9,7 @@ from nhc.language.expressions.names import is_name
 from nhc.language.expressions.syntax import Syntax
 from nhc.language.keys import COORDINATE_KEYS, PARAMETER_KEYS
 from nhc.language.scope import Scope
-from nhc.language.shape import Shapes
+from nhc.language.shape import Shapes, undashed
 from nhc.language.spec import Coordinate, Parameter
 from nhc.language.units.dimensions import UnitError, parse_unit
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
@@ -50,8 +50,7 @@ def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[
     if node is None:
         return []
     if isinstance(node, Items):
-        dashed = "leave out the `-` before each entry"
-        texts = [shapes.text(item, "a name", dashed if isinstance(item, Table) else "") for item in node.items]
+        texts = [shapes.text(item, "a name", undashed(item) if isinstance(item, Table) else "") for item in node.items]
         scope.open = scope.open or None in texts
         return [(text, None) for text in texts if text is not None]
     single = node.value if isinstance(node, Text) and is_name(node.value) else "x, y"

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote
 from nhc.language.expressions.constant import ConstantError, evaluate
-from nhc.language.expressions.names import FUNCTIONS, PI
+from nhc.language.expressions.names import FUNCTIONS, PI, is_name
 from nhc.language.expressions.numbers import DOUBLES, exact
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.expressions.syntax import Name, Negate, Number, Syntax, walk
@@ -24,6 +24,14 @@ _MEASURED = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)
 def _first(node: Node) -> Span:
     """The place to mark for a whole node: itself, or the first character of a list or mapping."""
     return node.span if isinstance(node, Text) else Span(node.span.start, node.span.start + 1)
+
+
+def undashed(item: Node) -> str:
+    """How to write an entry of a list where names are keys."""
+    name = item.get("name") if isinstance(item, Table) else None
+    if isinstance(name, Text) and is_name(name.value):
+        return f"write `{name.value}:` in place of `- name: {name.value}`, and the entry's other keys under it"
+    return "leave out the `-` before each entry"
 
 
 class Shapes:
@@ -64,7 +72,7 @@ class Shapes:
         if isinstance(node, Table):
             return node
         if isinstance(node, Items) and node.items and all(isinstance(item, Table) for item in node.items):
-            help = "leave out the `-` before each entry"  # a list of mappings: what it holds is right
+            help = undashed(node.items[0])  # a list of mappings: what it holds is right
         self._wrong(node, wanted, help)
         return None
 
