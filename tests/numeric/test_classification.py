@@ -344,6 +344,16 @@ def rank_of(*spec: str) -> tuple[object, str]:
     return facts.data["rank"]["full"], facts.marked["rank"].replace("$", "")
 
 
+def test_of_many_minors_a_few_are_written_out() -> None:
+    """Six links that hang at both ends: 15 minors, which vanish where all are in line."""
+    links = [f"a{i}" for i in range(1, 7)]
+    rows = (" + ".join(f"{of}({a})*{a}'" for a in links) + " = 0" for of in ("sin", "cos"))
+    full, text = rank_of(", ".join(links), *rows)
+    assert full is False
+    assert text.count("sin(a1 - a") == 5 and "-sin" not in text
+    assert text.endswith(" = 0, where 9 other minors vanish, too: the motion is undefined there")
+
+
 def test_minors_that_never_vanish_at_once_lose_no_rank() -> None:
     """The rear wheel of a car forbids what the front one allows: A A^T has the eigenvalue 1 at least where sin(de) = 0."""
     for th, de in product(np.linspace(0, 7, 40), np.linspace(0, 7, 40)):

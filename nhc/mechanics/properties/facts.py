@@ -25,6 +25,7 @@ from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
 
 _UNDECIDED = "not decided (too many nested roots for the exact test)"
+_SHOWN = 6  # minors that are written out
 
 
 @dataclass
@@ -244,15 +245,18 @@ def _shown(name: str, integrals: Sequence[PositionIntegral]) -> tuple[str, ...]:
 
 def _rank_loss(system: System, facts: Facts) -> None:
     found, full = find_rank_loss(system), None
-    minors = [named_text(system, minor, 100) for minor in found.minors]
+    signed = [(minor, system.graph.neg(minor)) for minor in found.minors]  # what is zero has no sign
+    minors = [min((named_text(system, one, 100) for one in pair), key=len) for pair in signed]
+    others = f", where {len(minors) - _SHOWN} other minors vanish, too" if len(minors) > _SHOWN else ""
+    where = f"${' = '.join(minors[:_SHOWN])} = 0$" + others
     if found.regular is None:
         text = "too large to decide where it is lost"
     elif found.regular:
         text, full = "full everywhere", True
     elif find_common_zero(system.graph, found.minors, (*system.q, system.t), trial_points(system)) is not None:
-        text, full = f"lost where ${' = '.join(minors)} = 0$: the motion is undefined there", False
+        text, full = f"lost where {where}: the motion is undefined there", False
     else:
-        text = f"full wherever it was tried; it would be lost where ${' = '.join(minors)} = 0$"
+        text = f"full wherever it was tried; it would be lost where {where}"
     facts.say("rank", {"full": full, "lost_where_all_vanish": minors}, f"rank of the constraints: {text}")
 
 

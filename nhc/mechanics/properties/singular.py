@@ -48,14 +48,14 @@ def find_rank_loss(system: System) -> RankLoss:
     free = [j for j in free if any(matrix[r][j] != g.zero for r in rows)]
     if len(rows) > _MOST_ROWS or math.comb(len(free), len(rows)) > _MOST_MINORS:
         return RankLoss(None, ())
-    minors, whole = set[Node](), list[Node]()
+    minors, whole = dict[Node, None](), list[Node]()
     for subset in combinations(free, len(rows)):
         block = [[matrix[r][j] for j in subset] for r in rows]
         minor = normalise_angles(g, determinant_of(g, block), 120)
         if minor != g.zero:
-            minors.add(g.split_coefficient(minor)[1])
+            minors[g.split_coefficient(minor)[1]] = None
             whole.append(minor)
-    kept = sorted(minors)
+    kept = list(minors)
     if any(cannot_vanish(g, minor, known) for minor in kept):
         return RankLoss(True, ())
     gram = normalise(g, g.sum([g.power(minor, 2) for minor in whole]), 200)
