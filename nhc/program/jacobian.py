@@ -96,18 +96,14 @@ def differentiate_rates(planner: PlannerBase) -> Slopes:
         return _solve_densely(planner)
     route = planner.route
     solve = None if route.short else route.solve
-    rates = (
-        planner.known(planner.equations.motion.rates)
-        if solve is None
-        else make_residual(planner, *planner.dense_system())
-    )
+    rates = planner.known(planner.equations.motion.rates) if solve is None else _shorter_residual(planner)
     backward = sweep_rows(planner, rates, solve)
     kept = [rates[k] for k in planner.kept_w]
     if len(kept) * _cost(g, backward) > LONGEST:
         sparse = _write_sparse(g, kept, y, backward) if solve is None else None
         if sparse is not None:
             return Slopes(tuple(map(tuple, sparse)))
-        if route.residual is not None and route.solve is not None:
+        if solve is None and route.residual is not None and route.solve is not None:
             residual = route.residual(planner.equations.motion.rates)
             along = sweep_rows(planner, residual, route.solve)
             if _cost(g, along) <= WORTH * _cost(g, backward):
@@ -124,6 +120,15 @@ def differentiate_rates(planner: PlannerBase) -> Slopes:
     flat = shorten(g, [node for column in solved for node in column])
     size = len(rates)
     return Slopes(tuple(tuple(flat[j * size + k] for j in range(len(y))) for k in planner.kept_w))
+
+
+def _shorter_residual(planner: PlannerBase) -> list[Node]:
+    """force - mass w': by the matrix, or along a tree where one was read and that is less; the solve behind it is the same."""
+    g, residual = planner.graph, planner.route.residual
+    dense = make_residual(planner, *planner.dense_system())
+    if residual is None or len(planner.kept_w) * count(g, dense) <= LONGEST:
+        return dense
+    return min((dense, residual(planner.equations.motion.rates)), key=lambda nodes: count(g, nodes))
 
 
 def make_residual(planner: PlannerBase, matrix: Sequence[Sequence[Node]], right: Sequence[Node]) -> list[Node]:

@@ -19,6 +19,7 @@ from nhc.language import read
 from nhc.pipeline import Options, program
 from nhc.program.ir import Evaluate, Program, Store, Sweep
 from nhc.program.plan import SweepPlan
+from nhc.program.planner import PlannerBase
 from tests.numeric.test_bodies_on_rotations import Mixed
 from tests.numeric.test_chains import ball_joints, links, spherical
 from tests.numeric.test_spatial_chains import Tree
@@ -81,6 +82,15 @@ def test_all_routes_agree(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     assert compared >= 3
 
 
+def _by_matrix(planner: PlannerBase) -> list[Node]:
+    return routes.make_residual(planner, *planner.dense_system())
+
+
+def _along_tree(planner: PlannerBase) -> list[Node]:
+    assert planner.route.residual is not None
+    return planner.route.residual(planner.equations.motion.rates)
+
+
 ALONG = {
     "planar": lambda: Source("t.yaml", links(3, 6, "driven")),
     "spherical": lambda: Source("t.yaml", spherical(2, 4, "fixed")),
@@ -95,12 +105,13 @@ ALONG = {
 def test_a_pass_over_forces_and_accelerations_has_the_slopes_of_the_rates(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Rows by M^-1 of the residual along the tree, rows of the rates themselves, columns, and differences."""
+    """Rows by M^-1 of the residual along the tree; of that by the matrix, or of the rates themselves; columns; differences."""
     given, found = ALONG[name](), {}
     monkeypatch.setattr(routes, "LONGEST", 0)
     monkeypatch.setattr(routes, "_write_sparse", lambda *_: None)
-    for key, worth in (("rates", 0.0), ("residual", 10.0)):
+    for key, worth, residual in (("rates", 0.0, _by_matrix), ("residual", 10.0, _along_tree)):
         monkeypatch.setattr(routes, "WORTH", worth)
+        monkeypatch.setattr(routes, "_shorter_residual", residual)
         found[key] = program(given, Options(only=("rhs", "jacobian")))
     monkeypatch.setattr(routes, "sweep_rows", _columns_only)
     monkeypatch.setattr(routes, "_cost", lambda *_: 1)
