@@ -5,18 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.program.contents import list_expressions
+from nhc.program.contents import list_expressions, walk
 from nhc.program.ir import (
-    Binary,
-    Call,
     Expr,
     Function,
     Guard,
     Let,
     Load,
-    Negate,
     Number,
-    Power,
     Program,
     Ref,
     Section,
@@ -36,21 +32,7 @@ _REFS: dict[int, tuple[Statement, frozenset[str]]] = {}
 
 def iterate_refs(expression: Expr) -> list[str]:
     """The names that an expression uses, with repetitions."""
-    found: list[str] = []
-    stack: list[Expr] = [expression]
-    while stack:
-        node = stack.pop()
-        if type(node) is Ref:  # every other one
-            found.append(node.name)
-        elif isinstance(node, Binary):
-            stack += (node.left, node.right)
-        elif isinstance(node, Negate):
-            stack.append(node.operand)
-        elif isinstance(node, Power):
-            stack.append(node.base)
-        elif isinstance(node, Call):
-            stack += node.arguments
-    return found
+    return [part.name for part in walk(expression) if type(part) is Ref]
 
 
 def collect_refs(statement: Statement) -> frozenset[str]:
