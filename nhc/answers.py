@@ -17,6 +17,7 @@ from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
 
+from nhc.kept import clear, keep, recall
 from nhc.resources import PACKAGE, cache_folder, find_templates
 from nhc.version import __version__
 
@@ -33,17 +34,16 @@ def answer(question: Sequence[str], make: Callable[[], Answer]) -> Answer:
 
     Raises what ``make`` raises; errors are not kept.
     """
-    path = _folder() / f"{_key(question)}.json"
+    try:
+        path = cache_folder() / "answers" / f"{_key(question)}.json"
+    except OSError:
+        return make()
     kept = _recall(path)
     if kept is not None:
         return kept
     made = make()
     _keep(path, made)
     return made
-
-
-def _folder() -> Path:
-    return cache_folder() / "answers"
 
 
 def _key(question: Sequence[str]) -> str:
@@ -81,15 +81,13 @@ def _stand(path: str, status: os.stat_result) -> str:
 
 
 def _recall(path: Path) -> Answer | None:
-    """The answer in a file; None without one, or where it is damaged: its first line is the hash of the rest."""
-    try:
-        mark, _, text = path.read_text(encoding="utf-8").partition("\n")
-        if mark != _hash(text):
-            return None
-        os.utime(path)
-    except (OSError, ValueError):
+    """The answer in a file; None without one."""
+    content = recall(path)
+    if content is None:
         return None
-    kept: Answer = json.loads(text)
+    with suppress(OSError):  # a cache that others may read is of use to them too
+        os.utime(path)
+    kept: Answer = json.loads(content)
     return kept
 
 
@@ -97,15 +95,10 @@ def _keep(path: Path, made: Answer) -> None:
     text = json.dumps(made, ensure_ascii=False)
     if len(text) > LARGEST:
         return
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        temporary.write_text(f"{_hash(text)}\n{text}", encoding="utf-8")
-        os.replace(temporary, path)
+    with suppress(OSError, ValueError):  # a full disk, a folder of someone else, half of a surrogate pair
+        keep(path, text.encode())
+        clear(path.parent)
         _make_room(path.parent)
-    except (OSError, ValueError):  # a full disk, a folder of someone else, half of a surrogate pair
-        with suppress(OSError):
-            temporary.unlink(missing_ok=True)
 
 
 def _make_room(folder: Path) -> None:
@@ -115,7 +108,3 @@ def _make_room(folder: Path) -> None:
     names.sort(key=lambda path: path.stat().st_mtime)
     for path in names[: MOST // 4]:
         path.unlink(missing_ok=True)
-
-
-def _hash(text: str) -> str:
-    return sha256(text.encode()).hexdigest()

@@ -6,6 +6,7 @@ beside it.  Nothing else in the project may look for these folders.
 
 from __future__ import annotations
 
+import errno
 import os
 from pathlib import Path
 
@@ -42,8 +43,15 @@ def find_specs() -> Path:
 
 
 def cache_folder() -> Path:
-    """Where compiled models, templates and answers are kept: ``$NHC_CACHE``, else ``nhc`` in the user's cache folder."""
+    """Where compiled models, templates and answers are kept: ``$NHC_CACHE``, else ``nhc`` in the user's cache folder.
+
+    Raises FileNotFoundError for a user without a home, as the user of a container may be.
+    """
     if os.environ.get("NHC_CACHE"):
         return Path(os.environ["NHC_CACHE"])
-    base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
-    return Path(base) / "nhc"
+    if os.environ.get("XDG_CACHE_HOME"):
+        return Path(os.environ["XDG_CACHE_HOME"]) / "nhc"
+    try:
+        return Path.home() / ".cache" / "nhc"
+    except RuntimeError as error:
+        raise FileNotFoundError(errno.ENOENT, "the user has no home folder") from error

@@ -86,25 +86,32 @@ def _folders() -> list[Row]:
 
 def _runs() -> list[Row]:
     """The compiler that ``nhc run`` takes, with its flags, and the folder of what is kept with its size."""
-    from nhc.resources import cache_folder
     from nhc.simulate.compile import CompileError, find_compiler, lane_flags, machine_flags, try_out
 
-    compiler, folder = find_compiler(), cache_folder()
+    compiler = find_compiler()
     flags = " ".join(machine_flags()) or "no flags for this processor"
     lanes = 8 if any("v4" in flag for flag in lane_flags(0)) else 4
-    models, answers, size_in_bytes = _measure(folder)
     works, found = True, f"{' '.join(compiler)}; {flags}; {lanes} lanes"
     try:
         try_out()
     except CompileError as error:
         works, found = False, f"{error}; runs are in Python, some hundred times slower"
+    return [("compiler of runs", works, found), _cache()]
+
+
+def _cache() -> Row:
+    """Where nhc keeps what it has made, and how much that is."""
+    from nhc.resources import cache_folder
+
+    try:
+        folder = cache_folder()
+    except OSError as error:
+        return "cache", False, f"{error.strerror}; `NHC_CACHE` may name a folder"
+    models, answers, size_in_bytes = _measure(folder)
     size = f"{models} compiled models, {answers} answers, {size_in_bytes / 1e6:.1f} MB"
     place = next(path for path in (folder, *folder.parents) if path.exists())
     writable = os.access(place, os.W_OK) and place.is_dir()
-    return [
-        ("compiler of runs", works, found),
-        ("cache", writable, f"{folder} ({size if writable else 'cannot be written'})"),
-    ]
+    return "cache", writable, f"{folder} ({size if writable else 'cannot be written'})"
 
 
 def _measure(folder: Path) -> tuple[int, int, int]:

@@ -33,15 +33,17 @@ def shelf_paths() -> dict[str, Path]:
 
 
 def open_spec(spec: str) -> Source:
-    """Return the text of ``spec``: a file, ``-`` for stdin, or the name of a gallery spec when no such file exists.
+    """Return the text of ``spec``: a file, ``-`` for stdin, or the name of a gallery spec when no such file exists (a folder of
+    that name may hold what was emitted from it).
 
     Raises ``nhc.diagnostics.SpecError`` for what cannot be read as text, ``Failure`` for an unknown name.
     """
     from dataclasses import replace
 
-    if spec == "-" or Path(spec).exists():
-        return _read(spec)
     gallery = gallery_paths() if "/" not in spec else shelf_paths()
+    path = Path(spec)
+    if spec == "-" or (path.exists() and not (path.is_dir() and spec in gallery)):
+        return _read(spec)
     if spec not in gallery:
         raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))
     say(f"taking `{spec}` from the gallery")

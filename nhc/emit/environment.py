@@ -6,10 +6,13 @@ Jinja2 is imported when the first text is rendered, never before: start-up time 
 from __future__ import annotations
 
 import functools
-import os
+import sys
 from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from nhc.kept import keep, recall
 from nhc.records import record
 from nhc.resources import cache_folder, find_templates
 from nhc.stamp import stamp
@@ -50,29 +53,35 @@ def create_environment() -> Environment:
     )
 
 
-def _keep_templates() -> BytecodeCache:
+def _keep_templates() -> BytecodeCache | None:
     """Compiled templates beside the compiled models: compiling them takes longer than printing a model.
 
     An entry is used only for the text it came from; a folder that cannot be written costs the time and nothing else.
     """
-    from jinja2 import FileSystemBytecodeCache
+    from jinja2 import BytecodeCache
+    from jinja2 import __version__ as release
     from jinja2.bccache import Bucket
 
-    class Kept(FileSystemBytecodeCache):
+    class Kept(BytecodeCache):
+        def __init__(self, folder: Path) -> None:
+            self.folder = folder
+
         def load_bytecode(self, bucket: Bucket) -> None:
-            try:
-                super().load_bytecode(bucket)
-            except (OSError, EOFError, ValueError, TypeError):
-                bucket.reset()
+            content = recall(self._place(bucket))
+            if content is not None:
+                bucket.bytecode_from_string(content)
 
         def dump_bytecode(self, bucket: Bucket) -> None:
-            try:
-                os.makedirs(self.directory, mode=0o700, exist_ok=True)
-                super().dump_bytecode(bucket)
-            except OSError:
-                pass
+            with suppress(OSError):
+                keep(self._place(bucket), bucket.bytecode_to_string())
 
-    return Kept(str(cache_folder() / "templates"))
+        def _place(self, bucket: Bucket) -> Path:
+            return self.folder / f"{bucket.key}-{sys.implementation.cache_tag}-{release}"
+
+    try:
+        return Kept(cache_folder() / "templates")
+    except OSError:
+        return None
 
 
 def render_file(file: File) -> str:

@@ -2,12 +2,11 @@
 
 The cache is ``$NHC_CACHE``, else ``nhc`` in the user's cache folder (``$XDG_CACHE_HOME`` or ``~/.cache``).  An
 entry is a folder named by the hash of everything that went into it; it appears by a rename, so that it is whole or
-not there.
+not there, and its library is loaded only where its hash is the one that the entry has beside it.
 """
 
 from __future__ import annotations
 
-import ctypes
 import hashlib
 import os
 import platform
@@ -20,6 +19,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
+from nhc.kept import clear, hash_of, keep, recall
 from nhc.resources import cache_folder
 
 FLAGS = ("-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-fno-math-errno", "-fno-trapping-math")
@@ -115,11 +115,12 @@ def build(sources: Mapping[str, str], unit: str, flags: Sequence[str] = ()) -> P
     if not compiler:
         raise CompileError(_tell_missing(), missing=True)
     options = (*FLAGS, *_accepted(compiler, machine_flags()), *flags)
-    entry = cache_folder() / _key(sources, unit, options, compiler)
-    library = entry / f"{Path(unit).stem}.so"
-    if library.exists() and not _loads(library):
-        shutil.rmtree(entry, ignore_errors=True)
-    if not library.exists():
+    try:
+        folder = cache_folder()
+    except OSError as error:
+        raise CacheError(f"no place for a cache: {error.strerror}") from error
+    library = folder / _key(sources, unit, options, compiler) / f"{Path(unit).stem}.so"
+    if not _is_whole(library):
         _compile(sources, unit, (*compiler, *options), library)
     return library
 
@@ -138,13 +139,21 @@ def try_out() -> None:
         _compile(unit, "one.c", (*compiler, *FLAGS), Path(folder) / "entry" / "one.so")
 
 
-def _loads(library: Path) -> bool:
-    """Whether a cached library is whole: a crash of the machine may leave a part of it."""
+def _is_whole(library: Path) -> bool:
+    """Whether a library is what the compiler made.
+
+    A crash of the machine may leave a part of it, of which the loader may make a crash or other numbers, and what clears old files
+    away may leave its folder without it.
+    """
     try:
-        ctypes.CDLL(str(library))
+        return recall(_mark(library)) == hash_of(library.read_bytes())
     except OSError:
         return False
-    return True
+
+
+def _mark(library: Path) -> Path:
+    """The file that holds the library's hash."""
+    return library.with_suffix(".sha256")
 
 
 def loop_flags(states: int) -> tuple[str, ...]:
@@ -222,16 +231,32 @@ def _compile(sources: Mapping[str, str], unit: str, command: Sequence[str], libr
         if done.returncode != 0 or not (work / library.name).exists():
             raise CompileError(f"`{Path(command[0]).name}` does not compile the emitted source: {_tell_failure(done)}")
         try:
-            os.rename(work, entry)
+            keep(_mark(work / library.name), hash_of((work / library.name).read_bytes()))
+            _place(work, library)
+            clear(entry.parent)
         except OSError as error:
-            if not library.exists():
-                raise _no_place(entry.parent, error) from error
+            raise _no_place(entry.parent, error) from error
     except OSError as error:
         raise CompileError(f"`{command[0]}` does not run: {error.strerror}") from error
     except subprocess.TimeoutExpired as error:
         raise CompileError(f"the compiler takes longer than {TIME_LIMIT:.0f} s") from error
     finally:
         shutil.rmtree(work, ignore_errors=True)
+
+
+def _place(work: Path, library: Path) -> None:
+    """Rename the folder ``work`` to the library's entry; an entry that is not whole makes room for it."""
+    try:
+        os.rename(work, library.parent)
+    except OSError:
+        if _is_whole(library):
+            return
+        broken = Path(tempfile.mkdtemp(prefix=work.name, dir=work.parent))
+        try:
+            os.rename(library.parent, broken)
+            os.rename(work, library.parent)
+        finally:
+            shutil.rmtree(broken, ignore_errors=True)
 
 
 def _no_place(folder: Path, error: OSError) -> CacheError:

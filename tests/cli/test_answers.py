@@ -9,6 +9,7 @@ import pytest
 
 from nhc import answers, pipeline
 from nhc.cli.entry import main
+from nhc.emit import environment
 from nhc.stamp import is_untouched
 
 SPEC = "pendulum"
@@ -170,3 +171,41 @@ def test_names_are_no_part_of_their_neighbours(folder: Path) -> None:
     assert answers.answer(("ab", "c"), lambda: {"": "1"}) == {"": "1"}
     assert answers.answer(("a", "bc"), lambda: {"": "2"}) == {"": "2"}
     assert answers.answer(("\ud800",), lambda: {"": "lone half of a pair"}) == {"": "lone half of a pair"}
+
+
+def test_what_is_left_of_a_kept_template_is_not_used(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At whatever length a crash has cut them, the templates are compiled again."""
+    verb = ["emit", SPEC, "--lang", "python", "--stdout", "--anew"]
+    environment.create_environment.cache_clear()
+    assert main(verb) == 0
+    first = capsys.readouterr().out
+    kept = {path: path.read_bytes() for path in (folder.parent / "templates").iterdir()}
+    assert kept
+    for length in range(0, 160, 20):
+        for path, content in kept.items():
+            path.write_bytes(content[:length])
+        environment.create_environment.cache_clear()
+        assert main(verb) == 0, length
+        assert capsys.readouterr().out == first
+        assert {path: path.read_bytes() for path in kept} == kept
+    environment.create_environment.cache_clear()
+
+
+def test_a_user_without_a_home_has_answers_and_no_cache(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def nowhere() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.setattr(Path, "home", nowhere)
+    for name in ("NHC_CACHE", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    environment.create_environment.cache_clear()
+    assert main(["emit", SPEC, "--lang", "python", "--stdout"]) == 0
+    assert main(["run", SPEC, "--points", "2"]) == 0
+    assert "no place for a cache: the user has no home folder" in capsys.readouterr().err
+    assert main(["doctor"]) == 0
+    assert "the user has no home folder; `NHC_CACHE` may name a folder" in capsys.readouterr().out
+    environment.create_environment.cache_clear()

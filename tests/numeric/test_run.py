@@ -427,6 +427,33 @@ def test_who_comes_second_keeps_the_first_one_s(tmp_path: Path, monkeypatch: pyt
     assert len(list((tmp_path / "models").iterdir())) == 1  # nothing is left lying about
 
 
+@pytest.mark.parametrize("harm", ["cut", "zeros", "gone"])
+def test_what_is_left_of_a_compiled_model_is_never_loaded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, harm: str
+) -> None:
+    """A crash of the machine cuts files or fills them with zeros; what clears old files away may take one of an entry."""
+    monkeypatch.setenv("NHC_CACHE", str(tmp_path / "models"))
+    library = build(UNIT, "one.c")
+    content = library.read_bytes()
+    half = content[: len(content) // 2]
+    library.unlink()
+    if harm != "gone":
+        library.write_bytes(half + (bytes(len(content) - len(half)) if harm == "zeros" else b""))
+    assert build(UNIT, "one.c") == library and library.read_bytes() == content
+    assert len(list((tmp_path / "models").iterdir())) == 1
+
+
+def test_what_killed_processes_left_is_cleared_away(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NHC_CACHE", str(tmp_path))
+    old, young = tmp_path / ".old.abc", tmp_path / ".young.abc"
+    for folder in (old, young):
+        folder.mkdir()
+        (folder / "one.c").write_text("")
+    os.utime(old, (0.0, 0.0))
+    build(UNIT, "one.c")
+    assert young.exists() and not old.exists()
+
+
 def test_without_a_compiler_it_runs_python_and_says_so(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
