@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from enum import IntEnum
 from typing import Any, TextIO
 
+from nhc.cli import INTERRUPTED
 from nhc.version import __version__
 
 
@@ -25,7 +26,7 @@ class Exit(IntEnum):
     USAGE = 2
     NUMERICAL = 3
     INTERNAL = 70  # sysexits' EX_SOFTWARE
-    INTERRUPTED = 130  # 128 + SIGINT, as shells have it
+    INTERRUPTED = INTERRUPTED  # by Ctrl-C
     BROKEN_PIPE = 141  # 128 + SIGPIPE, as for any program whose reader left
 
 

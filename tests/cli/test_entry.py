@@ -25,6 +25,7 @@ from nhc.language.spec import LEAST_TOLERANCE
 from nhc.pipeline import STAGES
 from tests.support import INTERRUPTIBLE
 
+ROOT = Path(__file__).resolve().parents[2]
 MODULES = {path.stem for path in Path(explain.__file__).parent.glob("*.py")}
 HELPERS = {
     "__init__",
@@ -147,6 +148,32 @@ def test_each_verb_starts_in_a_process_of_its_own(verb: str, tmp_path: Path) -> 
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 0, done.stderr
     assert done.stdout or list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("module", "sent", "code"),
+    [
+        ("click", "SIGINT", 130),
+        ("nhc.cli.check", "SIGINT", 130),
+        ("click", "SIGTERM", 143),
+        ("nhc.pipeline", "SIGHUP", 129),
+    ],
+)
+def test_an_interrupt_while_modules_are_imported_leaves_no_traceback(module: str, sent: str, code: int) -> None:
+    """The signal comes just when ``module`` is looked for; SIGTERM and SIGHUP clean up as Ctrl-C does."""
+    program = (
+        "import os, signal, sys\n"
+        "from nhc.cli import main\n"
+        "class Finder:\n"
+        "    def find_spec(self, name, path=None, target=None):\n"
+        f"        if name == {module!r}:\n"
+        f"            os.kill(os.getpid(), signal.{sent})\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "sys.meta_path.insert(0, Finder())\n"
+        "sys.exit(main(['check', 'pendulum']))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == code and "Traceback" not in done.stderr, done.stderr
 
 
 def test_an_interrupt_from_outside_is_130() -> None:
