@@ -127,12 +127,12 @@ def _turns(made: Linearisation, mode: Mode) -> bool:
 
 
 def _resting(made: Linearisation) -> int:
-    """How many oscillations neither grow nor decay: where two of them meet, one grows and one decays beyond.
+    """How many eigenvalues lie on the axis: where two pairs of them meet, one grows and one decays beyond.
 
-    One alone may lie on the axis where a value of the sweep happens to be that of its crossing, or belong to a part without
-    friction.
+    One pair alone may lie there at a value of the sweep that happens to be that of its crossing, or belong to a part without
+    friction.  Zeros count, for one of two pairs may have come to zero at such a value.
     """
-    return sum(_turns(made, mode) and not mode.grows and not mode.decays for mode in modes(made))
+    return sum(not mode.grows and not mode.decays for mode in modes(made))
 
 
 def _oscillatory(branch: Branch, low: float, high: float, a: Linearisation, b: Linearisation) -> list[Crossing]:
@@ -140,7 +140,7 @@ def _oscillatory(branch: Branch, low: float, high: float, a: Linearisation, b: L
     if before == after:
         return []
     calm, wild = (a, b) if before < after else (b, a)
-    conservative = _resting(calm) - _resting(wild) >= 2 * abs(after - before)
+    conservative = _resting(calm) - _resting(wild) >= 4 * abs(after - before)
     strict = conservative or _resting(wild) > 0  # what stays on the axis would grow and decay by rounding
     least = max(before, after)
 

@@ -115,31 +115,25 @@ def solve_block(
     guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]
     solved = []
     for column in columns:
-        cofactors = _cofactor_sums(graph, block, column) if size > 3 else _replaced_columns(graph, block, column)
-        solved.append([_cancel(graph, graph.div(numerator, determinant)) for numerator in cofactors])
+        quotients = (graph.div(_numerator(graph, block, column, k), determinant) for k in range(size))
+        solved.append([_cancel(graph, quotient) for quotient in quotients])
     return solved, guards
 
 
-def _replaced_columns(graph: Graph, block: Sequence[Sequence[Node]], column: Sequence[Node]) -> list[Node]:
-    """The numerators of Cramer's rule: determinants of the block with each of its columns replaced in turn."""
-    return [
-        determinant_of(graph, [[*row[:k], value, *row[k + 1 :]] for row, value in zip(block, column, strict=True)])
-        for k in range(len(block))
-    ]
+def _numerator(graph: Graph, block: Sequence[Sequence[Node]], column: Sequence[Node], k: int) -> Node:
+    """Of Cramer's rule: the determinant of the block with ``column`` in place of its k-th one.
 
-
-def _cofactor_sums(graph: Graph, block: Sequence[Sequence[Node]], column: Sequence[Node]) -> list[Node]:
-    """The same along the replaced column: short where few of its entries are not zero, as one alone is in a row of minors."""
-    found = []
-    for k in range(len(block)):
-        terms = []
-        for i, value in enumerate(column):
-            if value == graph.zero:
-                continue
+    For more than three rows it is expanded along that column: short where few of its entries are not zero, as one alone is beside
+    a row of minors.
+    """
+    if len(block) <= 3:
+        return determinant_of(graph, [[*r[:k], column[i], *r[k + 1 :]] for i, r in enumerate(block)])
+    terms = []
+    for i, value in enumerate(column):
+        if value != graph.zero:
             minor = determinant_of(graph, [[*r[:k], *r[k + 1 :]] for m, r in enumerate(block) if m != i])
             terms.append(graph.mul(graph.neg(value) if (i + k) % 2 else value, minor))
-        found.append(graph.sum(terms))
-    return found
+    return graph.sum(terms)
 
 
 def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
