@@ -119,7 +119,7 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     lost = describe_lost(model, scene, guess, steady.y)
     halted = bool(lost) and has_halted(model, guess, steady.y)
     point = point_of(flow, scene)
-    place = _exact_place(flow, point, model.values(guess), steady)
+    place = _exact_place(model, point, model.values(guess), steady)
     shifts = _list_shifts(model) if steady.turns else []
     paper = (
         symbolic_matrix(flow, model.rest, place, shifts) if place else "the state is no expression in the parameters"
@@ -202,15 +202,19 @@ def _distance(place: dict[Node, float], model: SteadyModel, steady: Steady) -> f
 
 
 def _exact_place(
-    flow: Flow, point: dict[Node, Node] | None, guess: dict[Node, float], steady: Steady
+    model: SteadyModel, point: dict[Node, Node] | None, guess: dict[Node, float], steady: Steady
 ) -> dict[Node, Node] | None:
-    """The steady state as nodes: the guess's own expressions where it did not move, else zero and quarter turns."""
+    """The steady state as nodes: the guess's own expressions where it did not move, else zero and quarter turns.
+
+    Wherever a cyclic coordinate has gone, the matrix does not contain it.
+    """
     if point is None:
         return None
-    g, place = flow.graph, {}
-    for symbol, value in zip(flow.y, steady.y, strict=True):
+    flow, place = model.flow, dict[Node, Node]()
+    g = flow.graph
+    for i, (symbol, value) in enumerate(zip(flow.y, steady.y, strict=True)):
         turns = round(value / (math.pi / 2))
-        if abs(value - guess[symbol]) <= SNAP * (1.0 + abs(value)):
+        if i in model.cyclic or abs(value - guess[symbol]) <= SNAP * (1.0 + abs(value)):
             place[symbol] = point[symbol]
         elif abs(value - turns * math.pi / 2) <= SNAP and symbol in flow.system.q:
             place[symbol] = g.mul(g.div(g.number(turns), g.number(2)), g.pi())

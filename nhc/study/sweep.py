@@ -126,20 +126,31 @@ def _turns(made: Linearisation, mode: Mode) -> bool:
     return mode.value.imag > max(mode.limit, ROUNDING / made.tick)
 
 
+def _resting(made: Linearisation) -> int:
+    """How many eigenvalues lie on the axis: where two pairs of them meet, one grows and one decays beyond.
+
+    One pair alone may lie there at a value of the sweep that happens to be that of its crossing, or belong to a part without
+    friction.  Zeros count, for one of two pairs may have come to zero at such a value.
+    """
+    return sum(not mode.grows and not mode.decays for mode in modes(made))
+
+
 def _oscillatory(branch: Branch, low: float, high: float, a: Linearisation, b: Linearisation) -> list[Crossing]:
     before, after = len(_pairs(a, True)), len(_pairs(b, True))
     if before == after:
         return []
-    conservative = any(_turns(made, x) and not x.grows and not x.decays for made in (a, b) for x in modes(made))
+    calm, wild = (a, b) if before < after else (b, a)
+    conservative = _resting(calm) - _resting(wild) >= 4 * abs(after - before)
+    strict = conservative or _resting(wild) > 0  # what stays on the axis would grow and decay by rounding
     least = max(before, after)
 
     def grows(value: float) -> bool:
-        return len(_pairs(branch(value), conservative)) >= least
+        return len(_pairs(branch(value), strict)) >= least
 
     first = before == least
     start, (low, high) = (low, high), _bisect(lambda value: grows(value) == first, low, high)
     inner = branch(low if first else high)
-    pairs = sorted(_pairs(inner, False), key=lambda x: x.real)
+    pairs = sorted(_pairs(inner, strict), key=lambda x: x.real)
     # where a pair becomes two real eigenvalues it does not cross the axis
     slow = 1e-6 * (1.0 / inner.tick + abs(pairs[0])) * (start[1] - start[0]) if pairs else 0.0
     if not pairs or (not conservative and pairs[0].real > slow):

@@ -18,8 +18,8 @@ import pytest
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph
 from nhc.cli import main
-from nhc.diagnostics import SpecError
-from nhc.language import Source, decode, read
+from nhc.diagnostics import Source, SpecError
+from nhc.language import decode, read
 from nhc.mechanics.about import scene_about
 from nhc.mechanics.values import constant_value
 from nhc.pipeline import Options, linearize, model
@@ -166,6 +166,82 @@ def test_a_crossing_along_a_parameter() -> None:
     assert found.swept is not None
     (crossing,) = found.swept.crossings
     assert crossing.value == pytest.approx(4.0 * 0.125 * 0.375 / (0.0625 * 0.5), abs=1e-9)
+
+
+SHAFT = """
+nhc: 1
+system: shaft
+about: A rotor on an elastic shaft with friction inside and outside, and a weight on a spring without friction (Crandall 1970).
+coordinates: [x, y, z]
+parameters: {m: 1, k: 4, ci: 0.2, ce: 0.3, W: 3}
+T: m/2*(x'^2 + y'^2) + z'^2
+V: k/2*(x^2 + y^2) + z^2
+forces: {x: -ce*x' - ci*(x' + W*y), y: -ce*y' - ci*(y' - W*x)}
+"""
+
+
+@pytest.mark.parametrize("count", [10, 11])
+def test_a_rotor_whirls_beyond_its_critical_speed(count: int) -> None:
+    """W = sqrt(k/m) (1 + ce/ci) = 5, one pair at sqrt(k/m), also where a value of the sweep meets it; z stays on the axis."""
+    found = linearize(Source("s.yaml", SHAFT), Request("x=0", sweep=("W", 1.0, 10.0, count)), Options())
+    assert found.swept is not None
+    (crossing,) = found.swept.crossings
+    assert crossing.value == pytest.approx(5.0, abs=1e-9) and crossing.frequency == pytest.approx(2.0, abs=1e-9)
+    assert crossing.kind == "a pair crosses the axis" and crossing.unstable_above
+
+
+ZIEGLER = """
+nhc: 1
+system: ziegler
+coordinates: [a, d]
+parameters: {m: 1, l: 1, k: 1, P: 1, c: 0}
+bodies:
+  one: {turns: [z: a], mass: 2*m, centre: [l, 0]}
+  two: {parent: one, at: [l, 0], turns: [z: d], mass: m, centre: [l, 0]}
+points: {tip: {parent: two, at: [l, 0]}}
+V: k/2*(a^2 + d^2)
+forces: {tip_v1: -P, a: -c*a', d: -c*d'}
+"""
+
+
+@pytest.mark.parametrize(
+    "c, load, kind",
+    [("0", 3.5 - math.sqrt(2.0), "two pairs meet on the axis"), ("1e-5", 41 / 28, "a pair crosses the axis")],
+)
+def test_a_column_under_a_follower_load(c: str, load: float, kind: str) -> None:
+    """Ziegler 1952: 7/2 - sqrt(2) without friction, 41/28 with the least of it."""
+    request = Request("a=0", (f"c={c}",), sweep=("P", 1.0, 3.0, 9))
+    found = linearize(Source("s.yaml", ZIEGLER), request, Options())
+    assert found.swept is not None
+    (crossing,) = found.swept.crossings
+    assert crossing.value == pytest.approx(load, abs=1e-8) and crossing.kind == kind and crossing.unstable_above
+
+
+CONE = """
+nhc: 1
+system: cone
+coordinates: [phi, psi]
+parameters: {m: 2, h: 0.5, al: 0.4, g: 9.81, be: 0.3}
+define: {b: h*tan(al), J: 3/20*m*(b^2 + h^2/4)}
+bodies:
+  line: {turns: [z: phi, y: -al]}
+  cone: {parent: line, turns: [x: psi], mass: m, centre: [3/4*h, 0, 0], inertia: [3/10*m*b^2, J, J]}
+points:
+  rim: {parent: line, of: cone, at: [h, 0, -b]}
+constraints: [rim_v2 = 0]
+gravity: [g*sin(be), 0, -g*cos(be)]
+"""
+
+
+def test_a_cone_rolls_about_its_apex_and_has_its_matrix_as_expressions() -> None:
+    """5 g sin(be) cos(al)/(h (1 + 5 cos(al)^2)), from 3/40 m h^2 phi'^2 (1 + 5 cos(al)^2) of Landau and Lifshitz, section 32.
+
+    The search rolls it back from phi = 0.1, and psi, which is cyclic, ends at no round number.
+    """
+    found = linearize(Source("s.yaml", CONE), Request("phi=0.1"), Options())
+    expected = 5 * 9.81 * math.sin(0.3) * math.cos(0.4) / (0.5 * (1 + 5 * math.cos(0.4) ** 2))
+    assert matches(list(eigenvalues(found.linearisation)), [1j * math.sqrt(expected), -1j * math.sqrt(expected)], 1e-9)
+    assert "g*" in " ".join(entry for row in found.paper for entry in row), found.why
 
 
 @pytest.mark.parametrize("formulation", ["euler-lagrange", "chaplygin", "voronec"])
