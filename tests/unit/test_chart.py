@@ -368,3 +368,17 @@ def test_what_the_interpreter_takes_is_learnt_from_its_first_runs(monkeypatch: p
         done = [made.run(Case("m", "radau5", language, t), rung) for rung, t in ((1, 1e-3), (4, 1e-6), (7, 1e-9))]
         assert [len(results) for results in done] == ([1, 1, 1] if language == "c" else [1, 0, 0])
     assert made.many == ["radau5", "radau5"]
+
+
+def test_what_compiled_code_takes_too_long_for_is_not_interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The rattleback's chart spent eight minutes of nine in Python at tolerances that its C had given up."""
+    monkeypatch.setattr(case_runner, "run_case", lambda bench, case, budget: Result(case, calls=100, best=1e-4))
+    made = case_runner.CaseRunner(SimpleNamespace(name="m"), False, 1e-3)  # type: ignore[arg-type]
+    alone = case_runner.CaseRunner(SimpleNamespace(name="m"), False, 1e-3)  # type: ignore[arg-type]
+    rungs = ((1, 1e-3), (4, 1e-6), (7, 1e-9))
+    assert made.run(Case("m", "gauss6", "c", 1e-3), 1)
+    monkeypatch.setitem(case_runner.SLOW, "c", -1.0)
+    assert [len(made.run(Case("m", "gauss6", "c", t), rung)) for rung, t in rungs[1:]] == [1, 0]
+    assert [len(made.run(Case("m", "gauss6", "python", t), rung)) for rung, t in rungs] == [1, 1, 0]
+    assert made.many == ["gauss6"]
+    assert all(alone.run(Case("m", "gauss6", "python", t), rung) for rung, t in rungs)

@@ -33,7 +33,7 @@ class CaseRunner:
         if not self.explicit and ((language == "python" and rung % PYTHON_STRIDE != 1) or line in self._ended):
             return []
         twin = self._twins.get((case.method, case.tolerance))
-        if language == "python" and twin is not None and not self._may_interpret(twin):
+        if language == "python" and not self._may_interpret(case.method, twin):
             self.many.append(case.method)
             return []
         clock = choose_clock()
@@ -48,8 +48,10 @@ class CaseRunner:
             self._times[case.method] = made.best / twin.best
         return [made]
 
-    def _may_interpret(self, twin: Result) -> bool:
-        """Whether what took that much in compiled code may be interpreted."""
+    def _may_interpret(self, method: str, twin: Result | None) -> bool:
+        """Whether what took that much in compiled code may be interpreted; not what took that too long already."""
+        if twin is None:
+            return (method, "c") not in self._ended
         times = self._times.get(twin.case.method, TIMES)
         calls = twin.calls + 4 * twin.jacobians
         return calls <= MOST_PYTHON and (self.explicit or not times * twin.best > SLOW["python"])
