@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import random
+import re
+from collections.abc import Sequence
 
 from nhc.diagnostics import Source
 
@@ -160,11 +162,20 @@ def robot_arm(seed: int, joints: int = 3) -> str:
 
 def joints(count: int) -> Source:
     """Bodies on universal joints, each hung on the one before."""
-    of = range(count)
-    lines = ["nhc: 1", "system: joints", f"coordinates: [{', '.join(f'p{i}, q{i}' for i in of)}]"]
+    return _chain([f"x: p{i}, y: q{i}" for i in range(count)], "[0, 0, -l]", "[0, 0, -c]")
+
+
+def hinges(count: int) -> Source:
+    """Bodies on hinges about z, y and x in turn, with centres and hinges beside their axes."""
+    return _chain([f"{'zyx'[i % 3]}: p{i}" for i in range(count)], "[0.1, 0.2, -l]", "[0.1, 0.05, -c]")
+
+
+def _chain(turns: Sequence[str], at: str, centre: str) -> Source:
+    names = re.findall(r"\b[pq]\d+", ", ".join(turns))
+    lines = ["nhc: 1", "system: joints", f"coordinates: [{', '.join(names)}]"]
     lines += ["parameters: {m: 1, l: 1, c: 0.5, A: 0.1, B: 0.12, C: 0.05}", "bodies:"]
-    for i in of:
-        place = f"parent: b{i - 1}, at: [0, 0, -l]" if i else "at: [0, 0, 0]"
-        lines.append(f"  b{i}: {{{place}, turns: [x: p{i}, y: q{i}], mass: m, centre: [0, 0, -c], inertia: [A, B, C]}}")
+    for i, turn in enumerate(turns):
+        place = f"parent: b{i - 1}, at: {at}" if i else "at: [0, 0, 0]"
+        lines.append(f"  b{i}: {{{place}, turns: [{turn}], mass: m, centre: {centre}, inertia: [A, B, C]}}")
     lines += ["gravity: [0, 0, -9.81]", "scenes:", "  go: {initial: {p0: 0.5}, time: [0, 1]}"]
     return Source("joints.yaml", "\n".join(lines) + "\n")

@@ -22,7 +22,7 @@ CHAINED = 4
 ANGLE = 30
 """Operations that a sine with its cosine takes the time of."""
 _BOTH = 12
-"""Rates up to which two recursions are both solved; beyond, one is that starts from less."""
+"""Rates up to which a short start alone is no reason to look for no other recursion, and masses are compared by numbers."""
 _SHORT = 30
 """Operations for each rate from which an elimination starts, and those it comes to, up to which no other is looked for."""
 _MANIFOLD = 2
@@ -56,8 +56,8 @@ def tree_of(system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[N
     bodies = _chain_of_bodies(system, motion)
     if bodies is None or small or written is None:
         return _shorter(tree or _eliminate(written, beside), _eliminate(bodies, beside))
-    if len(motion.w) > _BOTH or _MANIFOLD * _setting(bodies) < _setting(written):
-        least, other = sorted((bodies, written), key=_setting)
+    least, other = sorted((bodies, written), key=_setting)
+    if _MANIFOLD * _setting(least) < _setting(other):
         return _eliminate(least, beside) or _eliminate(other, beside)
     return _shorter(_eliminate(written, beside), _eliminate(bodies, beside))
 
