@@ -7,6 +7,7 @@ the rest, so that what a crash of the machine, a full disk or another program le
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import time
 from contextlib import suppress
@@ -15,6 +16,7 @@ from pathlib import Path
 
 ABANDONED = 86400.0
 """Seconds after which what is still unfinished has no process that finishes it."""
+_UNFINISHED = re.compile(r"\.[0-9a-f]{32,64}\.")
 
 
 def recall(path: Path) -> bytes | None:
@@ -43,8 +45,13 @@ def keep(path: Path, content: bytes) -> None:
 
 
 def clear(folder: Path) -> None:
-    """Remove what killed processes have left in ``folder``: entries whose names begin with a dot, from ``ABANDONED`` on."""
+    """Remove what killed processes have left in ``folder``, from ``ABANDONED`` on.
+
+    Only what is named by a dot and the hash of something kept: the folder is of the user's choice and may be their home.
+    """
     for path in folder.glob(".*"):
+        if not _UNFINISHED.match(path.name):
+            continue
         with suppress(OSError):
             if time.time() - path.stat().st_mtime > ABANDONED:
                 shutil.rmtree(path) if path.is_dir() else path.unlink()

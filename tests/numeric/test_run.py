@@ -11,6 +11,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -444,14 +445,30 @@ def test_what_is_left_of_a_compiled_model_is_never_loaded(
 
 
 def test_what_killed_processes_left_is_cleared_away(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And nothing else: the cache may be put where the user has old files of their own, whose names begin with a dot."""
     monkeypatch.setenv("NHC_CACHE", str(tmp_path))
-    old, young = tmp_path / ".old.abc", tmp_path / ".young.abc"
-    for folder in (old, young):
+    key = "0123456789abcdef" * 2
+    left, young, theirs = (tmp_path / name for name in (f".{key}.old", f".{key}.young", ".ssh"))
+    for folder in (left, young, theirs):
         folder.mkdir()
         (folder / "one.c").write_text("")
-    os.utime(old, (0.0, 0.0))
+    for folder in (left, theirs):
+        os.utime(folder, (0.0, 0.0))
+    monkeypatch.setattr(tempfile, "mkdtemp", killed)
+    with pytest.raises(KeyboardInterrupt):
+        build(UNIT, "one.c")
+    monkeypatch.undo()
+    monkeypatch.setenv("NHC_CACHE", str(tmp_path))
+    (mine,) = {path for path in tmp_path.iterdir() if path.name.startswith(".")} - {left, young, theirs}
+    os.utime(mine, (0.0, 0.0))
     build(UNIT, "one.c")
-    assert young.exists() and not old.exists()
+    assert young.exists() and theirs.exists() and not left.exists() and not mine.exists()
+
+
+def killed(*, prefix: str, dir: Path) -> str:
+    """A working folder is made, and then its maker is gone."""
+    os.mkdir(dir / f"{prefix}made")
+    raise KeyboardInterrupt
 
 
 def test_without_a_compiler_it_runs_python_and_says_so(
