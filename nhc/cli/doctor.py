@@ -138,7 +138,9 @@ def _tool(name: str, purpose: str) -> Row:
     if not command:
         return name, False, f"{purpose}; no `{named or name}` on the path"
     try:
-        done = subprocess.run([*command, "--version"], capture_output=True, text=True, timeout=20, check=False)
+        done = subprocess.run(
+            [*command, "--version"], capture_output=True, text=True, errors="replace", timeout=20, check=False
+        )
     except (OSError, subprocess.TimeoutExpired):
         return name, False, f"{' '.join(command)} does not run"
     if done.returncode:

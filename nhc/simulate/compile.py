@@ -77,7 +77,9 @@ def _tell_missing() -> str:
 def compiler_version(compiler: tuple[str, ...]) -> str:
     """What the compiler says of itself."""
     try:
-        done = subprocess.run([*compiler, "--version"], capture_output=True, text=True, timeout=30, check=False)
+        done = subprocess.run(
+            [*compiler, "--version"], capture_output=True, text=True, errors="replace", timeout=30, check=False
+        )
     except (OSError, subprocess.TimeoutExpired) as error:
         raise CompileError(f"`{shlex.join(compiler)} --version` fails: {_tell(error)}", missing=True) from error
     return done.stdout + done.stderr
@@ -225,6 +227,7 @@ def _compile(sources: Mapping[str, str], unit: str, command: Sequence[str], libr
             cwd=work,
             capture_output=True,
             text=True,
+            errors="replace",
             timeout=TIME_LIMIT,
             check=False,
         )

@@ -485,6 +485,7 @@ COMPILERS = {  # what stands in the script that ``CC`` names -> what the note sa
     "exit 1": "it ends with status 1 and without a word",
     "kill -9 $$": "it was killed by signal 9",
     "echo 'cannot open the license' >&2; exit 2": "cannot open the license",
+    "printf 'fehlt: \\344\\n' >&2; exit 2": "fehlt: \ufffd",  # in another encoding than ours
 }
 
 
