@@ -45,15 +45,6 @@ holonomic:
   - r*sin(f) = l*sin(b)
 scenes: {a: {initial: {x: r + l}, time: [0, 5]}}
 """
-FOUR_BAR = """coordinates: [x1, y1, x2, y2]
-parameters: {l: 1, g: 9.81}
-T: (2*x1'^2 + 2*y1'^2 + x1'*x2' + y1'*y2' + 2*x2'^2 + 2*y2'^2)/6
-V: g*(y1 + y2)
-holonomic:
-  - x1^2 + y1^2 = l^2
-  - (x2 - x1)^2 + (y2 - y1)^2 = l^2
-  - (x2 - l)^2 + y2^2 = l^2
-"""
 
 
 @pytest.mark.parametrize("text", [DOUBLE, SPHERE])
@@ -67,24 +58,6 @@ def test_multipliers_where_every_choice_is_singular_on_the_way(text: str) -> Non
 def test_what_stays_regular_on_all_positions_is_kept(text: str) -> None:
     """The rod's determinant is its length squared; a crank shorter than its rod keeps cos(b) from zero."""
     assert model(Source("s.yaml", HEAD + text)).formulation.name in ("euler-lagrange", "voronec", "chaplygin")
-
-
-@pytest.mark.parametrize("crank", [-1.1, 0.0, 0.4, math.pi])
-def test_three_rows_and_their_minors_are_solved_for_without_pivots(crank: float) -> None:
-    """A square of bars (Gonzalez et al. 2006) with its crank upright, where a fixed order of elimination met a pivot x1 = 0.
-
-    Three unit bars that turn together by f from upright: m/3 f'^2 (two) and m/2 f'^2 make 5/6 f'^2, V = 2 g cos(f).
-    """
-    source = Source("s.yaml", HEAD + FOUR_BAR)
-    assert model(source).formulation.name == "euler-lagrange"
-    module = python_model(
-        emit(source, "python", Options())["s.py"], f"square{crank:.1f}".replace(".", "_").replace("-", "m")
-    )
-    s, c, w, g = math.sin(crank), math.cos(crank), 1.7, 9.81
-    y = module.state(0.0, [s, c, 1 + s, c], [w * c, -w * s, w * c, -w * s])
-    turn = 2 * g * s / (5 / 3)
-    expected = [turn * c - w * w * s, -turn * s - w * w * c] * 2
-    assert module.accelerations(0.0, y) == pytest.approx(expected, rel=1e-12, abs=1e-12)
 
 
 def test_the_emitted_double_pendulum_hangs_straight() -> None:

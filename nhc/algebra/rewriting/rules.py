@@ -38,7 +38,7 @@ RULES = (
     ),
     Rule(
         "Cramer's rule",
-        "blocks of up to 4 constraints are solved by determinants in canonical form, not by elimination",
+        "blocks of up to 3 constraints are solved by determinants in canonical form, not by elimination",
         "algebra/solving/blocks.py",
     ),
     Rule(

@@ -1,9 +1,7 @@
 """Order and blocks of a linear system over the graph: matching, components, Cramer's rule, elimination.
 
-Blocks up to 4 x 4 are solved by Cramer's rule, whose determinants are brought to canonical form where that is not longer, larger
-ones by elimination in a fixed order.  Each determinant that is not a constant is returned as a guard: it must not vanish.  A fixed
-order has pivots that vanish where the block is regular; three rows that are completed by that of their minors, which is regular
-wherever they are independent, are a block of four and must not lose that.
+Blocks up to 3 x 3 are solved by Cramer's rule, whose determinants are brought to canonical form where that is not longer, larger
+ones by elimination in a fixed order.  Each determinant that is not a constant is returned as a guard: it must not vanish.
 """
 
 from __future__ import annotations
@@ -21,7 +19,6 @@ from nhc.algebra.rewriting.shorten import shorten
 
 _FEW_TERMS = 12
 _FEW_FACTORS = 8
-_LARGEST_BY_CRAMER = 4
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
 
 
@@ -105,7 +102,7 @@ def solve_block(
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
     """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given)."""
     size = len(block)
-    if size > _LARGEST_BY_CRAMER or "Cramer's rule" in graph.off:
+    if size > 3 or "Cramer's rule" in graph.off:
         return _eliminate(graph, block, columns, weakness)
     whole = determinant_of(graph, block)
     short = normalise_angles(graph, whole, 120) if size == 1 else shorter_of_angles(graph, whole, 120)
@@ -115,25 +112,12 @@ def solve_block(
     guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]
     solved = []
     for column in columns:
-        quotients = (graph.div(_numerator(graph, block, column, k), determinant) for k in range(size))
-        solved.append([_cancel(graph, quotient) for quotient in quotients])
+        row = []
+        for k in range(size):
+            replaced = [[*r[:k], column[i], *r[k + 1 :]] for i, r in enumerate(block)]
+            row.append(_cancel(graph, graph.div(determinant_of(graph, replaced), determinant)))
+        solved.append(row)
     return solved, guards
-
-
-def _numerator(graph: Graph, block: Sequence[Sequence[Node]], column: Sequence[Node], k: int) -> Node:
-    """Of Cramer's rule: the determinant of the block with ``column`` in place of its k-th one.
-
-    For more than three rows it is expanded along that column: short where few of its entries are not zero, as one alone is beside
-    a row of minors.
-    """
-    if len(block) <= 3:
-        return determinant_of(graph, [[*r[:k], column[i], *r[k + 1 :]] for i, r in enumerate(block)])
-    terms = []
-    for i, value in enumerate(column):
-        if value != graph.zero:
-            minor = determinant_of(graph, [[*r[:k], *r[k + 1 :]] for m, r in enumerate(block) if m != i])
-            terms.append(graph.mul(graph.neg(value) if (i + k) % 2 else value, minor))
-    return graph.sum(terms)
 
 
 def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
