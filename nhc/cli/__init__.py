@@ -9,9 +9,8 @@ from types import FrameType
 
 __all__ = ["main"]
 
-INTERRUPTED = (
-    130  # 128 + SIGINT, as shells have it; it is here too because an interrupt may come before anything is imported
-)
+INTERRUPTED = 130
+"""128 + SIGINT, as shells have it.  It stands here because an interrupt may come before anything is imported."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
