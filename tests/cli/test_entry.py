@@ -151,15 +151,18 @@ def test_each_verb_starts_in_a_process_of_its_own(verb: str, tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize(
-    ("module", "sent", "code"),
+    ("module", "sent", "before", "code"),
     [
-        ("click", "SIGINT", 130),
-        ("nhc.cli.check", "SIGINT", 130),
-        ("click", "SIGTERM", 143),
-        ("nhc.pipeline", "SIGHUP", 129),
+        ("click", "SIGINT", "default_int_handler", 130),
+        ("nhc.cli.check", "SIGINT", "default_int_handler", 130),
+        ("click", "SIGTERM", "SIG_DFL", 143),
+        ("nhc.pipeline", "SIGHUP", "SIG_DFL", 129),
+        ("nhc.pipeline", "SIGHUP", "SIG_IGN", 0),  # as nohup has it
     ],
 )
-def test_an_interrupt_while_modules_are_imported_leaves_no_traceback(module: str, sent: str, code: int) -> None:
+def test_an_interrupt_while_modules_are_imported_leaves_no_traceback(
+    module: str, sent: str, before: str, code: int
+) -> None:
     """The signal comes just when ``module`` is looked for; SIGTERM and SIGHUP clean up as Ctrl-C does."""
     program = (
         "import os, signal, sys\n"
@@ -168,7 +171,7 @@ def test_an_interrupt_while_modules_are_imported_leaves_no_traceback(module: str
         "    def find_spec(self, name, path=None, target=None):\n"
         f"        if name == {module!r}:\n"
         f"            os.kill(os.getpid(), signal.{sent})\n"
-        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        f"signal.signal(signal.{sent}, signal.{before})\n"
         "sys.meta_path.insert(0, Finder())\n"
         "sys.exit(main(['check', 'pendulum']))\n"
     )
