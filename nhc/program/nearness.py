@@ -21,7 +21,8 @@ from nhc.algebra.dense import Singular, pivot_signs, solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
-from nhc.algebra.solving.blocks import determinant_of, size_of
+from nhc.algebra.solving.blocks import determinant_of
+from nhc.algebra.solving.sizes import size_of
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.values import scene_values
 from nhc.program.plan import SolvePlan

@@ -45,11 +45,58 @@ holonomic:
   - r*sin(f) = l*sin(b)
 scenes: {a: {initial: {x: r + l}, time: [0, 5]}}
 """
+FOUR_BAR = """coordinates: [x1, y1, x2, y2]
+parameters: {l: 1, g: 9.81}
+T: (2*x1'^2 + 2*y1'^2 + x1'*x2' + y1'*y2' + 2*x2'^2 + 2*y2'^2)/6
+V: g*(y1 + y2)
+holonomic:
+  - x1^2 + y1^2 = l^2
+  - (x2 - x1)^2 + (y2 - y1)^2 = l^2
+  - (x2 - l)^2 + y2^2 = l^2
+"""
+DOUBLE_FOUR_BAR = """coordinates: [x1, y1, x2, y2, x3, y3]
+parameters: {l: 1, g: 9.81}
+T: (x1'^2 + y1'^2 + x2'^2 + y2'^2 + x3'^2 + y3'^2)/3 + (x1'*x2' + y1'*y2' + x2'*x3' + y2'*y3')/6
+V: g*(y1 + y2 + y3)
+holonomic:
+  - x1^2 + y1^2 = l^2
+  - (x2 - x1)^2 + (y2 - y1)^2 = l^2
+  - (x2 - l)^2 + y2^2 = l^2
+  - (x3 - x2)^2 + (y3 - y2)^2 = l^2
+  - (x3 - 2*l)^2 + y3^2 = l^2
+"""
+CRANK_ROCKER = """coordinates: [x1, y1, a1, x2, y2, a2, x3, y3, a3]
+parameters: {b: 1, c: 2.2, d: 1.7, e: 2.1, g: 9.81}
+T: (x1'^2 + y1'^2 + x2'^2 + y2'^2 + x3'^2 + y3'^2)/2 + (b^2*a1'^2 + c^2*a2'^2 + d^2*a3'^2)/24
+V: g*(y1 + y2 + y3)
+holonomic:
+  - x1 - b/2*cos(a1) = 0
+  - y1 - b/2*sin(a1) = 0
+  - x2 - c/2*cos(a2) = x1 + b/2*cos(a1)
+  - y2 - c/2*sin(a2) = y1 + b/2*sin(a1)
+  - x2 + c/2*cos(a2) = x3 + d/2*cos(a3)
+  - y2 + c/2*sin(a2) = y3 + d/2*sin(a3)
+  - x3 - d/2*cos(a3) = e
+  - y3 - d/2*sin(a3) = 0
+"""
+BASIC_POINTS = """coordinates: [ax, ay, az, bx, by, bz, cx, cy, cz]
+T: (ax'^2 + ay'^2 + az'^2 + 2*bx'^2 + 2*by'^2 + 2*bz'^2 + 3*cx'^2 + 3*cy'^2 + 3*cz'^2)/2
+V: 9.81*(az + 2*bz + 3*cz)
+holonomic:
+  - ax^2 + ay^2 + az^2 = 1
+  - bx^2 + by^2 + bz^2 = 1
+  - cx^2 + cy^2 + cz^2 = 1
+  - ax*bx + ay*by + az*bz = 0
+  - ax*cx + ay*cy + az*cz = 0
+  - bx*cx + by*cy + bz*cz = 0
+"""
 
 
-@pytest.mark.parametrize("text", [DOUBLE, SPHERE])
+@pytest.mark.parametrize("text", [DOUBLE, SPHERE, BASIC_POINTS])
 def test_multipliers_where_every_choice_is_singular_on_the_way(text: str) -> None:
-    """A pendulum in Cartesian coordinates hangs straight down where its x' cannot be solved for."""
+    """A pendulum in Cartesian coordinates hangs straight down where its x' cannot be solved for; no three of the velocities of the
+    points of a body that turns freely are independent throughout.
+    """
     formulation = model(Source("s.yaml", HEAD + text)).formulation
     assert formulation.name == "multipliers" and "can reach" in formulation.reason
 
@@ -58,6 +105,44 @@ def test_multipliers_where_every_choice_is_singular_on_the_way(text: str) -> Non
 def test_what_stays_regular_on_all_positions_is_kept(text: str) -> None:
     """The rod's determinant is its length squared; a crank shorter than its rod keeps cos(b) from zero."""
     assert model(Source("s.yaml", HEAD + text)).formulation.name in ("euler-lagrange", "voronec", "chaplygin")
+
+
+@pytest.mark.parametrize("crank", [-1.1, 0.0, 0.4, math.pi])
+def test_three_rows_and_their_minors_are_solved_for_without_pivots(crank: float) -> None:
+    """A square of bars (Gonzalez et al. 2006) with its crank upright, where a fixed order of elimination met a pivot x1 = 0.
+
+    Three unit bars that turn together by f from upright: m/3 f'^2 (two) and m/2 f'^2 make 5/6 f'^2, V = 2 g cos(f).
+    """
+    source = Source("s.yaml", HEAD + FOUR_BAR)
+    assert model(source).formulation.name == "euler-lagrange"
+    module = python_model(
+        emit(source, "python", Options())["s.py"], f"square{crank:.1f}".replace(".", "_").replace("-", "m")
+    )
+    s, c, w, g = math.sin(crank), math.cos(crank), 1.7, 9.81
+    y = module.state(0.0, [s, c, 1 + s, c], [w * c, -w * s, w * c, -w * s])
+    turn = 2 * g * s / (5 / 3)
+    expected = [turn * c - w * w * s, -turn * s - w * w * c] * 2
+    assert module.accelerations(0.0, y) == pytest.approx(expected, rel=1e-12, abs=1e-12)
+
+
+@pytest.mark.parametrize("turn", [0.5, math.pi / 2, 2.0, 4.0])
+def test_a_mechanism_that_has_folded_is_solved_there(turn: float) -> None:
+    """Two squares of bars, of which the first has folded, so that its crank lies on the ground: 5/3 f'' = -2 g cos(f)."""
+    source = Source("s.yaml", HEAD + DOUBLE_FOUR_BAR)
+    module = python_model(emit(source, "python", Options())["s.py"], f"folded{turn:.1f}".replace(".", "_"))
+    c, s, w, g = math.cos(turn), math.sin(turn), 1.3, 9.81
+    y = module.state(0.0, [1, 0, 1 + c, s, 2 + c, s], [0, 0, -w * s, w * c, -w * s, w * c])
+    turning = -2 * g * c / (5 / 3)
+    expected = [0, 0, *[-turning * s - w * w * c, turning * c - w * w * s] * 2]
+    assert module.accelerations(0.0, y) == pytest.approx(expected, rel=1e-12, abs=1e-12)
+
+
+def test_a_mechanism_is_led_by_the_velocity_that_can_lead_it_all_the_way() -> None:
+    """The crank turns around; the coupler and the rocker swing, and stand still where they turn back (Grashof)."""
+    made = model(Source("s.yaml", HEAD + CRANK_ROCKER))
+    assert made.formulation.dependent is not None
+    led = {"x1", "y1", "x2", "y2", "a2", "x3", "y3", "a3"}
+    assert {made.system.q_names[j] for j in made.formulation.dependent.dependent} == led
 
 
 def test_the_emitted_double_pendulum_hangs_straight() -> None:

@@ -12,7 +12,7 @@ from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.probe import bounded
-from nhc.algebra.solving.blocks import size_of
+from nhc.algebra.solving.sizes import size_of
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.language.expressions.names import FUNCTIONS

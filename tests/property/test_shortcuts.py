@@ -20,8 +20,8 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.minors import float_determinant, relative_minors
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.probe import probe_of
-from nhc.algebra.solving.blocks import form_size
 from nhc.algebra.solving.linear import degrees, is_clearly_linear, is_clearly_regular, linear_form, solve_rows
+from nhc.algebra.solving.sizes import form_size
 from tests.property.expressions import NAMES, QUIET, Tree, build, build_raw, smooth_trees
 
 X, Y, Z = (("sym", k) for k in range(3))

@@ -12,10 +12,12 @@ from nhc.algebra.calculus import reachable, tangent
 from nhc.algebra.dense import Singular, solve_positive
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.solving.sizes import size_of
 
 _STEPS, _TRIES = 40, 8
 _LARGE = 30_000  # nodes of the expressions and their derivatives
 _SMALL = 1e-11  # of the size that the expressions have at the given points
+_PART = 1e-3
 _NEAR = 1e-3  # of a coordinate: steps that do not end belong to what only tends to zero
 
 Point = dict[Node, float]
@@ -33,15 +35,22 @@ def find_common_zero(
     if len(reachable(g, search.flat)) > _LARGE:
         return None
     starts = [dict(point) for point in points[:_TRIES]]
-    values = [found for found in (_values(g, roots, point) for point in starts) if found is not None]
-    sizes = [sorted(abs(row[k]) for row in values)[len(values) // 2] for k in range(len(roots))] if values else []
-    largest = max(sizes, default=0.0)
-    scales = [size or largest or 1.0 for size in sizes]
+    scales = _scales(g, roots, starts)
     for start in starts:
         found = search.descend(start, scales) if scales else None
         if found is not None:
             return found
     return None
+
+
+def _scales(graph: Graph, roots: Sequence[Node], points: Sequence[Point]) -> list[float]:
+    """How large each root is at the points, in the middle; at least a part of its terms, for a point may be next to a zero."""
+    terms = [size_of(graph, root) for root in roots]
+    values = [found for found in (_values(graph, [*roots, *terms], point) for point in points) if found is not None]
+    middle = [sorted(map(abs, column))[len(values) // 2] for column in zip(*values, strict=True)]
+    sizes = [max(x, _PART * y) for x, y in zip(middle, middle[len(roots) :], strict=False)]
+    largest = max(sizes, default=0.0)
+    return [size or largest or 1.0 for size in sizes]
 
 
 def _values(graph: Graph, nodes: Sequence[Node], point: Mapping[Node, float]) -> list[float] | None:

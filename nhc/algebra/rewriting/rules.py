@@ -38,7 +38,7 @@ RULES = (
     ),
     Rule(
         "Cramer's rule",
-        "blocks of up to 3 constraints are solved by determinants in canonical form, not by elimination",
+        "blocks of up to 3 constraints, and up to 4 that elimination leaves, are solved by determinants in canonical form",
         "algebra/solving/blocks.py",
     ),
     Rule(

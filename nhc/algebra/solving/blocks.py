@@ -1,24 +1,31 @@
 """Order and blocks of a linear system over the graph: matching, components, Cramer's rule, elimination.
 
-Blocks up to 3 x 3 are solved by Cramer's rule, whose determinants are brought to canonical form where that is not longer, larger
-ones by elimination in a fixed order.  Each determinant that is not a constant is returned as a guard: it must not vanish.
+Blocks up to 3 x 3 are solved by Cramer's rule, whose determinants are brought to canonical form where that is not longer.  Of
+larger ones, pivots that are constants are eliminated first; what is left, up to 4 x 4, is solved by Cramer's rule as well, for a
+fixed order of elimination has pivots that vanish where the block is regular.  Three rows that are completed by that of their
+minors are a block of four that is regular wherever they are independent.  Each determinant and pivot that is not a constant is
+returned as a guard: it must not vanish.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 
-from nhc.algebra.calculus import reachable
+from nhc.algebra.calculus import count, reachable
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import are_zero, is_zero
-from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.graph import POW, Graph, Node
 from nhc.algebra.rewriting.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.rewriting.digits import keep_digits
+from nhc.algebra.rewriting.joined import make_product, split_factors
 from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.solving.sizes import row_scale
 
-_FEW_TERMS = 12
-_FEW_FACTORS = 8
+_LARGEST_AT_ONCE = 3
+_LARGEST_CORE = 4
+_TERMS = 120
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
 
 
@@ -102,126 +109,45 @@ def solve_block(
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
     """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given)."""
     size = len(block)
-    if size > 3 or "Cramer's rule" in graph.off:
-        return _eliminate(graph, block, columns, weakness)
+    if "Cramer's rule" in graph.off:
+        return _eliminate(graph, block, columns, weakness, core=0)
+    if size > _LARGEST_AT_ONCE:
+        return _eliminate(graph, block, columns, weakness, core=_LARGEST_CORE)
+    return _solve_by_determinants(graph, block, columns, scale)
+
+
+def _solve_by_determinants(
+    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], scale: Callable[[], Node] | None
+) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
+    """Cramer's rule: regular wherever the block is."""
+    size = len(block)
     whole = determinant_of(graph, block)
-    short = normalise_angles(graph, whole, 120) if size == 1 else shorter_of_angles(graph, whole, 120)
+    short = normalise_angles(graph, whole, _TERMS) if size == 1 else shorter_of_angles(graph, whole, _TERMS)
     (determinant,) = keep_digits(graph, [whole], [short])
     if is_zero(graph, determinant):
         raise Singular
     guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]
     solved = []
     for column in columns:
-        row = []
-        for k in range(size):
-            replaced = [[*r[:k], column[i], *r[k + 1 :]] for i, r in enumerate(block)]
-            row.append(_cancel(graph, graph.div(determinant_of(graph, replaced), determinant)))
-        solved.append(row)
+        numerators = (_numerator(graph, block, column, k) for k in range(size))
+        solved.append([_divide(graph, numerator, determinant) for numerator in numerators])
     return solved, guards
 
 
-def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
-    """Product over the rows of how large their entries can be: what a determinant is measured against."""
-    sums = [graph.sum([size_of(graph, entry) for entry in row]) for row in block]
-    return graph.product(shorten(graph, sums))
+def _numerator(graph: Graph, block: Sequence[Sequence[Node]], column: Sequence[Node], k: int) -> Node:
+    """Of Cramer's rule: the determinant of the block with ``column`` in place of its k-th one.
 
-
-def form_size(graph: Graph, row: Node, unknowns: int) -> Node | None:
-    """The sum of the sizes of the coefficients of a row that is linear in the symbols of a mask; None where it is not by sight.
-
-    It is found on the row's own nodes, so that what rows share is measured once.
+    For more than three rows it is expanded along that column: short where few of its entries are not zero, as one alone is beside
+    a row of minors.
     """
-    g = graph
-    known: dict[Node, Node] = g.memory.setdefault(f"sizes of forms {unknowns:x}", {})
-    pending = [node for node in reachable(g, [row], unknowns) if node not in known]
-    for node in pending:
-        op, moving = g.op[node], [c for c in g.kids[node] if g.deps[c] & unknowns]
-        if op == SYM:
-            known[node] = g.one
-        elif op == NEG or (op == ADD and len(moving) == 1):
-            known[node] = known[moving[0]]
-        elif op == ADD:
-            known[node] = normalise(g, g.add(known[moving[0]], known[moving[1]]), _FEW_TERMS)
-        elif op == MUL and len(moving) == 1:
-            still = g.a[node] if moving[0] == g.b[node] else g.b[node]
-            known[node] = g.mul(known[moving[0]], size_of(g, still))
-        else:
-            return None
-    return known.get(row, g.zero)
-
-
-def size_of(graph: Graph, root: Node) -> Node:
-    """A bound on |root| that does not vanish with it: sines and cosines count 1, differences count as sums.
-
-    A component over the length of its vector, x/sqrt(x^2 + y^2), counts 1 as well.
-    """
-    size: dict[Node, Node] = graph.memory.setdefault("sizes", {})
-    if root in size:
-        return size[root]
-    for node in reachable(graph, [root]):
-        if node in size:
-            continue
-        op, a, b = graph.op[node], graph.a[node], graph.b[node]
-        rest = _unit_component(graph, node) if op == MUL else None
-        if rest is not None:
-            size[node] = graph.product([size[x] for x in rest])
-        elif op == ADD:
-            size[node] = graph.add(size[a], size[b])
-        elif op == MUL:
-            size[node] = graph.mul(size[a], size[b])
-        elif op == NEG:
-            size[node] = size[a]
-        elif op == POW and b > 0:
-            size[node] = graph.power(size[a], b)
-        elif op in ("sin", "cos"):
-            size[node] = graph.one
-        else:
-            size[node] = graph.function("abs", node)
-    return size[root]
-
-
-def _unit_component(graph: Graph, node: Node) -> list[Node] | None:
-    """The other factors of a product that holds x and 1/sqrt(x^2 + ...)."""
-    g = graph
-    factors, stack = list[Node](), [node]
-    while stack:
-        top = stack.pop()
-        if g.op[top] == MUL and len(factors) + len(stack) < _FEW_FACTORS:
-            stack += [g.b[top], g.a[top]]
-        else:
-            factors.append(top)
-    for length in factors:
-        if g.op[length] != POW or g.b[length] != -1 or g.op[g.a[length]] != "sqrt":
-            continue
-        squares, terms = set[Node](), [g.a[g.a[length]]]
-        while terms:
-            top = terms.pop()
-            if g.op[top] == ADD:
-                terms += [g.a[top], g.b[top]]
-            elif g.op[top] == POW and g.b[top] == 2:
-                squares.add(g.a[top])
-        for x in factors:
-            if x in squares:
-                left = list(factors)
-                left.remove(x)
-                left.remove(length)
-                return left
-        inner = _as_one_factor(g, factors, squares)
-        if inner is not None:
-            left = list(factors)
-            for x in (*inner, length):
-                left.remove(x)
-            return left
-    return None
-
-
-def _as_one_factor(graph: Graph, factors: Sequence[Node], squares: set[Node]) -> tuple[Node, Node] | None:
-    """Two factors whose product is one of the squared nodes."""
-    for k, x in enumerate(factors):
-        for y in factors[k + 1 :]:
-            if graph.mul(x, y) in squares:
-                return x, y
-    return None
+    if len(block) <= 3:
+        return determinant_of(graph, [[*r[:k], column[i], *r[k + 1 :]] for i, r in enumerate(block)])
+    terms = []
+    for i, value in enumerate(column):
+        if value != graph.zero:
+            minor = determinant_of(graph, [[*r[:k], *r[k + 1 :]] for m, r in enumerate(block) if m != i])
+            terms.append(graph.mul(graph.neg(value) if (i + k) % 2 else value, minor))
+    return graph.sum(terms)
 
 
 def determinant_of(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
@@ -240,10 +166,23 @@ def determinant_of(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
     return total
 
 
-def _cancel(graph: Graph, quotient: Node) -> Node:
-    """The quotient without its divisor where this is a factor of all that is divided; else as it is, with what it shares."""
+def _divide(graph: Graph, numerator: Node, divisor: Node) -> Node:
+    """The quotient without its divisor where this is a factor of all that is divided; else as it is, with what it shares.
+
+    Factors of both are left out, for which the numerator is brought to canonical form where that is shorter.
+    """
+    quotient = graph.div(numerator, divisor)
     (short,) = shorten(graph, [quotient])
-    return short if _divisions(graph, short) < _divisions(graph, quotient) else quotient
+    if _divisions(graph, short) < _divisions(graph, quotient):
+        return short
+    number, left = split_factors(graph, divisor)
+    if len(left) < 2:
+        return quotient
+    first, powers = split_factors(graph, shorten(graph, [numerator])[0])
+    lowest = Counter(dict(powers))
+    lowest.subtract(dict(left))
+    made = make_product(graph, tuple(sorted((x, n) for x, n in lowest.items() if n)), first * Fraction(1) / number)
+    return made if count(graph, [made]) < count(graph, [quotient]) else quotient
 
 
 def _divisions(graph: Graph, node: Node) -> int:
@@ -251,15 +190,25 @@ def _divisions(graph: Graph, node: Node) -> int:
 
 
 def _eliminate(
-    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], weakness: Weakness | None
+    graph: Graph,
+    block: Sequence[Sequence[Node]],
+    columns: Sequence[Sequence[Node]],
+    weakness: Weakness | None,
+    core: int,
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
-    """Elimination in a fixed order; each pivot is a constant where there is one, else the one that is weak most rarely."""
+    """Elimination: pivots that are constants while there are any, then Cramer's rule if no more than ``core`` rows are left.
+
+    Of more rows the pivot is the one that is weak most rarely.  Such a pivot may vanish where the block is regular.
+    """
     size = len(block)
     rows = [[*row, *(column[i] for column in columns)] for i, row in enumerate(block)]
     guards: list[tuple[Node, Node]] = []
     order: list[int] = []
     for step in range(size):
-        row, column = _pivot(graph, rows, step, order, size, weakness)
+        found = _constant_pivot(graph, rows, step, order, size)
+        if found is None and size - step <= core:
+            break
+        row, column = found or _pivot(graph, rows, step, order, size, weakness)
         rows[step], rows[row] = rows[row], rows[step]
         order.append(column)
         pivot = rows[step][column]
@@ -268,34 +217,63 @@ def _eliminate(
         inverse = graph.inverse(pivot)
         rows[step] = [graph.mul(entry, inverse) if entry != graph.zero else entry for entry in rows[step]]
         for i in range(size):
-            factor = rows[i][column]
-            if i == step or factor == graph.zero:
-                continue
-            rows[i] = [
-                graph.sub(x, graph.mul(factor, y)) if y != graph.zero else x
-                for x, y in zip(rows[i], rows[step], strict=True)
-            ]
-            rows[i][column] = graph.zero
+            if i != step and rows[i][column] != graph.zero:
+                rows[i] = _without(graph, rows[i], rows[step], column)
+    left = [j for j in range(size) if j not in order]
+    rest, more = _solve_core(graph, rows, left, size) if left else ([[]] * len(columns), [])
     solved = []
-    for c in range(len(columns)):
+    for c, known in enumerate(rest):
         x = [graph.zero] * size
-        for step, column in enumerate(order):
-            x[column] = rows[step][size + c]
+        for column, value in zip(left, known, strict=True):
+            x[column] = value
+        for own, column in zip(rows, order, strict=False):
+            x[column] = graph.sub(own[size + c], graph.dot([own[j] for j in left], known))
         solved.append(x)
-    return solved, guards
+    return solved, [*guards, *more]
+
+
+def _without(graph: Graph, row: Sequence[Node], by: Sequence[Node], column: int) -> list[Node]:
+    """A row less the multiple of another, whose entry in the column is 1, that leaves nothing there."""
+    factor = row[column]
+    new = [graph.sub(x, graph.mul(factor, y)) if y != graph.zero else x for x, y in zip(row, by, strict=True)]
+    new[column] = graph.zero
+    return new
+
+
+def _solve_core(
+    graph: Graph, rows: Sequence[Sequence[Node]], left: Sequence[int], size: int
+) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
+    """The last rows of an elimination for the columns that are left, with their right sides from ``size`` on."""
+    own = rows[size - len(left) :]
+    entries = [row[j] for row in own for j in left]
+    short = iter(keep_digits(graph, entries, [shorter_of_angles(graph, entry, _TERMS) for entry in entries]))
+    core = [[next(short) for _ in left] for _ in left]
+    columns = [[row[k] for row in own] for k in range(size, len(own[0]))]
+    return _solve_by_determinants(graph, core, columns, lambda: row_scale(graph, core))
+
+
+def _constant_pivot(
+    graph: Graph, rows: Sequence[Sequence[Node]], step: int, used: Sequence[int], size: int
+) -> tuple[int, int] | None:
+    """The first entry that is a number but zero."""
+    places = ((i, j) for i in range(step, size) for j in range(size) if j not in used)
+    return next((place for place in places if graph.value(rows[place[0]][place[1]]) not in (None, 0)), None)
 
 
 def _pivot(
-    graph: Graph, rows: list[list[Node]], step: int, used: list[int], size: int, weakness: Weakness | None
+    graph: Graph,
+    rows: Sequence[Sequence[Node]],
+    step: int,
+    used: Sequence[int],
+    size: int,
+    weakness: Weakness | None,
 ) -> tuple[int, int]:
+    """The pivot that is weak at the fewest trial points, of those the one of the fewest symbols."""
     candidates = [(i, j) for i in range(step, size) for j in range(size) if j not in used and rows[i][j] != graph.zero]
     zero = are_zero(graph, [rows[i][j] for i, j in candidates])
     alive = [c for c, z in zip(candidates, zero, strict=True) if not z]
     if not alive:
         raise Singular
-    constant = [(i, j) for i, j in alive if graph.value(rows[i][j]) is not None]
-    if constant:
-        return constant[0]
     weak = [0] * len(alive)
     if weakness is not None:
         scales = {i: graph.sum([graph.function("abs", rows[i][j]) for j in range(size)]) for i, _ in alive}

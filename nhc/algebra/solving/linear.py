@@ -17,8 +17,9 @@ from nhc.algebra.exact.signs import STEPS
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.probe import probe_of
 from nhc.algebra.rewriting.shorten import shorten
-from nhc.algebra.solving.blocks import Weakness, block_order, form_size, row_scale, solve_block
+from nhc.algebra.solving.blocks import Weakness, block_order, solve_block
 from nhc.algebra.solving.peel import coefficients, peel
+from nhc.algebra.solving.sizes import form_size, row_scale
 from nhc.records import fresh, record, structure
 
 _NO_POLYNOMIAL = 99

@@ -1,5 +1,4 @@
-"""Regular adapted coframes: free forms that complete the constraints wherever the constraints themselves have full
-rank.
+"""Regular adapted coframes: free forms that complete the constraints wherever these have full rank.
 
 Constraint rows with a pivot that cannot vanish are set aside, each with its column.  What remains, k rows, is
 completed on k + 1 columns by the row of its signed maximal minors: its determinant with the rows is the sum of the
@@ -19,7 +18,6 @@ from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
-from nhc.mechanics.choosing.reach import MOST_WALKED
 from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import (
@@ -37,6 +35,7 @@ from nhc.mechanics.turning import rows_in_base
 _MOST_ROWS = 3
 _MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
+_FEW_COORDINATES = 8  # of mechanisms for which multipliers are short
 _TURNS = 8  # orders of velocities to complete a coframe with that are tried
 
 
@@ -251,15 +250,16 @@ def _pools(system: System) -> list[list[Form]]:
     own choice of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
 
     Where all constraints are equations of positions, that of the constraints in turn takes the place of an adapted one: the minors
-    of a row vanish together only where its equation has no slope, as for rods between points.  Small mechanisms are walked
-    instead, and multipliers are shorter for them.
+    of a row vanish together only where its equation has no slope, as for rods between points.  For small mechanisms multipliers
+    are shorter.
     """
     every = [coordinate_form(system, j) for j in range(system.n)]
     choices = [system.dependent] if system.dependent else []
     choices.append(choose_dependent(system).dependent)
     pools = [[every[j] for j in range(system.n) if j not in dependent] + every for dependent in choices]
     adapted = adapted_forms(system)
-    if adapted is None and system.n > MOST_WALKED and all(form.equation is not None for form in system.constraints):
+    held = all(form.equation is not None for form in system.constraints)
+    if adapted is None and held and system.n > _FEW_COORDINATES:
         adapted = stepwise_forms(system)
     if adapted is not None:
         pools.append([*adapted, *every])

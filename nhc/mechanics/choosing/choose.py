@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -12,11 +12,11 @@ from nhc.diagnostics import Bag, Span, several
 from nhc.mechanics.choosing.adapt import complete, turning_choices
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
-from nhc.mechanics.choosing.reach import becomes_singular
+from nhc.mechanics.choosing.reach import becomes_singular, find_lasting
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import Choice as DependentChoice
 from nhc.mechanics.regular.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
-from nhc.mechanics.system import System
+from nhc.mechanics.system import Form, System
 from nhc.records import record
 
 if TYPE_CHECKING:
@@ -199,7 +199,7 @@ def _reduced(system: System, name: str) -> Formulation:
     choice = dependent_of(system)
     reason = "dependent velocities of the spec" if system.dependent else "dependent velocities chosen by nhc"
     if name == "voronec":
-        return Formulation(name, NUMBERS[name], coordinate_frame(system, choice.dependent), choice, (), reason)
+        return _voronec(system, choice, reason)
     choice, frame, found = chaplygin_dependent(system, choice)
     if found.fatal:
         raise NotApplicable(name, found.fatal)
@@ -241,8 +241,8 @@ def choose(system: System) -> Formulation:
     """The cheapest formulation that is valid and regular.
 
     The spec's own quasi-velocities come first.  Dependent velocities are taken where their block cannot vanish and the others are
-    independent on what the constraints allow; else the adapted coframe, unless it is weak at an ordinary state where the
-    constraints are not: then the multipliers.
+    independent on what the constraints allow; else the adapted coframe, unless it is singular where the constraints are not: then
+    dependent velocities that stay regular along the motions of a mechanism, or the multipliers.
     """
     if system.quasi:
         return build(system, "euler-lagrange")
@@ -257,18 +257,29 @@ def choose(system: System) -> Formulation:
     except NotApplicable:
         return build(system, "multipliers")
     assert adapted.frame is not None
-    if weak_where_constraints_are_not(system, adapted.frame.forms):
-        multipliers = build(system, "multipliers")
-        why = "every coframe that was tried is singular at an ordinary state; all velocities kept"
-        return replace(multipliers, reason=why)
-    if becomes_singular(system, adapted.frame.forms):
-        multipliers = build(system, "multipliers")
-        why = "every coframe that was tried is singular at positions that the motion can reach; all velocities kept"
-        return replace(multipliers, reason=why)
+    lost = _where_singular(system, adapted.frame.forms)
+    if lost:
+        lasting = find_lasting(system)
+        if lasting is not None:
+            why = "dependent velocities that stay regular on all positions that were tried"
+            return _voronec(system, judge(system, lasting), why)
+        why = f"every coframe that was tried is singular at {lost}; all velocities kept"
+        return replace(build(system, "multipliers"), reason=why)
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     whose = "of the spec" if system.dependent else "that nhc would choose"
     flaw = "leave too few digits of the others" if choice.regular else "are singular somewhere"
     return replace(adapted, reason=f"{adapted.reason}: the dependent velocities {whose} ({names}) {flaw}")
+
+
+def _where_singular(system: System, forms: Sequence[Form]) -> str:
+    """Where a coframe is singular although the constraints are not, as far as is known."""
+    if weak_where_constraints_are_not(system, forms):
+        return "an ordinary state"
+    return "positions that the motion can reach" if becomes_singular(system, forms) else ""
+
+
+def _voronec(system: System, choice: DependentChoice, reason: str) -> Formulation:
+    return Formulation("voronec", NUMBERS["voronec"], coordinate_frame(system, choice.dependent), choice, (), reason)
 
 
 def _reduced_or_voronec(system: System) -> Formulation:

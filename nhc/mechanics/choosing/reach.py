@@ -1,4 +1,4 @@
-"""Whether a coframe becomes singular at positions that a motion can reach under equations of positions.
+"""Coframes at positions that a motion can reach under equations of positions: which become singular there, and which do not.
 
 Points that are drawn at random do not show it: a coframe is singular on a surface that they miss, and most of them are no
 positions of the mechanism.  A walk along velocities that the constraints allow stays on the mechanism's positions, and where the
@@ -10,20 +10,27 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Sequence
+from itertools import combinations, pairwise
 from operator import mul
 
 from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.minors import float_determinant
+from nhc.algebra.minors import float_determinant, relative_minors
 from nhc.mechanics.regular.given_rank import given_states
 from nhc.mechanics.regular.trials import sampled_rows, velocity_units
 from nhc.mechanics.system import Form, System
 
-MOST_WALKED = 8
-_WALKS, _STEPS = 2, 30
+_MOST_WALKED = 12
+_MOST_CHOICES = 1000  # of dependent velocities that are compared
+_MOST_JUDGED = 20
+_WALKS, _MORE_WALKS, _STEPS = 2, 8, 30
+_FREEDOM = 2  # velocities that the constraints leave free
 _TURN = 0.3  # radians by which a step may turn the rows of the constraints
+_SWERVE = 0.4  # from step to step
 _PROBE = 1e-5
+_ZERO = 1e-11  # of the rows' lengths: nothing but rounding
 _LOST = 1e-4  # of the lengths of the constraints' rows: what is left of them where they are about to lose rank
+_WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
 
 Point = dict[Node, float]
 Rows = list[list[float]]
@@ -31,37 +38,93 @@ Rows = list[list[float]]
 
 def becomes_singular(system: System, forms: Sequence[Form]) -> bool:
     """Whether a walk from positions that ``holonomic:`` allows leads through a place where n forms, those of the constraints
-    first, are no coframe although the constraints have full rank on both sides; False where there are no such equations.
+    first, are no coframe although the constraints have full rank on both sides, or are none where it begins; False where there
+    are no such equations.  A mechanism that has folded may move without ever passing a place where its coframe is regular.
 
-    Mechanisms with more than MOST_WALKED coordinates are not walked: multipliers would cost them a multiple (2 for 9 links, 5 for
+    Mechanisms with more than _MOST_WALKED coordinates are not walked: multipliers would cost them a multiple (2 for 9 links, 5 for
     20), and a run changes its choice on the way anyway.
     """
-    if system.n > MOST_WALKED or not any(form.equation is not None for form in system.constraints):
-        return False
-    rng = random.Random(13)
-    return any(_changes_sign(system, forms, start, rng) for start in given_states(system)[:_WALKS])
+    return any(_changes_sign([_rows(system, forms, place) for place in walk]) for walk in _walks(system, _WALKS))
 
 
-def _changes_sign(system: System, forms: Sequence[Form], start: Point, rng: random.Random) -> bool:
-    place: Point | None = {x: start[x] for x in (*system.q, *system.v, *system.p, system.t)}
-    equations = [form.equation for form in system.constraints if form.equation is not None]
-    heading = [rng.gauss(0, 1) for _ in system.q]
-    before = 0.0
-    for _ in range(_STEPS):
-        rows = _rows(system, forms, place) if place is not None else None
-        if place is None or rows is None:
-            return False
-        across = _orthonormal(rows[: system.l])
-        if across is None:
-            return False
-        now = float_determinant(rows)
-        if before * now < 0.0:
+def find_lasting(system: System) -> tuple[int, ...] | None:
+    """The dependent velocities that stay farthest from singular on walks; None where all come near it, or none was walked.
+
+    With one or two degrees of freedom only: walks do not get everywhere with more.
+    """
+    freedom = system.n - system.l
+    if freedom > _FREEDOM or math.comb(system.n, system.l) > _MOST_CHOICES:
+        return None
+    places = _walks(system, _WALKS if freedom == 1 else _MORE_WALKS)
+    walks = [[_rows(system, system.constraints, place) for place in walk] for walk in places]
+    samples = [rows for walk in walks for rows in walk if rows is not None]
+    if not samples:
+        return None
+    candidates = list(combinations(range(system.n), system.l))
+    least = [min(values) for values in zip(*(relative_minors(rows, candidates) for rows in samples), strict=True)]
+    best = sorted((k for k in range(len(candidates)) if least[k] > _WEAK), key=lambda k: -least[k])
+    for k in best[:_MOST_JUDGED]:
+        blocks = [[rows and [[row[j] for j in candidates[k]] for row in rows] for rows in walk] for walk in walks]
+        if not any(map(_changes_sign, blocks)):
+            return candidates[k]
+    return None
+
+
+def _changes_sign(places: Sequence[Rows | None]) -> bool:
+    """Whether the determinants along a walk change their sign, or are zero."""
+    found = []
+    for rows in places:
+        if rows is None:
+            break
+        found.append(float_determinant(rows))
+        if abs(found[-1]) < _ZERO * math.prod(math.hypot(*row) for row in rows):
             return True
-        before = now
-        heading = _along([x + 0.4 * rng.gauss(0, 1) for x in heading], across)
-        step = _length(system, forms, place, rows, heading)
+    return any(x * y < 0.0 for x, y in pairwise(found))
+
+
+def _walks(system: System, count: int) -> list[list[Point]]:
+    """Positions one after the other that the constraints allow, each walk until they are about to lose rank; none where there are
+    no equations of positions or too many coordinates.
+    """
+    equations = [form.equation for form in system.constraints if form.equation is not None]
+    starts = given_states(system) if equations and system.n <= _MOST_WALKED else []
+    if not starts:
+        return []
+    known: list[tuple[object, list[list[Point]]]] = system.graph.memory.setdefault("walks", [])
+    walks = next((walks for spec, walks in known if spec is system.spec), None)
+    if walks is None:
+        walks = list[list[Point]]()
+        known.append((system.spec, walks))
+    for k in range(len(walks), count):
+        walks.append(_walk(system, equations, starts[k % len(starts)], random.Random(13 + k)))
+    return walks[:count]
+
+
+def _walk(system: System, equations: Sequence[Node], start: Point, rng: random.Random) -> list[Point]:
+    """A walk that ends where the constraints lose rank goes on at its other end."""
+    place = {x: start[x] for x in (*system.q, *system.v, *system.p, system.t)}
+    heading = [rng.gauss(0, 1) for _ in system.q]
+    ahead = _go(system, equations, place, heading, rng, _STEPS)
+    behind = _go(system, equations, place, [-x for x in heading], rng, _STEPS - len(ahead) + 1)
+    return [*behind[:0:-1], *ahead]
+
+
+def _go(
+    system: System, equations: Sequence[Node], start: Point, heading: Sequence[float], rng: random.Random, steps: int
+) -> list[Point]:
+    """At most as many places, of which the first is the start; fewer where the constraints lose rank."""
+    place: Point | None = start
+    walked: list[Point] = []
+    while place is not None and len(walked) < steps:
+        rows = _rows(system, system.constraints, place)
+        across = _orthonormal(rows) if rows is not None else None
+        if rows is None or across is None:
+            break
+        walked.append(place)
+        heading = _along([x + _SWERVE * rng.gauss(0, 1) for x in heading] if len(walked) > 1 else heading, across)
+        step = _length(system, place, rows, heading)
         place = find_common_zero(system.graph, equations, system.q, [_moved(system, place, heading, step)])
-    return False
+    return walked
 
 
 def _rows(system: System, forms: Sequence[Form], place: Point) -> Rows | None:
@@ -70,15 +133,15 @@ def _rows(system: System, forms: Sequence[Form], place: Point) -> Rows | None:
     return found[0] if found and all(math.isfinite(x) for row in found[0] for x in row) else None
 
 
-def _length(system: System, forms: Sequence[Form], place: Point, rows: Rows, heading: Sequence[float]) -> float:
+def _length(system: System, place: Point, rows: Rows, heading: Sequence[float]) -> float:
     """How far to go along a unit vector: until the constraints' rows have turned by a part of a radian; at most 1."""
     units = velocity_units(system)
     probe = _PROBE * (1.0 + max(abs(place[x]) / u for x, u in zip(system.q, units, strict=True)))
-    other = _rows(system, forms, _moved(system, place, heading, probe))
+    other = _rows(system, system.constraints, _moved(system, place, heading, probe))
     if other is None:
         return 0.0
     turned = 0.0
-    for row, new in zip(rows[: system.l], other[: system.l], strict=True):
+    for row, new in zip(rows, other, strict=True):
         turned = max(turned, math.dist(row, new) / (math.hypot(*row) or 1.0))
     return min(1.0, _TURN * probe / turned) if turned else 1.0
 
