@@ -12,7 +12,7 @@ from nhc.diagnostics import Bag, Span, several
 from nhc.mechanics.choosing.adapt import complete, turning_choices
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
-from nhc.mechanics.choosing.reach import becomes_singular, find_lasting
+from nhc.mechanics.choosing.reach import are_multipliers_dear, becomes_singular, find_lasting
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import Choice as DependentChoice
 from nhc.mechanics.regular.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
@@ -30,6 +30,7 @@ NUMBERS = {
     "multipliers": "I.4.1",
 }
 """Of the thesis; the Euler-Lagrange equations have two, with and without constraints."""
+ON_THE_WAY = "positions that the motion can reach"
 
 
 @record
@@ -258,11 +259,15 @@ def choose(system: System) -> Formulation:
         return build(system, "multipliers")
     assert adapted.frame is not None
     lost = _where_singular(system, adapted.frame.forms)
+    lasting = find_lasting(system) if lost else None
+    if lasting is not None:
+        why = "dependent velocities that stay regular on all positions that were tried"
+        return _voronec(system, judge(system, lasting), why)
+    if lost == ON_THE_WAY and are_multipliers_dear(system):
+        return replace(
+            adapted, reason=f"{adapted.reason}, singular at {lost}, for all velocities would take a multiple"
+        )
     if lost:
-        lasting = find_lasting(system)
-        if lasting is not None:
-            why = "dependent velocities that stay regular on all positions that were tried"
-            return _voronec(system, judge(system, lasting), why)
         why = f"every coframe that was tried is singular at {lost}; all velocities kept"
         return replace(build(system, "multipliers"), reason=why)
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
@@ -275,7 +280,7 @@ def _where_singular(system: System, forms: Sequence[Form]) -> str:
     """Where a coframe is singular although the constraints are not, as far as is known."""
     if weak_where_constraints_are_not(system, forms):
         return "an ordinary state"
-    return "positions that the motion can reach" if becomes_singular(system, forms) else ""
+    return ON_THE_WAY if becomes_singular(system, forms) else ""
 
 
 def _voronec(system: System, choice: DependentChoice, reason: str) -> Formulation:

@@ -20,7 +20,7 @@ from nhc.mechanics.regular.given_rank import given_states
 from nhc.mechanics.regular.trials import sampled_rows, velocity_units
 from nhc.mechanics.system import Form, System
 
-_MOST_WALKED = 12
+_MOST_WALKED, _MOST_LED = 12, 30  # coordinates; the second of mechanisms of one degree of freedom
 _MOST_CHOICES = 1000  # of dependent velocities that are compared
 _MOST_JUDGED = 20
 _WALKS, _MORE_WALKS, _STEPS = 2, 8, 30
@@ -41,10 +41,17 @@ def becomes_singular(system: System, forms: Sequence[Form]) -> bool:
     first, are no coframe although the constraints have full rank on both sides, or are none where it begins; False where there
     are no such equations.  A mechanism that has folded may move without ever passing a place where its coframe is regular.
 
-    Mechanisms with more than _MOST_WALKED coordinates are not walked: multipliers would cost them a multiple (2 for 9 links, 5 for
-    20), and a run changes its choice on the way anyway.
+    Long mechanisms are not walked but those of one degree of freedom, and are not thought to become singular.
     """
     return any(_changes_sign([_rows(system, forms, place) for place in walk]) for walk in _walks(system, _WALKS))
+
+
+def are_multipliers_dear(system: System) -> bool:
+    """Whether the multipliers of a mechanism take a multiple of the operations of a coframe (2 for 9 links, 5 for 20).
+
+    A run changes its choice on the way anyway.
+    """
+    return system.n > _MOST_WALKED and any(form.equation is not None for form in system.constraints)
 
 
 def find_lasting(system: System) -> tuple[int, ...] | None:
@@ -55,18 +62,18 @@ def find_lasting(system: System) -> tuple[int, ...] | None:
     freedom = system.n - system.l
     if freedom > _FREEDOM or math.comb(system.n, system.l) > _MOST_CHOICES:
         return None
-    places = _walks(system, _WALKS if freedom == 1 else _MORE_WALKS)
-    walks = [[_rows(system, system.constraints, place) for place in walk] for walk in places]
-    samples = [rows for walk in walks for rows in walk if rows is not None]
-    if not samples:
-        return None
-    candidates = list(combinations(range(system.n), system.l))
-    least = [min(values) for values in zip(*(relative_minors(rows, candidates) for rows in samples), strict=True)]
-    best = sorted((k for k in range(len(candidates)) if least[k] > _WEAK), key=lambda k: -least[k])
-    for k in best[:_MOST_JUDGED]:
-        blocks = [[rows and [[row[j] for j in candidates[k]] for row in rows] for rows in walk] for walk in walks]
+    least = dict.fromkeys(combinations(range(system.n), system.l), 1.0)
+    walks = list[list[Rows | None]]()
+    for k in range(_WALKS if freedom == 1 else _MORE_WALKS):
+        walked = _walks(system, k + 1)[k:] if least else []
+        walks += [[_rows(system, system.constraints, place) for place in walk] for walk in walked]
+        for rows in walks[-1] if walked else ():
+            near = relative_minors(rows or [], list(least))
+            least = {c: min(x, y) for (c, x), y in zip(least.items(), near, strict=True) if min(x, y) > _WEAK}
+    for columns in sorted(least, key=lambda c: -least[c])[:_MOST_JUDGED] if walks else ():
+        blocks = [[rows and [[row[j] for j in columns] for row in rows] for rows in walk] for walk in walks]
         if not any(map(_changes_sign, blocks)):
-            return candidates[k]
+            return columns
     return None
 
 
@@ -87,7 +94,8 @@ def _walks(system: System, count: int) -> list[list[Point]]:
     no equations of positions or too many coordinates.
     """
     equations = [form.equation for form in system.constraints if form.equation is not None]
-    starts = given_states(system) if equations and system.n <= _MOST_WALKED else []
+    most = _MOST_LED if system.n == system.l + 1 else _MOST_WALKED
+    starts = given_states(system) if equations and system.n <= most else []
     if not starts:
         return []
     known: list[tuple[object, list[list[Point]]]] = system.graph.memory.setdefault("walks", [])
