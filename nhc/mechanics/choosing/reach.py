@@ -22,7 +22,6 @@ from nhc.mechanics.system import Form, System
 
 _MOST_WALKED, _MOST_LED = 12, 30  # coordinates; the second of mechanisms of one degree of freedom
 _MOST_CHOICES = 1000  # of dependent velocities that are compared
-_MOST_JUDGED = 20
 _WALKS, _MORE_WALKS, _STEPS = 2, 8, 30
 _FREEDOM = 2  # velocities that the constraints leave free
 _TURN = 0.3  # radians by which a step may turn the rows of the constraints
@@ -63,18 +62,19 @@ def find_lasting(system: System) -> tuple[int, ...] | None:
     if freedom > _FREEDOM or math.comb(system.n, system.l) > _MOST_CHOICES:
         return None
     least = dict.fromkeys(combinations(range(system.n), system.l), 1.0)
-    walks = list[list[Rows | None]]()
+    walked = False
     for k in range(_WALKS if freedom == 1 else _MORE_WALKS):
-        walked = _walks(system, k + 1)[k:] if least else []
-        walks += [[_rows(system, system.constraints, place) for place in walk] for walk in walked]
-        for rows in walks[-1] if walked else ():
-            near = relative_minors(rows or [], list(least))
-            least = {c: min(x, y) for (c, x), y in zip(least.items(), near, strict=True) if min(x, y) > _WEAK}
-    for columns in sorted(least, key=lambda c: -least[c])[:_MOST_JUDGED] if walks else ():
-        blocks = [[rows and [[row[j] for j in columns] for row in rows] for rows in walk] for walk in walks]
-        if not any(map(_changes_sign, blocks)):
-            return columns
-    return None
+        for walk in _walks(system, k + 1)[k:] if least else ():
+            places, walked = [_rows(system, system.constraints, place) for place in walk], True
+            for rows in places:
+                near = relative_minors(rows or [], list(least))
+                least = {c: min(x, y) for (c, x), y in zip(least.items(), near, strict=True) if min(x, y) > _WEAK}
+            least = {c: x for c, x in least.items() if not _changes_sign([_block(rows, c) for rows in places])}
+    return max(least, key=lambda c: least[c]) if walked and least else None
+
+
+def _block(rows: Rows | None, columns: Sequence[int]) -> Rows | None:
+    return None if rows is None else [[row[j] for j in columns] for row in rows]
 
 
 def _changes_sign(places: Sequence[Rows | None]) -> bool:
