@@ -198,7 +198,8 @@ def _eliminate(
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
     """Elimination: pivots that are constants while there are any, then Cramer's rule if no more than ``core`` rows are left.
 
-    Of more rows the pivot is the one that is weak most rarely.  Such a pivot may vanish where the block is regular.
+    Of more rows the pivot is the one that is weak most rarely.  Such a pivot may vanish where the block is regular, so that
+    determinants of what it leaves would gain nothing, and they are longer.
     """
     size = len(block)
     rows = [[*row, *(column[i] for column in columns)] for i, row in enumerate(block)]
@@ -206,7 +207,7 @@ def _eliminate(
     order: list[int] = []
     for step in range(size):
         found = _constant_pivot(graph, rows, step, order, size)
-        if found is None and size - step <= core:
+        if found is None and size - step <= core and not guards:
             break
         row, column = found or _pivot(graph, rows, step, order, size, weakness)
         rows[step], rows[row] = rows[row], rows[step]

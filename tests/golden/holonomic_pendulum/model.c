@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:a625cca7ed781233)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:af8e82940381bac0)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -184,7 +184,7 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *r
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
-    const double z2 = fabs(y_2) + fabs(x);
+    const double z2 = fabs(x) + fabs(y_2);
     const double z3 = 1.0 / z1;
     const double v = y[2];
     const double z4 = v * z3;
@@ -220,7 +220,7 @@ int holonomic_pendulum_velocities(double t, const double *y, const double *p, do
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
-    const double z2 = fabs(y_2) + fabs(x);
+    const double z2 = fabs(x) + fabs(y_2);
     const double v = y[2];
     const double z3 = v / z1;
     /* (I.2.4) */
@@ -246,7 +246,7 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
     const double z1 = x * x;
     const double y_2 = y[1]; /* up [m] */
     const double z2 = z1 + y_2 * y_2;
-    const double z3 = fabs(y_2) + fabs(x);
+    const double z3 = fabs(x) + fabs(y_2);
     const double z4 = 1.0 / z2;
     const double v = y[2];
     const double z5 = z4 * v * v;
@@ -339,7 +339,7 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
     const double z1 = x * x;
     const double y_2 = y[1]; /* up [m] */
     const double z2 = z1 + y_2 * y_2;
-    const double z3 = fabs(y_2) + fabs(x);
+    const double z3 = fabs(x) + fabs(y_2);
     const double z4 = 1.0 / z2;
     const double m = p[0]; /* mass of the bob [kg] */
     const double z5 = m * z4;
@@ -393,7 +393,7 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
-    const double z2 = fabs(y_2) + fabs(x);
+    const double z2 = fabs(x) + fabs(y_2);
     const double z3 = 1.0 / z1;
     const double v = y[2];
     const double z4 = v * (x * (z3 * z3));
@@ -433,7 +433,7 @@ int holonomic_pendulum_outputs(double t, const double *y, const double *p, doubl
     /* from the state */
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
-    const double z1 = fabs(y_2) + fabs(x);
+    const double z1 = fabs(x) + fabs(y_2);
     /* the coframe is singular */
     if (!(fabs(x * x + y_2 * y_2) > 1e-12 * (z1 * z1))) {
         return holonomic_pendulum_refuse(fabs(x * x + y_2 * y_2), 1e-12 * (z1 * z1),
@@ -457,8 +457,8 @@ static __attribute__((noinline)) void holonomic_pendulum_rhs_lanes(const double 
     const holonomic_pendulum_lanes y_2 = holonomic_pendulum_get(y + 1 * stride);
     const holonomic_pendulum_lanes v = holonomic_pendulum_get(y + 2 * stride);
     const holonomic_pendulum_lanes z1 = x * x + y_2 * y_2;
-    const holonomic_pendulum_lanes z2 = holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(y_2)) +
-        holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(x));
+    const holonomic_pendulum_lanes z2 = holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(x)) +
+        holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(y_2));
     /* the coframe is singular */
     bad |= holonomic_pendulum_misses(holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(z1)), 1e-12 * (z2 *
         z2));

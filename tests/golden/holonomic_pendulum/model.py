@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:cf8d52c661f0165a).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:967f111dd1ab10fd).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -109,7 +109,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # from the state
         z1 = x * x + y_2 * y_2
-        z2 = abs(y_2) + abs(x)
+        z2 = abs(x) + abs(y_2)
         # the coframe is singular
         if not abs(z1) > 1e-12 * (z2 * z2):
             raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "rhs")
@@ -147,7 +147,7 @@ def velocities(
     try:
         # from the state
         z1 = x * x + y_2 * y_2
-        z2 = abs(y_2) + abs(x)
+        z2 = abs(x) + abs(y_2)
         # the coframe is singular
         if not abs(z1) > 1e-12 * (z2 * z2):
             raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "velocities")
@@ -182,7 +182,7 @@ def accelerations(
         # from the state
         z1 = x * x
         z2 = z1 + y_2 * y_2
-        z3 = abs(y_2) + abs(x)
+        z3 = abs(x) + abs(y_2)
         # the coframe is singular
         if not abs(z2) > 1e-12 * (z3 * z3):
             raise _refuse(abs(z2), 1e-12 * (z3 * z3), 1, "accelerations")
@@ -297,7 +297,7 @@ def reactions(
         # from the state
         z1 = x * x
         z2 = z1 + y_2 * y_2
-        z3 = abs(y_2) + abs(x)
+        z3 = abs(x) + abs(y_2)
         # the coframe is singular
         if not abs(z2) > 1e-12 * (z3 * z3):
             raise _refuse(abs(z2), 1e-12 * (z3 * z3), 1, "reactions")
@@ -358,7 +358,7 @@ def jacobian(
     try:
         # from the state
         z1 = x * x + y_2 * y_2
-        z2 = abs(y_2) + abs(x)
+        z2 = abs(x) + abs(y_2)
         # the coframe is singular
         if not abs(z1) > 1e-12 * (z2 * z2):
             raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "jacobian")
@@ -403,7 +403,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     y_2 = float(y[1])  # up [m]
     try:
         # from the state
-        z1 = abs(y_2) + abs(x)
+        z1 = abs(x) + abs(y_2)
         s1 = x * x + y_2 * y_2
         # the coframe is singular
         if not abs(s1) > 1e-12 * (z1 * z1):
