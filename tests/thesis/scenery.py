@@ -94,8 +94,11 @@ def _draw(frame: Frame, rng: random.Random) -> Values:
 
 
 def _conditioning(frame: Frame, values: Values) -> float:
+    """How far the coframe is from singular, and its free vectors from dependent: their mass matrix has the square of that."""
     flat = evaluate(frame.graph, [node for pair in frame.guards for node in pair], values)
-    return min((abs(size) / scale for size, scale in zip(flat[::2], flat[1::2], strict=True)), default=1.0)
+    guard = min((abs(size) / scale for size, scale in zip(flat[::2], flat[1::2], strict=True)), default=1.0)
+    vectors = np.array([evaluate(frame.graph, list(e), values) for e in frame.free_vectors], dtype=float)
+    return float(guard / np.linalg.cond(vectors) ** 2)
 
 
 def truth(frame: Frame, states: Iterable[Values]) -> list[list[float]]:
