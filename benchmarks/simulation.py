@@ -30,8 +30,8 @@ from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.ensemble import load_lanes
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
-from nhc.simulate.run import load
 from nhc.simulate.task import DONE, Task
+from nhc.simulate.workshop import load
 
 SYSTEMS = ("sleigh", "disk", "trailers5", "snakeboard", "roller_racer")
 _GALLERY = {"sleigh": "chaplygin_sleigh", "disk": "rolling_disk"}

@@ -17,6 +17,7 @@ import pytest
 
 from nhc.cli.entry import RARE_COLLECTION
 from nhc.simulate import compile as compiling
+from nhc.simulate import workshop
 from tests.support import QUICK, UNOPTIMISED
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -72,6 +73,7 @@ def optimised_models(tmp_path_factory: pytest.TempPathFactory, quick_models: Com
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("NHC_CACHE", str(_shared(tmp_path_factory) / "optimised"))
         patch.setattr(compiling, "_compile", quick_models)
+        patch.setattr(workshop, "HASTE", 0)
         yield
 
 

@@ -13,10 +13,11 @@ from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.prepare import Job, move_start
-from nhc.simulate.run import Model, Settings, Trajectory, collect, list_times, load, tell_finest
+from nhc.simulate.run import Settings, Trajectory, collect, list_times, tell_finest
 from nhc.simulate.source import write_source
 from nhc.simulate.task import STOPPED, News, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
+from nhc.simulate.workshop import Model, load
 
 
 @record

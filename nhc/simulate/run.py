@@ -1,32 +1,27 @@
-"""A run: the best model that this machine can have, a method, and what came out of it, complete or not."""
+"""A run: a job, a method, and what came out of it, complete or not."""
 
 from __future__ import annotations
 
 import math
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from nhc.program.stepping import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
 from nhc.records import record
-from nhc.simulate.compile import CompileError, build, loop_flags, tell_why
-from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.halving import REFERENCE, find_step
-from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE, is_adaptive
-from nhc.simulate.natural import NaturalModel
+from nhc.simulate.methods import is_adaptive
 from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.pacing import AUTO, first_method
-from nhc.simulate.peers import PEERS, PeerModel
+from nhc.simulate.peers import PEERS
 from nhc.simulate.prepare import Job
-from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.stepping_over import tell_jumps
 from nhc.simulate.switching import Follower, Leg
 from nhc.simulate.task import EVENT, STOPPED, ModelError, Outcome, Task
-from nhc.simulate.waiting import Show, wait_for
+from nhc.simulate.waiting import Show
+from nhc.simulate.workshop import Model, Workshop
 
 POINTS = 201
-Model = CompiledModel | InterpretedModel | NaturalModel
 
 
 @record
@@ -69,30 +64,6 @@ class Trajectory:
         return tuple(column.heading for column in self.job.columns)
 
 
-def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str, ...]]:
-    """The compiled model, or the emitted Python where there is no compiler; notes say so."""
-    notes: tuple[str, ...] = ()
-    if method in PEERS:
-        return PeerModel(job.program, job.events, dips=job.watch.dips), ()
-    if compiled:
-        try:
-            if method in STRUCTURE:
-                sources = write_natural(job.program, STRUCTURE[method])
-            else:
-                watch, methods = job.watch, [RUNGE_KUTTA[method]]
-                sources = write_source(
-                    job.program, methods, job.events, job.holds, dips=watch.dips, frames=(watch.weak, watch.frames)
-                )
-            path = build(sources, f"{job.program.system}_run.c", loop_flags(len(job.y)))
-            return CompiledModel(path, job.program.system, len(job.y), job.width), ()
-        except CompileError as error:
-            notes = (f"{tell_why(error)}; running the emitted Python, which is some hundred times slower",)
-    if method in STRUCTURE:
-        return NaturalModel(job.program), notes
-    frames = job.watch.weak, job.watch.frames
-    return InterpretedModel(job.program, job.events, job.holds, job.watch.dips, frames), notes
-
-
 def list_times(start: float, end: float, points: int) -> tuple[float, ...]:
     """Equally spaced times, the first and the last exactly the ends."""
     inner = (start + (end - start) * (k / (points - 1)) for k in range(1, points - 1))
@@ -114,7 +85,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     task = Task(job.p, job.y, times, wanted, settings.step, settings.most, job.stops)
     adaptive = is_adaptive(method) or method in PEERS
     follower = Follower(job, method, workshop.integrate, settings.method == AUTO)
-    before, notes = time.perf_counter(), (*job.notes, *workshop.notes)
+    before, notes = time.perf_counter() - workshop.seconds, job.notes
     if settings.step <= 0 and not adaptive:
         beside = Follower(job, REFERENCE, workshop.integrate, auto=True)
         task, more = find_step(
@@ -124,7 +95,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     if adaptive and settings.step <= 0:
         notes += tell_finest(tolerance)
     legs = follower.run(task)
-    seconds = time.perf_counter() - before
+    seconds = time.perf_counter() - before - workshop.seconds
     found = _gather(workshop, legs)
     if task.step > 0:
         notes += _tell_jumps(legs)
@@ -134,7 +105,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
             f"{found.outcome.steps} steps, each held to {wanted:.2g}: in so many, errors may add up to more than the accuracy of"
             f" {tolerance:.3g}; see whether the end changes with a smaller `--tol`",
         )
-    return replace(found, seconds=seconds, notes=(*notes, *follower.notes))
+    return replace(found, seconds=seconds, notes=(*dict.fromkeys((*workshop.notes, *notes, *follower.notes)),))
 
 
 def _tell_jumps(legs: Sequence[Leg]) -> tuple[str, ...]:
@@ -160,33 +131,6 @@ def _gather(workshop: Workshop, legs: Sequence[Leg]) -> Trajectory:
     """The legs of a run as one trajectory."""
     parts = (collect(leg.job, leg.method, workshop.model(leg.job, leg.method), leg.task, leg.outcome) for leg in legs)
     return join([*parts])
-
-
-@dataclass
-class Workshop:
-    """Models that are made once, and run in a thread of their own so that Ctrl-C is heard."""
-
-    compiled: bool
-    show: Show | None
-    notes: tuple[str, ...] = ()
-    models: list[tuple[Job, str, Model]] = field(default_factory=list)
-
-    def model(self, job: Job, method: str) -> Model:
-        """The model of a job with a method."""
-        for known, name, model in self.models:
-            if known is job and name == method:
-                return model
-        model, notes = load(job, method, self.compiled)
-        self.notes = tuple(dict.fromkeys((*self.notes, *notes)))
-        self.models.append((job, method, model))
-        return model
-
-    def integrate(self, job: Job, method: str, task: Task) -> Outcome:
-        """One run of one model."""
-        model = self.model(job, method)
-        news = model.news()
-        news.t = task.times[0]
-        return wait_for(lambda: model.integrate(task, method, news), news, self.show)
 
 
 def join(parts: Sequence[Trajectory]) -> Trajectory:

@@ -21,8 +21,8 @@ from nhc.report.chart_file import make_file
 from nhc.simulate import compile as compiling
 from nhc.simulate.auto import choose_method
 from nhc.simulate.opening import open_scene
-from nhc.simulate.run import load
 from nhc.simulate.task import Task
+from nhc.simulate.workshop import load
 from nhc.study.chart.advice import advise
 from nhc.study.chart.case import RESOLVED, Study
 from nhc.study.chart.grid import Grid

@@ -17,9 +17,10 @@ from nhc.simulate.compile import build, loop_flags
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, is_adaptive
 from nhc.simulate.opening import RunError, open_scene
-from nhc.simulate.run import Settings, load, run
+from nhc.simulate.run import Settings, run
 from nhc.simulate.source import write_source
 from nhc.simulate.task import DONE, Task
+from nhc.simulate.workshop import load
 from tests.support import COMPILER, compile_c, spec_path
 
 PUSH = """nhc: 1

@@ -10,8 +10,9 @@ import pytest
 from nhc.cli.entry import main
 from nhc.language import Source, decode, read
 from nhc.simulate.opening import open_scene
-from nhc.simulate.run import Settings, Trajectory, load, run
+from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.task import DONE, Task
+from nhc.simulate.workshop import load
 from tests.support import SPECS, spec_path
 
 BOARD = """

@@ -7,8 +7,8 @@ from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import start_of
 from nhc.simulate.prepare import Recipe, prepare
-from nhc.simulate.run import load
 from nhc.simulate.task import DONE, Task
+from nhc.simulate.workshop import load
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, grid, open_runner, open_system
 
 END, STEP, ROWS = 2000.0, 0.2, 2001

@@ -23,8 +23,8 @@ from nhc.resources import find_specs
 from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.prepare import Job, Recipe, prepare
-from nhc.simulate.run import Model, load
 from nhc.simulate.task import Outcome, Task
+from nhc.simulate.workshop import Model, load
 from nhc.study.units import Matrix
 
 
