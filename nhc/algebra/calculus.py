@@ -10,6 +10,8 @@ from fractions import Fraction
 
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, SYM, Graph, Node
 
+_WALKS = 32  # that are remembered
+
 
 def reachable(
     graph: Graph, roots: Iterable[Node], within: int = -1, known: Container[Node] | None = None
@@ -35,9 +37,9 @@ def reachable(
 
 def _list_below(graph: Graph, roots: Iterable[Node]) -> list[Node]:
     """The nodes that the roots are made of, in increasing order: the graph's own list, which nobody else may change."""
-    asked = tuple(roots)
-    if asked == graph.reached[0]:  # several passes look at the same roots, one after the other
-        return graph.reached[1]
+    asked, reached = tuple(roots), graph.reached
+    if asked in reached:  # passes ask for the same roots one after the other, and each point for those of all claims
+        return reached[asked]
     kids = graph.kids
     seen = set(asked)
     stack = list(seen)
@@ -48,7 +50,9 @@ def _list_below(graph: Graph, roots: Iterable[Node]) -> list[Node]:
                 if kids[child]:
                     stack.append(child)
     found = sorted(seen)
-    graph.reached = asked, found
+    if len(reached) == _WALKS:
+        del reached[next(iter(reached))]
+    reached[asked] = found
     return found
 
 

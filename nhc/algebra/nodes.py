@@ -62,7 +62,7 @@ class NodeStore:
         self.labels: dict[Node, str] = {}  # names that the user gave, printed as such
         self.rate_of: dict[Node, Node] = {}  # what a node is the rate of, where the user differentiated it
         self.memory: dict[str, Any] = {}  # what passes know of these nodes, under the passes' names
-        self.reached: tuple[tuple[Node, ...], list[Node]] = ((), [])  # the last roots, and what they are made of
+        self.reached: dict[tuple[Node, ...], list[Node]] = {}  # the last roots, and what they are made of
         self._symbol_nodes: list[Node] = []
         self._numbers: list[Fraction] = []
         self._number_index: dict[Rational, Node] = {}
