@@ -18,7 +18,7 @@ from nhc.cli.options import (
     spec_argument,
     sweep_option,
 )
-from nhc.cli.specs import open_spec
+from nhc.cli.specs import open_spec, take_first_scene
 from nhc.cli.terminal import Exit, Failure, put, put_json
 from nhc.diagnostics import quote, several
 
@@ -44,8 +44,8 @@ _OTHERS = (
 @click.option(
     "--about",
     metavar="MOTION",
-    required=True,
-    help="Where to start looking: a scene, or values such as `theta=pi/2, w_n=3`.",
+    default="",
+    help="Where to start looking: a scene, or values such as `theta=pi/2, w_n=3`; default: the first scene.",
 )
 @set_option
 @hold_option
@@ -68,6 +68,7 @@ def command(
     rest in axes that move along a symmetry, as in a bend.
     """
     source = open_spec(spec)
+    about = about or take_first_scene(source, "to start from", "give values, such as `--about x=0`")
     from nhc.pipeline import Options, linearize
     from nhc.study.motion import Request
     from nhc.study.steady import NotSteady

@@ -8,11 +8,10 @@ import click
 
 from nhc.cli.options import formulation_option, json_option, list_examples, spec_argument
 from nhc.cli.simplify import approximate, check_options
-from nhc.cli.specs import open_spec
-from nhc.cli.terminal import Failure, put, put_json, say
+from nhc.cli.specs import open_spec, take_first_scene
+from nhc.cli.terminal import put, put_json
 
 if TYPE_CHECKING:
-    from nhc.diagnostics import Source
     from nhc.program.scene_model import SceneModel, Tried
 
 
@@ -57,7 +56,7 @@ def command(
     """
     check_options(tolerance, output, chart, fold, as_json)
     source = open_spec(spec)
-    scene = scene or _take_first(source)
+    scene = scene or take_first_scene(source, "to reduce the model to")
     if tolerance is not None:
         return approximate(source, scene, formulation or "", tolerance, output, chart, force, as_json)
     from nhc.pipeline import Options, reduce_scene
@@ -68,18 +67,6 @@ def command(
     else:
         _print(made)
     return 0
-
-
-def _take_first(source: Source) -> str:
-    """The name of the first scene, which is said."""
-    from nhc.language import decode
-
-    scenes = decode(source).scenes
-    if not scenes:
-        advice = ["add one under `scenes:`, with `initial:`, `time: [start, end]` and `need:`"]
-        raise Failure("this spec has no scene to reduce the model to", advice)
-    say(f"taking the scene `{scenes[0].name}`")
-    return scenes[0].name
 
 
 def _data(made: SceneModel) -> dict[str, Any]:

@@ -62,6 +62,21 @@ def _read(path: str) -> Source:
     return with_bases(source)
 
 
+def take_first_scene(source: Source, purpose: str, instead: str = "") -> str:
+    """The name of the first scene, which is said.
+
+    Where there is none, ``purpose`` says what it is for, and ``instead`` what else would do.
+    """
+    from nhc.language import decode
+
+    scenes = decode(source).scenes
+    if not scenes:
+        advice = "add one under `scenes:`, with `initial:`, `time: [start, end]` and `need:`"
+        raise Failure(f"this spec has no scene {purpose}", [*filter(None, [instead]), advice])
+    say(f"taking the scene `{scenes[0].name}`")
+    return scenes[0].name
+
+
 def list_texts(source: Source) -> tuple[str, ...]:
     """Everything of a spec that an answer can depend on: its name and text, and those of what it extends."""
     return tuple(part for each in (source, *source.bases) for part in (each.path, each.text))
