@@ -8,7 +8,7 @@ more points: a sign stays the same at every second change, and others may hide i
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from nhc.algebra.calculus import reachable
@@ -73,21 +73,29 @@ def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
     g, roots = flow.graph, _roots(flow, needs)
     occurring = [j for j, y in enumerate(flow.y) if any(g.depends(node, g.deps[y]) for node in roots)]
     changes = {j: _Change(flow, needs, j) for j in occurring}
-    found = _Findings(len(flow.y), len(flow.y) + len(needs))
-    whole, planned = _Evaluation(flow, needs), frozenset(reachable(g, roots))
+    every = range(len(flow.y) + len(needs))
+    found, planned = _Findings(len(flow.y), len(every)), frozenset(reachable(g, roots))
+    evaluations: dict[tuple[int, ...], _Evaluation] = {}
     seed, primes = 0, primes_of(g)
     for index in range(_count_points(flow, needs)):
-        base, values, seed = _base(whole, seed, primes[index % len(primes)])
-        found.note_values(values)
+        asked = tuple(every) if index < _POINTS else found.list_asked(changes)
+        if not asked:
+            break
+        if asked not in evaluations:
+            evaluations[asked] = _Evaluation(flow, needs, None, asked)
+        base, values, seed = _base(evaluations[asked], seed, primes[index % len(primes)])
+        known = dict(zip(asked, values, strict=True))
+        found.note_values(known)
         others = base.values.keys() - planned  # what the point needed besides: factors of arguments in canonical form
         for j, change in changes.items():
-            if not change.signs and found.is_settled(j, change.open):
-                continue
-            changed = change.compare(base, others, random.Random(1_000_003 * seed + j), values)
-            found.note_changes(j, changed)
+            left = found.list_open(j, change.open)
+            if left or j not in found.compared:
+                changed = change.compare(base, others, random.Random(1_000_003 * seed + j), known, left)
+                found.note_changes(j, changed)
             for crossed in change.cross(base, others) if index < _POINTS else ():
-                found.note_values(crossed)
-                found.note_changes(j, [x != y for x, y in zip(crossed, values, strict=True)], compared=False)
+                other = dict(zip(every, crossed, strict=True))
+                found.note_values(other)
+                found.note_changes(j, {k: other[k] != known[k] for k in every}, compared=False)
     return found.conclude(changes)
 
 
@@ -100,20 +108,30 @@ class _Findings:
         self.zero = [True] * rows  # as far as has been seen
         self.compared: set[int] = set()  # entries for which another regular value was found
 
-    def note_values(self, values: Sequence[int]) -> None:
+    def note_values(self, values: Mapping[int, int]) -> None:
         """The rates and needs at a point: what has a value is not zero."""
-        self.zero = [zero and not value for zero, value in zip(self.zero, values, strict=True)]
+        for k, value in values.items():
+            self.zero[k] = self.zero[k] and not value
 
-    def note_changes(self, j: int, changed: Sequence[bool], compared: bool = True) -> None:
-        """What changed with entry j; nothing was found where ``changed`` is empty."""
-        if changed and compared:
+    def note_changes(self, j: int, changed: Mapping[int, bool] | None, compared: bool = True) -> None:
+        """Which rows changed with entry j; None where no other regular value was found."""
+        if changed is None:
+            return
+        if compared:
             self.compared.add(j)
-        for row, differs in zip(self.depends, changed, strict=bool(changed)):
-            row[j] = row[j] or differs
+        for k, differs in changed.items():
+            self.depends[k][j] = self.depends[k][j] or differs
 
-    def is_settled(self, j: int, open_rows: Sequence[int]) -> bool:
-        """Whether everything that may depend on entry j is known to."""
-        return j in self.compared and all(self.depends[k][j] for k in open_rows)
+    def list_open(self, j: int, rows: Sequence[int]) -> tuple[int, ...]:
+        """Of the rows that may depend on entry j those that are not known to."""
+        return tuple(k for k in rows if not self.depends[k][j])
+
+    def list_asked(self, changes: Mapping[int, _Change]) -> tuple[int, ...]:
+        """The rows of which another point may tell more: all where an entry has not been compared yet."""
+        if not changes.keys() <= self.compared:
+            return tuple(range(len(self.zero)))
+        zero = {k for k, zero in enumerate(self.zero) if zero}
+        return tuple(sorted(zero.union(*(self.list_open(j, change.open) for j, change in changes.items()))))
 
     def conclude(self, changes: Iterable[int]) -> Dependence:
         """``changes`` are the entries that occur; one for which no other regular value was found may matter anywhere."""
@@ -141,16 +159,29 @@ def _roots(flow: Flow, needs: Sequence[Node]) -> list[Node]:
     return [*flow.velocities, *needs, *flow.flat]
 
 
-class _Evaluation:
-    """The order in which all rates and needs are evaluated at a point, or what of them depends on a symbol with a given value."""
+def _rows(flow: Flow, needs: Sequence[Node]) -> list[Node]:
+    """The rates of the state, and then the needs."""
+    return [*flow.velocities, *flow.unknowns[: flow.kept], *needs]
 
-    def __init__(self, flow: Flow, needs: Sequence[Node], changed: Node | None = None) -> None:
+
+class _Evaluation:
+    """The order in which all rates and needs are evaluated at a point, or what of them depends on a symbol with a given value.
+
+    ``rows``: those that are asked for; the accelerations are solved for only where one of these needs them.
+    """
+
+    def __init__(
+        self, flow: Flow, needs: Sequence[Node], changed: Node | None = None, rows: Sequence[int] | None = None
+    ) -> None:
         g, within = flow.graph, -1 if changed is None else flow.graph.deps[changed]
-        self.flow, self.results = flow, [*flow.velocities, *needs]
+        every = _rows(flow, needs)
+        self.flow, self.results = flow, every if rows is None else [every[k] for k in rows]
+        unknown = g.mask(flow.unknowns)
+        self._solves = rows is None or any(g.deps[node] & unknown for node in self.results)
         given = {*flow.unknowns, changed}
-        self._before = [node for node in reachable(g, flow.flat, within) if node not in given]
+        self._before = [n for n in reachable(g, flow.flat, within) if n not in given] if self._solves else []
         given.update(self._before)
-        moved = within if within == -1 else within | g.mask(flow.unknowns)
+        moved = within if within == -1 else within | unknown
         self._after = [node for node in reachable(g, self.results, moved) if node not in given]
 
     @cached_property
@@ -161,18 +192,18 @@ class _Evaluation:
         return point
 
     def values_at(self, point: FieldPoint) -> list[int]:
-        """Residues of all rates of the state, then of the needs; everything else has its value at the point.
+        """Residues of the rows, all rates of the state and then the needs; everything else has its value at the point.
 
         Raises:
             Unlucky: the motion is singular at this point.
         """
-        flow, n = self.flow, len(self.flow.velocities)
-        point.fill(self._before)
-        solved = solve_at(len(flow.unknowns), [point.values[node] for node in flow.flat], point.prime)
-        point.values.update(zip(flow.unknowns, solved, strict=True))
+        flow = self.flow
+        if self._solves:
+            point.fill(self._before)
+            solved = solve_at(len(flow.unknowns), [point.values[node] for node in flow.flat], point.prime)
+            point.values.update(zip(flow.unknowns, solved, strict=True))
         point.fill(self._after)
-        found = [point.values[node] for node in self.results]
-        return [*found[:n], *solved[: flow.kept], *found[n:]]
+        return [point.values[node] for node in self.results]
 
 
 def _base(whole: _Evaluation, seed: int, prime: int) -> tuple[FieldPoint, list[int], int]:
@@ -191,33 +222,43 @@ class _Change:
 
     def __init__(self, flow: Flow, needs: Sequence[Node], j: int) -> None:
         g, self._entry = flow.graph, flow.y[j]
+        self._flow, self._needs = flow, needs
         self._mask = g.mask((self._entry, *flow.unknowns))
-        rows = [*flow.velocities, *flow.unknowns[: flow.kept], *needs]
-        self.open = [k for k, node in enumerate(rows) if g.deps[node] & self._mask]
+        moves = any(g.deps[node] & g.deps[self._entry] for node in flow.flat)
+        mask = self._mask if moves else g.deps[self._entry]
+        self.open = [k for k, node in enumerate(_rows(flow, needs)) if g.deps[node] & mask]
         self._dependent = _Evaluation(flow, needs, self._entry)
+        self._narrow: dict[tuple[int, ...], _Evaluation] = {}
         held = reachable(g, _roots(flow, needs), g.deps[self._entry])
         free = [g.a[node] for node in held if g.op[node] == "sign" and not g.deps[node] & g.mask(flow.unknowns)]
         self.signs = [(x, reachable(g, [x], g.deps[self._entry])) for x in dict.fromkeys(free)]
         """Arguments of signs, each with what it is made of and depends on the entry."""
 
     def compare(
-        self, base: FieldPoint, others: Iterable[Node], rng: random.Random, values: Sequence[int]
-    ) -> list[bool]:
-        """What has another value than the given ones at the base; nothing where no other regular value is found.
+        self,
+        base: FieldPoint,
+        others: Iterable[Node],
+        rng: random.Random,
+        values: Mapping[int, int],
+        rows: tuple[int, ...],
+    ) -> dict[int, bool] | None:
+        """Which of the rows has another value than the given ones at the base; None where no other regular value is found.
 
         ``others``: nodes with a value at the base that are no part of the rates and needs.
         """
         deps = base.graph.deps
         stale = [node for node in others if deps[node] & self._mask]
+        if rows not in self._narrow:
+            self._narrow[rows] = _Evaluation(self._flow, self._needs, self._entry, rows)
         for _ in range(_CHANGES):
             point = base.beside(stale)
             point.values[self._entry] = rng.randrange(2, base.prime - 1)
             try:
-                found = self._dependent.values_at(point)
+                found = self._narrow[rows].values_at(point)
             except Unlucky:
                 continue
-            return [x != y for x, y in zip(found, values, strict=True)]
-        return []
+            return {k: x != values[k] for k, x in zip(rows, found, strict=True)}
+        return None
 
     def cross(self, base: FieldPoint, others: Iterable[Node]) -> Iterator[list[int]]:
         """All rates and needs where the entry has a value for which the argument of a sign is zero, and its sign with it."""
