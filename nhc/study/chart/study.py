@@ -19,6 +19,7 @@ from nhc.simulate.opening import find_need, find_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
+from nhc.study.chart.ahead import compile_ahead
 from nhc.study.chart.case import Case, Cost, Result, Study
 from nhc.study.chart.case_runner import CaseRunner
 from nhc.study.chart.grid import METHODS, POINTS, SCOUT, STRUCTURE, Grid, Runs, settle_runs
@@ -51,30 +52,17 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     notes = () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
-    solution = make_reference(made.full, times, open_long(made.full) if compiled else None)
     methods = tuple(m for m in grid.methods if m in RUNGE_KUTTA) if grid.methods else METHODS
-    results: list[Result] = []
-    anchor, costs = 8, list[Cost]()
-    left = [*made.skipped, *made.repeated]
-    for done, (name, job) in enumerate(made.distinct.items()):
-        if show is not None:
-            show(done / len(made.distinct), name)
-        rig = open_rig(name, job, times, solution, methods, compiled)
-        costs.append(cost_of(rig, runs.languages, made.shrunk.get(name)))
-        found, missing = run_rig(rig, methods, runs)
-        results += found
-        left += missing
-        if grid.peers and job is first and "c" in runs.languages:
-            found, missing = run_peers(rig, runs)
-            results += found
-            left += missing
-        if job is first:
-            anchor = count_steps(rig)
-    found, missing = run_structure(system, scene, grid, needs, runs, times, solution, anchor)
+    natural = prepare_structure(system, scene, grid, needs)
+    schemes = [method for method in grid.methods if method in SCHEMES] or STRUCTURE
+    if compiled:
+        scheme_job = natural if "c" in runs.languages else None
+        compile_ahead(made.full, [*made.distinct.values()], list_compiled(methods), scheme_job, schemes)
+    solution = make_reference(made.full, times, open_long(made.full) if compiled else None)
+    results, costs, left, anchor = run_formulations(made, grid, runs, methods, times, solution, show)
+    kept, missing = run_schemes(natural, schemes, runs, times, solution, anchor) if natural is not None else ([], [])
     if show is not None:
         show(1.0, "")
-    results += found
-    left += missing
     return Study(
         system=system.name,
         about=spec.about,
@@ -82,37 +70,59 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         time=first.time,
         needs=tuple(column.heading for column in first.columns),
         tolerances=runs.tolerances,
-        methods=grid.methods or (*METHODS, *dict.fromkeys(r.case.method for r in found)),
+        methods=grid.methods or (*METHODS, *dict.fromkeys(r.case.method for r in kept)),
         languages=runs.languages,
         points=POINTS,
         costs=price_all(made, costs),
-        results=tuple(results),
+        results=(*results, *kept),
         reference=solution.about,
-        left_out=tuple(dict.fromkeys(left)),
+        left_out=tuple(dict.fromkeys((*made.skipped, *made.repeated, *left, *missing))),
         notes=notes,
         machine=describe_machine(),
     )
 
 
-def run_structure(
-    system: System,
-    scene: Scene,
+def run_formulations(
+    made: Prepared,
     grid: Grid,
-    needs: Sequence[str],
     runs: Runs,
+    methods: Sequence[str],
     times: Sequence[float],
     solution: Solution,
-    anchor: int,
-) -> tuple[list[Result], list[tuple[str, str]]]:
-    """The structure-preserving methods: those that are named, else all that apply, unless other formulations are asked for."""
+    show: Show | None,
+) -> tuple[list[Result], list[Cost], list[tuple[str, str]], int]:
+    """All cases of all formulations, what a right-hand side costs in each, what was left out, and steps of the first one."""
+    first, compiled = next(iter(made.jobs.values())), bool(find_compiler())
+    results: list[Result] = []
+    anchor, costs, left = 8, list[Cost](), list[tuple[str, str]]()
+    for done, (name, job) in enumerate(made.distinct.items()):
+        if show is not None:
+            show(done / len(made.distinct), name)
+        rig = open_rig(name, job, times, solution, methods, compiled)
+        costs.append(cost_of(rig, runs.languages, made.shrunk.get(name)))
+        cases = [run_rig(rig, methods, runs)]
+        if job is first:
+            anchor = count_steps(rig)
+            if grid.peers and "c" in runs.languages:
+                cases.append(run_peers(rig, runs))
+        for found, missing in cases:
+            results += found
+            left += missing
+    return results, costs, left, anchor
+
+
+def prepare_structure(system: System, scene: Scene, grid: Grid, needs: Sequence[str]) -> Job | None:
+    """The job of the structure-preserving methods; None where others are asked for, or other formulations."""
     named = [method for method in grid.methods if method in SCHEMES]
     if grid.methods and not named:
-        return [], []
+        return None
     job = prepare_natural(system, scene_of_needs(system.spec, scene, needs), needs)
-    if not named and grid.formulations and job.formulation.name not in grid.formulations:
-        return [], []
-    wanted = named or STRUCTURE
-    return run_schemes(job, wanted, runs, times, solution, anchor)
+    return None if not named and grid.formulations and job.formulation.name not in grid.formulations else job
+
+
+def list_compiled(methods: Sequence[str]) -> tuple[str, ...]:
+    """The methods that a formulation's library has: those of the chart, and the one that counts steps."""
+    return tuple(dict.fromkeys((*methods, SCOUT)))
 
 
 def open_long(job: Job) -> LongModel | None:
@@ -127,7 +137,7 @@ def open_rig(
     name: str, job: Job, times: Sequence[float], solution: Solution, methods: Sequence[str], compiled: bool
 ) -> Rig:
     """Both models of a formulation, ready to be run."""
-    model = ChartModel(compile_chart(job, tuple(dict.fromkeys((*methods, SCOUT)))), job) if compiled else None
+    model = ChartModel(compile_chart(job, list_compiled(methods)), job) if compiled else None
     return Rig(name, job, tuple(times), solution, model, InterpretedModel(job.program, job.events, job.holds))
 
 
