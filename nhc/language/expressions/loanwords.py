@@ -124,6 +124,10 @@ def meant_call(name: str, rest: str) -> str:
     rate = re.match(r"\(\s*([^\W\d]\w*)\s*(?:,\s*t\s*)?\)", rest)
     if rate and SPELLINGS.get(name.lower()) == "dot(x)":
         return f"write `{rate[1]}'`"
+    if rate and name == "d":
+        return f"the differential in a constraint is written `d{rate[1]}`, the velocity `{rate[1]}'`"
+    if name.lower() in ("ddot", "dddot"):
+        return ACCELERATIONS
     if name.lower() in SPELLINGS:
         return f"write `{SPELLINGS[name.lower()]}`"
     if re.match(r"\(\s*t\s*\)", rest):

@@ -122,6 +122,8 @@ def loses_rank(g: Graph, matrix: Sequence[Sequence[Node]]) -> bool:
 def _advise(system: System, form: Form, empty: bool) -> str:
     """What to do with a row whose terms in the velocities vanish, or follow from others, and whose free term does not."""
     g = system.graph
+    if empty and form.equation is not None:
+        return "remove it, or correct its terms: no coordinate is left in it, so no motion can change it"
     if form.equation is None and any(g.depends(form.constant, g.deps[x]) for x in system.q):
         return (
             "a relation between positions belongs under `holonomic:`"
