@@ -25,6 +25,7 @@ from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
 
 _UNDECIDED = "not decided (too many nested roots for the exact test)"
+_UNKNOWN = "; nhc has found none in elementary functions"
 _SHOWN = 6  # minors that are written out
 
 
@@ -213,12 +214,15 @@ def _warn_integrable(
                 ),
             )
             continue
+        shown = _shown(name, [i for i in integrals if set(i.names) <= set(named)])
         bag.warning(
             "W0410",
             f"the constraint `{name}` is integrable{given}: it is a holonomic constraint in disguise",
             spans[name],
-            notes=_shown(name, [i for i in integrals if set(i.names) <= set(named)]),
-            help=("give its integral under `holonomic:`, so that positions are held to it too",),
+            notes=shown,
+            help=(
+                f"give its integral under `holonomic:`, so that positions are held to it too{'' if shown else _UNKNOWN}",
+            ),
         )
     combined = found.hidden - len(written) - len(named)
     if combined > 0:
