@@ -20,6 +20,7 @@ from nhc.mechanics.properties.integrals import PositionIntegral, find_position_i
 from nhc.mechanics.properties.named import named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
+from nhc.mechanics.regular.determined import warn_of_bare
 from nhc.mechanics.regular.regularity import Choice, choose_dependent
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
@@ -57,6 +58,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     text = ", ".join(_numbered(*part) for part in (*parts, (n - lower, "free velocity", "free velocities")))
     facts.say("degrees", {"n": n, "l": lower}, text)
     _kinetic(system, facts, explain)
+    warn_of_bare(system, bag)
     integrals: tuple[PositionIntegral, ...] = ()
     torn = list_torn(system)
     if lower:
