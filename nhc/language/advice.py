@@ -14,7 +14,7 @@ _DOT, _DOTS = "\u0307", "\u0308"  # combining marks of first and second derivati
 _RATES = tuple(
     map(re.compile, (r"(.+)_dot", r"dot_(.+)", r"d_?(.+?)_?dt", r"d_?(.+)", r"(.+)_dt?", r"(.+)_prime", r"(.+)dt"))
 )
-_SECOND = re.compile(r"(.+?)_?ddot|(?:ddot_?|dd_?|d2_?)(.+?)(?:_?dt2)?")
+_SECOND = re.compile(r"(.+?)_?(?:ddot|dotdot)|(?:ddot_?|dd_?|d2_?)(.+?)(?:_?dt2)?")
 # key of a spec as others call it -> (this language's key, what to do)
 _ENERGIES = "a Lagrangian is given by its energies: `T: ...`, and `V: ...` with L = T - V"
 _FRICTION = "friction is given as forces: `forces: {x: -c*x'}`"

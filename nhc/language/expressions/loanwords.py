@@ -16,6 +16,7 @@ _SIGNS = {
     "\u00f7": "write `/`",
     "\u2019": "write the plain prime `'`",
     **{"\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[k]: f"write `^{k}`" for k in range(10)},
+    **{chr(0x2080 + k): f"write a plain digit in a name, as in `x{k}`" for k in range(10)},
     "\u207b": "write the power after `^`, as in `x^-1`",
     "\u00bc": "write `1/4`",
     "\u00bd": "write `1/2`",

@@ -163,6 +163,8 @@ class _Parser:
         if isinstance(inner, Name) and inner.name in _ARITY:
             call = f"{inner.name}({argument})"
             return f"write `{call if inner is node else f'{DOT}({call})'}`"
+        if token.text == DOT and isinstance(node, Name):
+            return f"write `{node.name}'`"
         if not isinstance(node, Number):
             return ""
         if token.kind == "number":
