@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections.abc import Mapping, Sequence
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
@@ -297,6 +299,9 @@ def check_name(text: Text, bag: Bag) -> bool:
     if shown[:1].isdigit() and is_name(f"a{shown}"):
         help = f"a name starts with no digit: write `{shown.lstrip('0123456789_') or 'a'}{shown[:1]}`, for example"
     parts = shown.replace(",", " ").split()
+    plain = re.sub(r"_*\W+_*", "_", unicodedata.normalize("NFKC", shown)).strip("_")
+    if len(parts) == 1 and "'" not in shown and is_name(plain):  # x₁, l-1, $\mu$
+        help = f"write `{plain}`, for example: a name is made of letters, digits and `_`"
     if len(parts) > 1 and all(map(is_name, parts)):
         help = f"a name holds no blanks: write `{'_'.join(parts)}`, or `{', '.join(parts)}` for several names"
     bag.error("E0307", f"`{text.value[:40]}` is not a name", text.span, help=(help,))

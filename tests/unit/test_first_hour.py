@@ -94,6 +94,8 @@ SLIPS = [
     ("+ x'^2", "+ x'*x^2'", "E0212", "the prime binds tighter than `^`: write `(x^2)'`", "+ x'*(x^2)'"),
     ("+ x'^2", "+ x'^2'", "E0212", "leave the prime of the exponent out: write `x'^2`", "+ x'^2"),
     ("+ x'^2", "+ xddot*x'^2", "E0302", "accelerations are what nhc derives", "+ x'^2"),
+    ("{m: 2,", "{k₁: 1, m: 2,", "E0307", "write `k1`", "{k1: 1, m: 2,"),
+    ("{m: 2,", "{k-1: 1, m: 2,", "E0307", "write `k_1`", "{k_1: 1, m: 2,"),
     ("+ x'^2", "+ xdotdot*x'^2", "E0302", "accelerations are what nhc derives", "+ x'^2"),
     ("+ x'^2", "+ (x dot)^2", "E0203", "write `x'`", "+ x'^2"),
     ("+ x'^2", "+ x₁*x'^2", "E0201", "as in `x1`", "+ x*x'^2"),
