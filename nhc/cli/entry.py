@@ -68,6 +68,8 @@ class LazyGroup(click.Group):
 
             near = get_close_matches(verb, VERBS, n=1)
             hint = f"did you mean `{near[0]}`?" if near else f"the verbs are {', '.join(VERBS)}"
+            if verb == "-" or verb.endswith((".yaml", ".yml")):
+                hint = f"a spec stands behind a verb: `nhc check {verb}`"
             raise click.UsageError(f"no verb `{verb}`; {hint}", ctx)
         return super().resolve_command(ctx, args)
 

@@ -75,6 +75,7 @@ TITLES: dict[str, str] = {
     "W0423": "negative kinetic energy",
     "E0424": "force on what has no linear velocity",
     "W0425": "quasi-velocities that lose digits",
+    "W0426": "coordinate without inertia",
     "E0501": "file was edited by hand",
     "E0502": "unknown stage",
     "E0503": "no such scene",

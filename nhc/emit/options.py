@@ -31,12 +31,15 @@ class EmitOptions:
     trig: str = ""
 
 
+_WHOLE = ("velocities", "accelerations", "residuals", "reactions", "energy")  # they may need the whole state
+
+
 def check_options(program: Program, options: EmitOptions, extra: tuple[str, ...] = ()) -> None:
     """Raise EmitError for a name that the program does not have; ``extra`` are functions that the language adds."""
     known = tuple(function.name for function in program.functions) + extra
     for name in options.only:
         if name not in known:
-            raise EmitError(f"no function `{name}` in this program", _advise(name, known, options.only))
+            raise EmitError(f"no function `{name}` in this program", _advise(name, known, options))
     if options.array not in ARRAYS:
         raise EmitError(f"no array library `{options.array}`", "take numpy or jax")
     scenes = tuple(scene.name for scene in program.scenes)
@@ -44,10 +47,13 @@ def check_options(program: Program, options: EmitOptions, extra: tuple[str, ...]
         raise EmitError(f"no scene `{options.scene}` in this program", f"its scenes: {', '.join(scenes) or 'none'}")
 
 
-def _advise(name: str, known: tuple[str, ...], only: tuple[str, ...]) -> str:
+def _advise(name: str, known: tuple[str, ...], options: EmitOptions) -> str:
     if name == "rhs_batch":  # asked for by itself, the program holds what it calls and nothing else
         return "C alone has it; with `--array numpy` or `jax` the Python `rhs` takes many states at once"
-    others = [other for other in known if other not in only] or list(known)
+    if options.scene and name in _WHOLE:
+        needs = f", or let the scene need `{name}`" if name in ("energy", "reactions") else ""
+        return f"it depends on what the scene's model leaves out: leave `--scene` out{needs}"
+    others = [other for other in known if other not in options.only] or list(known)
     return f"name one of {', '.join(others)}"
 
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from nhc.program.contents import list_expressions, walk
 from nhc.program.ir import (
+    Binary,
     Expr,
     Function,
     Guard,
@@ -76,7 +77,10 @@ def drop_unread(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
 
 
 def place_guards(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
-    """Each guard once, as soon as its value is known: where a quotient by zero raises, what was singular has been said before."""
+    """Each guard once, as soon as its value is known: where a quotient by zero raises, what was singular has been said before.
+
+    One that divides stands behind those before it: a mass may be divided by a determinant of the coframe.
+    """
     waiting = [(guard, collect_refs(guard)) for guard in dict.fromkeys(s for s in body if isinstance(s, Guard))]
     known: set[str] = set()
     ordered: list[Statement] = []
@@ -88,10 +92,15 @@ def place_guards(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
             known.add(statement.name)
         elif isinstance(statement, Solve):
             known.update(name for names in statement.names for name in names)
-        ready = [(guard, refs) for guard, refs in waiting if refs <= known]
+        held = [refs <= known for _, refs in waiting]
+        ready = [pair for k, pair in enumerate(waiting) if held[k] and (all(held[:k]) or not _divides(pair[0]))]
         ordered += [guard for guard, _ in ready]
         waiting = [pair for pair in waiting if pair not in ready]
     return (*ordered, *(guard for guard, _ in waiting))
+
+
+def _divides(guard: Guard) -> bool:
+    return any(isinstance(part, Binary) and part.op == "/" for part in walk(guard.value))
 
 
 def split_hoisted(body: tuple[Statement, ...]) -> tuple[tuple[Statement, ...], tuple[Statement, ...]]:

@@ -7,12 +7,14 @@ import unicodedata
 from collections.abc import Collection
 
 from nhc.language.expressions.loanwords import ACCELERATIONS
+from nhc.language.expressions.names import ENERGIES
 
 _DOT, _DOTS = "\u0307", "\u0308"  # combining marks of first and second derivatives
 # how a rate is spelled elsewhere; the most telling first
 _RATES = tuple(
     map(re.compile, (r"(.+)_dot", r"dot_(.+)", r"d_?(.+?)_?dt", r"d_?(.+)", r"(.+)_dt?", r"(.+)_prime", r"(.+)dt"))
 )
+_SECOND = re.compile(r"(.+?)_?(?:ddot|dotdot)|(?:ddot_?|dd_?|d2_?)(.+?)(?:_?dt2)?")
 # key of a spec as others call it -> (this language's key, what to do)
 _ENERGIES = "a Lagrangian is given by its energies: `T: ...`, and `V: ...` with L = T - V"
 _FRICTION = "friction is given as forces: `forces: {x: -c*x'}`"
@@ -111,13 +113,23 @@ def meant_rate(name: str, known: Collection[str]) -> str:
         found = spelling.fullmatch(name)
         if found and found[1] in known:
             return f"the velocity is written `{found[1]}'`"
-    return ""
+    second = _SECOND.fullmatch(name)
+    return ACCELERATIONS if second and (second[1] or second[2]) in known else ""
+
+
+def advise_need(name: str) -> str:
+    """How a scene comes to need what it cannot name: a definition, an energy or a single reaction."""
+    if name.startswith("lambda_"):
+        return "write `reactions`: it is all of them, in the constraints' order"
+    return f"show it under `outputs`: `{name if name not in ENERGIES else f'{name}_shown'}: {name}`"
 
 
 def foreign_name(name: str) -> str:
     """What to do about a name that means something elsewhere and nothing here; empty for others."""
     if name == "e":
         return "a power of e is written `exp(...)`; another `e` is to be declared"
+    if name in ("deg", "degree", "degrees"):
+        return "angles are in radians: write `*pi/180`"
     if re.fullmatch(r"(lambda|reaction)s?_?\w*", name):
         return "reactions are no part of expressions: a scene asks for them by `need: [reactions]`"
     return ""

@@ -287,7 +287,8 @@ class _Decoder:
     def _dependent(self, count: int | None) -> tuple[str, ...]:
         """The dependent coordinates; ``count`` is the number of constraints, None where mistakes leave it open."""
         node = self.root.get("dependent")
-        items = self.shapes.items(node, "a list of coordinates", "write `[x, y]`") if node is not None else None
+        single = node.value if isinstance(node, Text) and is_name(node.value.rstrip("'")) else "x, y"
+        items = self.shapes.items(node, "a list of coordinates", f"write `[{single}]`") if node is not None else None
         if items is None:
             return ()
         found: dict[str, None] = {}

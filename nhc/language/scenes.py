@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import nearest, quote
-from nhc.language.advice import meant_rate, meant_scene_key
-from nhc.language.expressions.names import fold
+from nhc.language.advice import advise_need, meant_rate, meant_scene_key
+from nhc.language.expressions.names import ENERGIES, fold
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.expressions.syntax import Number, Syntax
 from nhc.language.keys import NEAR_KEYS, SCENE_KEYS
@@ -108,8 +108,8 @@ class _SceneReader:
         several = [part.strip() for part in text.value.split(",")]
         if what == _NEEDED and len(several) > 1 and all(fold(part) in known for part in several):
             help = f"write `need: [{', '.join(several)}]`"
-        elif defined and what == _NEEDED:
-            help = f"show it under `outputs`: `{name}: {name}`"
+        elif what == _NEEDED and (defined or name in ENERGIES or name.startswith("lambda_")):
+            help = advise_need(name)
         elif defined:
             help = f"`{name}` follows from others: give the values of these"
             if self.scope.kind(name) != "entry" and what != "parameter":

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections.abc import Mapping, Sequence
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
 from nhc.language.advice import foreign_name, meant_entry, meant_force, meant_rate
 from nhc.language.expressions.names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
 from nhc.language.expressions.syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
+from nhc.language.expressions.unparse import unparse
 from nhc.language.yaml_tree.nodes import Text
 from nhc.records import record
 
 _SEARCHES = 50  # unknown names for which a near one is looked for; the search is slow
 _ENERGY = "energy"
+_PLACES = ("coordinate", "define", "entry")  # what has a rate and a differential
 _KINDS = {
     "coordinate": "a coordinate",
     "parameter": "a parameter",
@@ -133,14 +137,15 @@ class Scope:
         """
 
         quotients = self._report_quotients(tree) if place != "equation" else set[int]()
+        exponents = {id(node.right): node for node in walk(tree) if isinstance(node, Binary) and node.op == "^"}
 
         def visit(node: Syntax, parts: tuple[Syntax, ...]) -> Syntax:
             if isinstance(node, Name):
                 return node if id(node) in quotients else self._look_up(node, place)
-            node = rebuild(node, parts)
-            if isinstance(node, Prime):
-                self._check_prime(node)
-            return node
+            made = rebuild(node, parts)
+            if isinstance(made, Prime):
+                self._check_prime(made, exponents.get(id(node)))
+            return made
 
         return fold_tree(tree, visit)
 
@@ -178,11 +183,12 @@ class Scope:
             return node
         if name in ENERGIES and place == "output" and not kind:
             return node
-        if name.endswith("dot") and self.kind(name[:-3]) in ("coordinate", "define", "entry"):
+        if name.endswith("dot") and self.kind(name[:-3]) in _PLACES:
             self.used.add(name[:-3])
             return Prime(Name(name[:-3], node.span), node.span)
-        is_form = name.startswith("d") and (name == "dt" or self.kind(name[1:]) == "coordinate")
+        is_form = name.startswith("d") and (name == "dt" or self.kind(name[1:]) in _PLACES)
         if is_form and place == "equation":
+            self.used.add(name[1:])
             return Differential(name[1:], node.span)
         if kind or not self.open:
             self._report_unknown(node, kind, is_form, place)
@@ -217,12 +223,23 @@ class Scope:
                 (*self.of_kind(*kinds), PI) if place == "start" else (*self.of_kind(*kinds), *self.offered, TIME, PI)
             )
             near = meant_entry(name, known) or (nearest(name, known) if self._searches <= _SEARCHES else None)
-            rate = meant_rate(name, self.of_kind("coordinate", "define", "entry")) if place != "start" else ""
+            rate = meant_rate(name, self.of_kind(*_PLACES)) if place != "start" else ""
+            if place == "equation" and name[0] == "d":
+                rate = rate or self._advise_differential(name[1:])
             where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"
             help = rate or foreign_name(name) or (f"did you mean `{near}`?" if near else f"declare it under {where}")
         self.bag.error("E0302", message, node.span, help=(help,))
 
-    def _check_prime(self, node: Prime) -> None:
+    def _advise_differential(self, name: str) -> str:
+        """What to write in place of the differential of something that is no position; empty for an unknown name."""
+        advice = {
+            "parameter": f"leave it out: `{name}` is constant, so its differential is 0",
+            "quasi": f"`{name}` is a velocity: write the whole constraint with velocities",
+        }
+        return advice.get(self.kind(name), "")
+
+    def _check_prime(self, node: Prime, power: Binary | None) -> None:
+        """Refuse the prime of a constant; ``power`` has it for its exponent."""
         inner = node.operand
         constant = isinstance(inner, Number)
         if isinstance(inner, Name):
@@ -230,7 +247,13 @@ class Scope:
         if constant:
             what = f"`{inner.name}`" if isinstance(inner, Name) else "a number"
             value = "1" if isinstance(inner, Name) and inner.name == TIME else "0"
-            self.bag.error("E0212", f"the time derivative of {what} is {value}", node.span, help=(f"write `{value}`",))
+            help = f"write `{value}`"
+            if power is not None:
+                whole = unparse(Binary("^", power.left, inner, power.span, power.operator))
+                help = f"the prime binds tighter than `^`: write `({whole})'`"
+                if any(isinstance(part, Prime) for part in walk(power.left)):
+                    help = f"leave the prime of the exponent out: write `{whole}`"
+            self.bag.error("E0212", f"the time derivative of {what} is {value}", node.span, help=(help,))
 
     # --- velocities ---
 
@@ -245,22 +268,26 @@ class Scope:
                 return known.get(node.name, node.name in ("T", _ENERGY) and node.name not in self.names)
             if isinstance(node, Prime):
                 if parts[0] and report:
-                    self._report_velocities(node, known)
+                    self._report_velocities(node, node.operand, known)
                 return True
+            if isinstance(node, Differential) and known.get(node.name, False) and report:
+                self._report_velocities(node, Name(node.name, node.span), known)
             return any(parts)
 
         return fold_tree(tree, visit)
 
-    def _report_velocities(self, node: Prime, known: Mapping[str, bool]) -> None:
-        inner = node.operand
+    def _report_velocities(self, node: Syntax, inner: Syntax, known: Mapping[str, bool]) -> None:
         labels: tuple[Label, ...] = ()
         what = "an expression that holds velocities"
         if isinstance(inner, Name):
             what = f"`{inner.name}`, which holds velocities"
             if known.get(inner.name) and inner.name in self.names:
                 labels = (Label(self.names[inner.name].span, "declared here"),)
-        help = "the prime is for positions; accelerations are what nhc derives"
-        self.bag.error("E0414", f"time derivative of {what}", node.span, labels=labels, help=(help,))
+        derivative, sign = (
+            ("differential", "`d`") if isinstance(node, Differential) else ("time derivative", "the prime")
+        )
+        help = f"{sign} is for positions; accelerations are what nhc derives"
+        self.bag.error("E0414", f"{derivative} of {what}", node.span, labels=labels, help=(help,))
 
 
 def check_name(text: Text, bag: Bag) -> bool:
@@ -271,13 +298,19 @@ def check_name(text: Text, bag: Bag) -> bool:
     help = "a name is made of letters, digits and `_`, and starts with no digit"
     if shown[:1].isdigit() and is_name(f"a{shown}"):
         help = f"a name starts with no digit: write `{shown.lstrip('0123456789_') or 'a'}{shown[:1]}`, for example"
+    parts = shown.replace(",", " ").split()
+    plain = re.sub(r"_*\W+_*", "_", unicodedata.normalize("NFKC", shown)).strip("_")
+    if len(parts) == 1 and "'" not in shown and is_name(plain):  # x₁, l-1, $\mu$
+        help = f"write `{plain}`, for example: a name is made of letters, digits and `_`"
+    if len(parts) > 1 and all(map(is_name, parts)):
+        help = f"a name holds no blanks: write `{'_'.join(parts)}`, or `{', '.join(parts)}` for several names"
     bag.error("E0307", f"`{text.value[:40]}` is not a name", text.span, help=(help,))
     return False
 
 
 def names_in(tree: Syntax) -> tuple[str, ...]:
-    """Return the names that stand in an expression, each once, in the order of their first places."""
-    return tuple(dict.fromkeys(node.name for node in walk(tree) if isinstance(node, Name)))
+    """Return the names that stand in an expression, or whose differentials do, each once, in the order of their first places."""
+    return tuple(dict.fromkeys(node.name for node in walk(tree) if isinstance(node, Name | Differential)))
 
 
 def check_reactions(constraints: Mapping[str, Span], scope: Scope) -> None:

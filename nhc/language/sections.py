@@ -50,7 +50,8 @@ def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[
     if node is None:
         return []
     if isinstance(node, Items):
-        texts = [shapes.text(item, "a name", undashed(item) if isinstance(item, Table) else "") for item in node.items]
+        helps = [undashed(item, shapes.is_flow(node)) if isinstance(item, Table) else "" for item in node.items]
+        texts = [shapes.text(item, "a name", help) for item, help in zip(node.items, helps, strict=True)]
         scope.open = scope.open or None in texts
         return [(text, None) for text in texts if text is not None]
     single = node.value if isinstance(node, Text) and is_name(node.value) else "x, y"

@@ -26,8 +26,10 @@ def _first(node: Node) -> Span:
     return node.span if isinstance(node, Text) else Span(node.span.start, node.span.start + 1)
 
 
-def undashed(item: Node) -> str:
-    """How to write an entry of a list where names are keys."""
+def undashed(item: Node, flow: bool = False) -> str:
+    """How to write an entry of a list where names are keys; ``flow``: the list stands in brackets."""
+    if flow:
+        return "write names with values in braces: `{m: 1, l: 2}`"
     name = item.get("name") if isinstance(item, Table) else None
     if isinstance(name, Text) and is_name(name.value):
         return f"write `{name.value}:` in place of `- name: {name.value}`, and the entry's other keys under it"
@@ -44,6 +46,10 @@ class Shapes:
         if not is_empty(node):
             message = f"expected {wanted}, found {describe(node)}"
             self.bag.error("E0301", message, _first(node), help=(help or f"write {wanted} here",))
+
+    def is_flow(self, node: Node) -> bool:
+        """Whether a list is written in brackets."""
+        return self.bag.source.text[node.span.start : node.span.start + 1] == "["
 
     def text(self, node: Node, wanted: str = "a text", help: str = "") -> Text | None:
         """Return a text that is not empty."""
@@ -72,7 +78,7 @@ class Shapes:
         if isinstance(node, Table):
             return node
         if isinstance(node, Items) and node.items and all(isinstance(item, Table) for item in node.items):
-            help = undashed(node.items[0])  # a list of mappings: what it holds is right
+            help = undashed(node.items[0], self.is_flow(node))  # a list of mappings: what it holds is right
         self._wrong(node, wanted, help)
         return None
 

@@ -92,7 +92,7 @@ class Resolver:
                 case Negate():
                     return g.neg(self._build(part.operand, names))
                 case Differential():
-                    return g.one if part.name == "t" else self.v[self.coordinate(part.name)]
+                    return g.one if part.name == "t" else self._rate(names[part.name])
                 case Call():
                     return self._call(part, [self._build(x, names) for x in part.arguments])
                 case Binary():

@@ -7,6 +7,7 @@ from dataclasses import replace
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Source, Span, SpecError, suggest
 from nhc.language import Spec, decode
+from nhc.language.advice import advise_need
 from nhc.language.expressions.names import ENERGIES, fold_typed
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.expressions.syntax import Name, Syntax, fold_tree, rebuild
@@ -134,7 +135,8 @@ def find_need(spec: Spec, text: str) -> str:
         return f"{name[:-3]}'"
     if name == "reactions":
         raise RunError("there are no reactions: this spec has no constraint", ("leave `reactions` out",))
-    hint = suggest(name, known, f"it can be {', '.join(known)}")
+    shown = name in (*ENERGIES, *(d.name for d in spec.definitions)) or name.startswith("lambda_")
+    hint = advise_need(name) if shown else suggest(name, known, f"it can be {', '.join(known)}")
     raise RunError(f"no quantity `{text}` in this spec", (hint,))
 
 

@@ -119,3 +119,10 @@ def test_where_the_constraints_lose_rank_no_choice_is_called_better() -> None:
     ).values()
     assert len(told) == 1 and "the scene `lost` starts where the coframe is singular" in " ".join(made.split())
     assert "chosen for the start" not in made
+
+
+def test_a_function_that_the_scenes_model_lacks(capsys: pytest.CaptureFixture[str]) -> None:
+    command = ["emit", "chaplygin_sleigh", "-l", "c", "--scene", "speeds_only", "--stdout", "--only"]
+    for name, advice in (("energy", "let the scene need `energy`"), ("velocities", "leave `--scene` out\n")):
+        assert main([*command, name]) == 2
+        assert advice in capsys.readouterr().err

@@ -117,6 +117,11 @@ def test_failures_carry_their_code(monkeypatch: pytest.MonkeyPatch, capsys: pyte
     assert capsys.readouterr().err == "error[E0501]: no\n  = help: do this\n"
 
 
+def test_a_spec_in_place_of_a_verb(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["kart.yaml"]) == 2
+    assert "`nhc check kart.yaml`" in capsys.readouterr().err
+
+
 def test_an_interrupt_is_130(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _raise(monkeypatch, KeyboardInterrupt()) == 130
 

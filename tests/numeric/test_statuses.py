@@ -157,3 +157,27 @@ def test_a_matrix_with_no_number_is_not_singular_wherever_it_stands(array: str, 
             given = [numpy.array(x) for x in (0.0, y, p)] if array else [0.0, y, p]
             assert ask_python(module, function, given) == module.NOT_FINITE
             assert ask_c(model, function, size, [0.0, y, p]) == module.NOT_FINITE
+
+
+SWINGING = """nhc: 1
+system: swinging_mass
+coordinates: [r, theta]
+parameters: {M: 3, m: 1, g: 9.81}
+T: (M + m)/2*r'^2 + m/2*r^2*theta'^2
+V: M*g*r - m*g*r*cos(theta)
+quasi_velocities: {h: r^2*theta'/(1 + r^2)}
+"""
+
+
+@pytest.mark.parametrize("array", ["", "numpy"])
+def test_a_coframe_is_singular_before_the_mass_that_it_divides(array: str, tmp_path: Path) -> None:
+    """At r = 0 the mass m/h_theta^2 of h is infinite: Python must not divide before it looks."""
+    source = Source("swinging_mass.yaml", SWINGING)
+    (text,) = emit(source, "python", Options(array=array)).values()
+    module = python_model(text, "swinging_mass")
+    files = emit(source, "c", Options())
+    model = CModel("swinging_mass", ctypes.CDLL(str(compile_c(files, tmp_path, "swinging_mass"))), {})
+    y, p = [0.0, 0.3, 0.1, 0.2], list(module.DEFAULTS)
+    for function, size in (("rhs", 4), ("velocities", 2), ("accelerations", 2), ("jacobian", 16)):
+        assert ask_c(model, function, size, [0.0, y, p]) == 1
+        assert ask_python(module, function, [numpy.array(x) for x in (0.0, y, p)] if array else [0.0, y, p]) == 1

@@ -91,6 +91,22 @@ SLIPS = [
     ("V: -m*g", "V:-m*g", "E0104", "put a blank after `V:`", "V: -m*g"),
     ("V: -m*g*l*cos(θ)", 'V: "-m*g*l*cos(θ)', "E0104", 'close the text with `"`', 'V: "-m*g*l*cos(θ)"'),
     ("  go: {", "\tgo: {", "E0104", "indent with spaces", "  go: {"),
+    ("+ x'^2", "+ x'*x^2'", "E0212", "the prime binds tighter than `^`: write `(x^2)'`", "+ x'*(x^2)'"),
+    ("+ x'^2", "+ x'^2'", "E0212", "leave the prime of the exponent out: write `x'^2`", "+ x'^2"),
+    ("+ x'^2", "+ xddot*x'^2", "E0302", "accelerations are what nhc derives", "+ x'^2"),
+    ("{m: 2,", "{k₁: 1, m: 2,", "E0307", "write `k1`", "{k1: 1, m: 2,"),
+    ("{m: 2,", "{k-1: 1, m: 2,", "E0307", "write `k_1`", "{k_1: 1, m: 2,"),
+    ("+ x'^2", "+ xdotdot*x'^2", "E0302", "accelerations are what nhc derives", "+ x'^2"),
+    ("+ x'^2", "+ (x dot)^2", "E0203", "write `x'`", "+ x'^2"),
+    ("+ x'^2", "+ x₁*x'^2", "E0201", "as in `x1`", "+ x*x'^2"),
+    ("+ x'^2", "+ ddx*x'^2", "E0302", "accelerations are what nhc derives", "+ x'^2"),
+    ("+ x'^2", "+ ddot(x)*x'^2", "E0206", "accelerations are what nhc derives", "+ x'^2"),
+    ("+ x'^2", "+ (d(x)/dt)^2", "E0206", "the velocity `x'`", "+ x'^2"),
+    ("V: -m*g*l*cos(θ)", "V: -m*g*l*cos(30*deg)", "E0302", "write `*pi/180`", "V: -m*g*l*cos(30*pi/180)"),
+    ("V: -m*g*l*cos(θ)", "V: -m*g*l*cos(30 deg)", "E0203", "write `30*pi/180`", "V: -m*g*l*cos(30*pi/180)"),
+    ("coordinates: [x, θ]", "coordinates: [x θ]", "E0307", "`x, θ` for several names", "coordinates: [x, θ]"),
+    ("need: [x, θ']", "need: [x, T]", "E0419", "`T_shown: T`", "need: x"),
+    ("need: [x, θ']", "need: [x, X]", "E0419", "`X: X`", "need: x"),
 ]  # fmt: skip
 
 
@@ -125,6 +141,7 @@ def test_one_slip_one_diagnostic_and_a_help_that_helps(
         ("coordinates: [x, θ]", "coordinates:\n  - x: {unit: m}\n  - θ: {}", "leave out the `-`"),
         ("coordinates: [x, θ]", "coordinates:\n  - name: x\n    unit: m\n  - name: θ", "write `x:` in place of `- name: x`"),
         ("parameters: {m: 2,", "parameters:\n  - {name: m, value: 2}\n  - {name: g, v: 2,", "write `m:` in place of `- name: m`"),
+        ("parameters: {m: 2, l: 0.5, g: 9.81}", "parameters: [m: 2, l: 0.5, g: 9.81]", "in braces: `{m: 1, l: 2}`"),
         ("parameters: {m: 2, l: 0.5, g: 9.81}", "parameters:\n  m = 2", "write one name per line with its value: `m: 1`"),
     ],
 )  # fmt: skip
@@ -180,6 +197,33 @@ def test_slips_with_bodies_rotations_and_units(right: str, wrong: str, code: str
     (found,) = find(ARM.replace(right, wrong, 1))
     assert (found.code, help in found.help[0]) == (code, True), found
     assert find(ARM.replace(right, followed, 1)) == ()
+
+
+@pytest.mark.parametrize(
+    ("wrong", "code", "help", "followed"),
+    [
+        ("constraints: [dx - l*dθ + dm = 0]", "E0302", "`m` is constant", "constraints: [dx - l*dθ = 0]"),
+        (
+            "quasi_velocities: {u: x'}\nconstraints: [du - l*dθ = 0]",
+            "E0302",
+            "write the whole constraint with velocities",
+            "quasi_velocities: {u: x'}\nconstraints: [x' - l*θ' = 0]",
+        ),
+        ("constraints: [d(x) - l*dθ = 0]", "E0206", "is written `dx`", "constraints: [dx - l*dθ = 0]"),
+        ("constraints: [dx - l*dθ = 0]\ndependent: x", "E0301", "write `[x]`", "constraints: [dx - l*dθ = 0]\ndependent: [x]"),
+        ("constraints: [dx - l*dθ = 0]\nholonomic: [m = 3]", "E0403", "no coordinate is left", "constraints: [dx - l*dθ = 0]"),
+    ],
+)  # fmt: skip
+def test_slips_in_constraints(wrong: str, code: str, help: str, followed: str) -> None:
+    (found,) = [d for d in find(f"{SPEC}{wrong}\n") if d.code.startswith("E")]
+    assert (found.code, help in found.help[0]) == (code, True), found
+    assert not [d for d in find(f"{SPEC}{followed}\n") if d.code.startswith("E")]
+
+
+def test_a_defined_position_has_a_differential() -> None:
+    assert not [d for d in find(f"{SPEC}constraints: [cos(θ)*dX - l*dθ = 0]\n") if d.code.startswith("E")]
+    (found,) = find(SPEC.replace("{X:", "{W: x', X:") + "constraints: [dW - l*dθ = 0]\n")
+    assert (found.code, found.message) == ("E0414", "differential of `W`, which holds velocities")
 
 
 @pytest.mark.parametrize("entry", ["x' == l*θ'", "x' - l*θ' ==0"])

@@ -16,6 +16,7 @@ _SIGNS = {
     "\u00f7": "write `/`",
     "\u2019": "write the plain prime `'`",
     **{"\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[k]: f"write `^{k}`" for k in range(10)},
+    **{chr(0x2080 + k): f"write a plain digit in a name, as in `x{k}`" for k in range(10)},
     "\u207b": "write the power after `^`, as in `x^-1`",
     "\u00bc": "write `1/4`",
     "\u00bd": "write `1/2`",
@@ -124,6 +125,10 @@ def meant_call(name: str, rest: str) -> str:
     rate = re.match(r"\(\s*([^\W\d]\w*)\s*(?:,\s*t\s*)?\)", rest)
     if rate and SPELLINGS.get(name.lower()) == "dot(x)":
         return f"write `{rate[1]}'`"
+    if rate and name == "d":
+        return f"the differential in a constraint is written `d{rate[1]}`, the velocity `{rate[1]}'`"
+    if name.lower() in ("ddot", "dddot"):
+        return ACCELERATIONS
     if name.lower() in SPELLINGS:
         return f"write `{SPELLINGS[name.lower()]}`"
     if re.match(r"\(\s*t\s*\)", rest):

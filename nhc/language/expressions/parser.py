@@ -163,6 +163,8 @@ class _Parser:
         if isinstance(inner, Name) and inner.name in _ARITY:
             call = f"{inner.name}({argument})"
             return f"write `{call if inner is node else f'{DOT}({call})'}`"
+        if token.text == DOT and isinstance(node, Name):
+            return f"write `{node.name}'`"
         if not isinstance(node, Number):
             return ""
         if token.kind == "number":
@@ -171,6 +173,8 @@ class _Parser:
         base = self.operands[-2][0] if len(self.operands) > 1 and self.frames[-1].kind == "^" else None
         if isinstance(base, Name) and base.name in _ARITY:
             return f"write `{base.name}({argument})^{self.text[self.operands[-1][1] : self.operands[-1][2]]}`"
+        if token.text in ("deg", "degree", "degrees"):
+            return f"angles are in radians: write `{self.text[self.operands[-1][1] : self.operands[-1][2]]}*pi/180`"
         if token.text in ("e", "E"):
             return "write the exponent behind the `e`, as in `1e3`"
         if not node.value and token.text[:1] in ("x", "b", "o") and len(token.text) > 1:

@@ -40,7 +40,7 @@ class Prime:
 
 @identity_record
 class Differential:
-    """``d`` of a coordinate or of ``t``; in constraints only."""
+    """``d`` of a coordinate, a definition of positions, or ``t``; in constraints only."""
 
     name: str
     span: Span

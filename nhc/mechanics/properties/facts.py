@@ -20,11 +20,13 @@ from nhc.mechanics.properties.integrals import PositionIntegral, find_position_i
 from nhc.mechanics.properties.named import named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
+from nhc.mechanics.regular.determined import warn_of_bare
 from nhc.mechanics.regular.regularity import Choice, choose_dependent
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
 
 _UNDECIDED = "not decided (too many nested roots for the exact test)"
+_UNKNOWN = "; nhc has found none in elementary functions"
 _SHOWN = 6  # minors that are written out
 
 
@@ -56,6 +58,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     text = ", ".join(_numbered(*part) for part in (*parts, (n - lower, "free velocity", "free velocities")))
     facts.say("degrees", {"n": n, "l": lower}, text)
     _kinetic(system, facts, explain)
+    warn_of_bare(system, bag)
     integrals: tuple[PositionIntegral, ...] = ()
     torn = list_torn(system)
     if lower:
@@ -213,12 +216,15 @@ def _warn_integrable(
                 ),
             )
             continue
+        shown = _shown(name, [i for i in integrals if set(i.names) <= set(named)])
         bag.warning(
             "W0410",
             f"the constraint `{name}` is integrable{given}: it is a holonomic constraint in disguise",
             spans[name],
-            notes=_shown(name, [i for i in integrals if set(i.names) <= set(named)]),
-            help=("give its integral under `holonomic:`, so that positions are held to it too",),
+            notes=shown,
+            help=(
+                f"give its integral under `holonomic:`, so that positions are held to it too{'' if shown else _UNKNOWN}",
+            ),
         )
     combined = found.hidden - len(written) - len(named)
     if combined > 0:

@@ -10,16 +10,20 @@ from collections.abc import Iterator
 
 from nhc.algebra.calculus import tangent
 from nhc.algebra.expand import Monomial, TooLarge
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import POW, Graph, Node
 from nhc.algebra.polynomial import normalise, polynomial
 from nhc.mechanics.system import System
 
 _MOST = 40  # terms of a coefficient
+_HIGHEST = 6  # power of a sine times a cosine, or of a coordinate before a function
 _SIGNLESS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh", "exp": "exp"}  # up to a sign, integrals
 
 
 def find_primitives(system: System) -> list[Node]:
-    """Antiderivatives of all terms, up to numbers, where they are elementary at once; each once, in the constraints' order."""
+    """Antiderivatives of all terms, up to numbers, where they are elementary at once; each once, in the constraints' order.
+
+    Where an antiderivative has several terms, each stands by itself.
+    """
     g, found = system.graph, list[Node]()
     for form in system.constraints:
         for x, a in zip((*system.q, system.t), (*form.coefficients, form.constant), strict=True):
@@ -32,16 +36,102 @@ def find_primitives(system: System) -> list[Node]:
 
 
 def _integrate(g: Graph, term: Monomial, x: Node) -> Iterator[Node]:
-    """At most one node: the integral of the product by x, up to a number; that of 1/x has a value on either side of 0."""
-    inside = [(node, power) for node, power in term if g.depends(node, g.deps[x])]
+    """The terms of the integral of the product by x, up to numbers; those of its first rule that applies."""
+    bases = [(g.a[node], g.b[node] * power) if g.op[node] == POW else (node, power) for node, power in term]
+    inside = [(node, power) for node, power in bases if g.depends(node, g.deps[x])]
     outside = g.product([g.power(node, power) for node, power in term if not g.depends(node, g.deps[x])])
     if not inside:
         yield g.mul(outside, x)
-    elif len(inside) == 1:
-        node, power = inside[0]
-        if node == x:
-            yield g.mul(outside, g.power(x, power + 1) if power != -1 else g.function("log", g.function("abs", x)))
-        elif power == 1 and g.op[node] in _SIGNLESS:
-            (rate,) = tangent(g, [g.a[node]], {x: g.one})
-            if rate != g.zero and not g.depends(rate, g.deps[x]):
-                yield g.mul(normalise(g, g.div(outside, rate), _MOST), g.function(_SIGNLESS[g.op[node]], g.a[node]))
+        return
+    for rule in (_substitute, _by_parts, _by_waves, _by_squares):
+        found = list(rule(g, inside, x))
+        if found:
+            yield from (g.mul(normalise(g, g.mul(outside, factor), _MOST), node) for factor, node in found)
+            return
+
+
+_Factors = list[tuple[Node, int]]
+"""Factors with x and their powers."""
+_Terms = Iterator[tuple[Node, Node]]
+"""Factors without x, and functions of x."""
+
+
+def _substitute(g: Graph, inside: _Factors, x: Node) -> _Terms:
+    """The rest of the product is the rate of one of its factors, or of its argument, up to what is free of x: f' f^p, f' sin f."""
+    for k, (node, power) in enumerate(inside):
+        rest = g.product([g.power(*other) for i, other in enumerate(inside) if i != k])
+        if g.op[node] in _SIGNLESS and power == 1:
+            ratio = _ratio(g, rest, g.a[node], x)
+            if ratio is not None:
+                yield ratio, g.function(_SIGNLESS[g.op[node]], g.a[node])
+                return
+        if g.op[node] == "tanh" and power == 1 and (ratio := _ratio(g, rest, g.a[node], x)) is not None:
+            yield ratio, g.function("log", g.function("cosh", g.a[node]))
+            return
+        root = g.op[node] == "sqrt"  # a power of its half, of what is under it
+        base = g.a[node] if root else node
+        ratio = _ratio(g, rest, base, x)
+        if ratio is None:
+            continue
+        raised = power + (2 if root else 1)
+        # the logarithm has a value on either side of 0
+        yield ratio, g.power(node, raised) if raised else g.function("log", g.function("abs", base))
+        return
+
+
+def _ratio(g: Graph, rest: Node, inner: Node, x: Node) -> Node | None:
+    """The rest over the rate of the inner function, up to a number, where that is free of x."""
+    (rate,) = tangent(g, [inner], {x: g.one})
+    if rate == g.zero:
+        return None
+    if g.split_coefficient(rate)[1] == g.split_coefficient(rest)[1]:
+        return g.one  # up to a number; exp(x)/exp(x) would stay as it is
+    ratio = normalise(g, g.div(rest, rate), _MOST)
+    return None if g.depends(ratio, g.deps[x]) else ratio
+
+
+def _by_parts(g: Graph, inside: _Factors, x: Node) -> _Terms:
+    """x^k f(r x + s): terms x^j f and x^j F, with 1/r once for every integration."""
+    powers = dict(inside)
+    highest = powers.pop(x, 0)
+    if len(powers) != 1 or not 0 < highest <= _HIGHEST:
+        return
+    ((node, power),) = powers.items()
+    ratio = _ratio(g, g.one, g.a[node], x) if g.op[node] in _SIGNLESS and power == 1 else None
+    if ratio is None:
+        return
+    for k in range(highest + 1):
+        for name in dict.fromkeys((g.op[node], _SIGNLESS[g.op[node]])):
+            yield g.power(ratio, highest - k + 1), g.mul(g.power(x, k), g.function(name, g.a[node]))
+
+
+def _by_waves(g: Graph, inside: _Factors, x: Node) -> _Terms:
+    """sin^a cos^b of one angle r x + s: their products of degree a + b and of two, four, ... less, and x."""
+    angles = {g.a[node] for node, _ in inside if g.op[node] in ("sin", "cos")}
+    degree = sum(power for _, power in inside)
+    plain = all(g.op[node] in ("sin", "cos") and power > 0 for node, power in inside)
+    if not plain or len(angles) != 1 or degree > _HIGHEST:
+        return
+    (angle,) = angles
+    ratio = _ratio(g, g.one, angle, x)
+    if ratio is None:
+        return
+    sine, cosine = g.function("sin", angle), g.function("cos", angle)
+    if degree % 2 == 0:
+        yield g.one, x
+    for size in range(degree, 0, -2):
+        yield from ((ratio, g.mul(g.power(sine, k), g.power(cosine, size - k))) for k in range(size + 1))
+
+
+def _by_squares(g: Graph, inside: _Factors, x: Node) -> _Terms:
+    """1/(a x^2 + b x + c) with numbers 4 a c - b^2 > 0: an arc tangent."""
+    if len(inside) != 1 or inside[0][1] != -1:
+        return
+    ((square, _),) = inside
+    (rate,) = tangent(g, [square], {x: g.one})
+    (curvature,) = tangent(g, [rate], {x: g.one})
+    size = g.value(normalise(g, g.sub(g.mul(g.mul_number(2, curvature), square), g.mul(rate, rate)), _MOST))
+    if g.value(curvature) is None or size is None or size <= 0:
+        return
+    width = g.function("sqrt", g.number(size))
+    yield g.one, g.function("atan", normalise(g, g.div(rate, width), _MOST))

@@ -52,8 +52,15 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
                     if empty
                     else f"the rows have rank {len(kept)} with it as without it, so the reactions would not be unique",
                 ),
-                help=("remove it",),
+                help=(_advise_repeated(form, kept, empty),),
             )
+
+
+def _advise_repeated(form: Form, kept: Sequence[Form], empty: bool) -> str:
+    """What to do with a row that says nothing new; an equation of positions says more than its rate."""
+    if not empty and form.equation is not None and any(other.equation is None for other in kept):
+        return "remove what says the same under `constraints:`, for this holds positions too; or remove it"
+    return "remove it"
 
 
 def _is_clear(system: System) -> bool:
@@ -122,6 +129,8 @@ def loses_rank(g: Graph, matrix: Sequence[Sequence[Node]]) -> bool:
 def _advise(system: System, form: Form, empty: bool) -> str:
     """What to do with a row whose terms in the velocities vanish, or follow from others, and whose free term does not."""
     g = system.graph
+    if empty and form.equation is not None:
+        return "remove it, or correct its terms: no coordinate is left in it, so no motion can change it"
     if form.equation is None and any(g.depends(form.constant, g.deps[x]) for x in system.q):
         return (
             "a relation between positions belongs under `holonomic:`"

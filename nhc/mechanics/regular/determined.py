@@ -25,7 +25,7 @@ def check_determined(system: System, mass: Sequence[Sequence[Node]], *, bordered
         rows += [[*c.coefficients, *([zero] * system.l)] for c in system.constraints]
     if rank(g, rows) == len(rows):
         return
-    bare = _without_inertia(system)
+    bare = list_bare(system)
     what = quote(bare)
     bag = Bag(system.spec.origin)
     bag.error(
@@ -38,7 +38,22 @@ def check_determined(system: System, mass: Sequence[Sequence[Node]], *, bordered
     bag.raise_if_errors()
 
 
-def _without_inertia(system: System) -> list[str]:
+def warn_of_bare(system: System, bag: Bag) -> None:
+    """Say which coordinates have no inertia of their own although the constraints determine their accelerations."""
+    bare = list_bare(system) if system.constraints else []
+    if bare:
+        what = "its acceleration follows" if len(bare) == 1 else "their accelerations follow"
+        bag.warning(
+            "W0426",
+            f"`T` has no second-order part in {quote(bare)}: {what} from the constraints alone",
+            _place(system, bare),
+            help=(
+                f"give {'it an' if len(bare) == 1 else 'them'} inertia in `T`, unless this is meant to have no mass",
+            ),
+        )
+
+
+def list_bare(system: System) -> list[str]:
     """The velocities, and the components of angular velocities, in which T has no second-order part."""
     g = system.graph
 
