@@ -23,25 +23,33 @@ from nhc.algebra.polynomial import normalise
 _TERMS = 150
 _HIGHEST = 24  # degree in one unknown
 _UNKNOWNS = 16
+_FIRST = 3  # of many, the shortest: most share nothing
 
 
 def find_shared(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
     """Factors that all of the nodes have, each once and without its powers; none where the nodes are too long to tell."""
     expander = Expander(graph, _TERMS, circle=False)
     try:
-        written = [_by_halves(graph, p) for p in expander.expand(nodes) if p]
+        expanded = sorted((p for p in expander.expand(nodes) if p), key=len)
+        found = _shared(graph, [_by_halves(graph, p) for p in expanded[:_FIRST]])
+        if found and len(expanded) > _FIRST:
+            found = _shared(graph, [_by_halves(graph, p) for p in expanded])
     except TooLarge:
         return []
+    return found
+
+
+def _shared(graph: Graph, polynomials: Sequence[Polynomial]) -> list[Node]:
+    written = [p for p in polynomials if p]
     unknowns = sorted({atom for p in written for monomial in p for atom, _ in monomial})
     if not written or len(unknowns) > _UNKNOWNS:
         return []
     dense = [_shifted(p, unknowns) for p in written]
     lowest = [min(low[k] for _, low in dense) for k in range(len(unknowns))]
     found = _joined(graph, [atom for atom, low in zip(unknowns, lowest, strict=True) if low > 0])
-    polynomials = [p for p, _ in dense]
-    if max(max(powers, default=0) for p in polynomials for powers in p) <= _HIGHEST and _seem_to_share(polynomials):
-        for factor in shared_factors(polynomials):
-            found.append(_written(graph, factor, unknowns))
+    rest = [p for p, _ in dense]
+    if max(max(powers, default=0) for p in rest for powers in p) <= _HIGHEST and _seem_to_share(rest):
+        found += [_written(graph, factor, unknowns) for factor in shared_factors(rest)]
     return found
 
 

@@ -71,3 +71,11 @@ def test_no_sympy_where_nothing_is_shared(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setitem(sys.modules, "sympy", None)
     g = Graph()
     assert find_shared(g, [build(g, x) for x in ("x (x + y)", "circle", "2 + x", "sin")]) == []
+
+
+def test_what_is_zero_by_the_circle_alone_is_left_out() -> None:
+    g = Graph()
+    s, c = g.function("sin", g.symbol("th")), g.function("cos", g.symbol("th"))
+    zero = g.sum([g.power(s, 2), g.mul(c, g.sub(c, g.power(s, 2))), g.mul(c, g.power(s, 2)), g.number(-1)])
+    assert is_zero(g, zero) and find_shared(g, [zero]) == []
+    assert find_shared(g, [zero, g.mul(g.symbol("x"), c), g.mul(g.symbol("x"), s)]) == [g.symbol("x")]
