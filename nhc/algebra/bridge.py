@@ -1,6 +1,7 @@
-"""The bridge to SymPy: printing's last resort, on request and under a time limit.  Nothing else in nhc imports SymPy.
+"""The bridge to SymPy: printing's last resort, on request and under a time limit, and factors of polynomials.  Nothing else in nhc
+imports SymPy.
 
-What comes back is believed only after the exact identity test, and kept only if it is shorter.
+What comes back of a simplification is believed only after the exact identity test, and kept only if it is shorter.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 import signal
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from types import FrameType
 from typing import TYPE_CHECKING, Any
@@ -20,6 +21,9 @@ from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, UNARY, G
 if TYPE_CHECKING:
     import sympy
 
+Powers = Mapping[tuple[int, ...], Fraction]
+"""A polynomial: the powers of its unknowns, and what stands before them."""
+_MOST_FACTORED = 60  # terms beyond which a polynomial is not taken apart but for its powers
 _TO = {"abs": "Abs", "min": "Min", "max": "Max", "powf": "Pow"}
 _FROM = {name: key for key, name in _TO.items() if key != "powf"}
 
@@ -84,6 +88,25 @@ def from_sympy(graph: Graph, expression: sympy.Expr) -> Node:
     if name not in UNARY | BINARY | {"tan"}:
         raise ValueError(f"no operation of the graph for `{name}`")
     return graph.function(name, *operands)
+
+
+def shared_factors(polynomials: Sequence[Powers]) -> list[Powers]:
+    """The factors of the polynomials' greatest common divisor, each once; numbers are left out."""
+    import sympy
+
+    count = len(next(iter(polynomials[0])))
+    unknowns = sympy.symbols(f"s:{count}")
+    terms = ({powers: sympy.Rational(k.numerator, k.denominator) for powers, k in p.items()} for p in polynomials)
+    shared, *others = (sympy.Poly(own, *unknowns, domain="QQ") for own in terms)
+    for other in others:
+        shared = sympy.gcd(shared, other)
+    few = len(shared.terms()) <= _MOST_FACTORED
+    _, factors = shared.factor_list() if few else shared.sqf_list()
+    return [
+        {powers: Fraction(int(k.p), int(k.q)) for powers, k in factor.terms()}
+        for factor, _ in factors
+        if not factor.is_ground
+    ]
 
 
 class Simplifier:

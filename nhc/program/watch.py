@@ -17,7 +17,7 @@ from nhc.algebra.graph import Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.algebra.solving.sizes import row_scale, size_of
-from nhc.mechanics.properties.singular import find_rank_loss, find_vanishing_factors
+from nhc.mechanics.properties.singular import find_rank_loss, find_vanishing_factors, find_vanishing_minors
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.regular.trials import usual_digits
 from nhc.mechanics.system import System
@@ -52,7 +52,7 @@ class Event:
 
 @record
 class Watch:
-    """``about[k]`` says what value k is, ``kinds[k]`` is event, edge, frame, mass, rank or whole, and deep for a frame's
+    """``about[k]`` says what value k is, ``kinds[k]`` is event, edge, frame, mass, rank, minors or whole, and deep for a frame's
     lower levels.
 
     ``events``, ``signs``, ``close`` count the user's events, the edges and determinants, and the values that tell a singularity by
@@ -84,12 +84,12 @@ class Watch:
             return f"{what} here: all coefficients of one of them vanish, and {beyond}"
         if kind == "edge":
             return f"the expression of `--until` has no value beyond this place, where {what}"
-        if index < self.dips:
+        if index < self.dips and kind != "minors":
             return f"{what}: the determinant changes its sign here, and {beyond}"
         if kind == "mass":
             who = "the coordinates, or the velocities that are kept," if "frame" in self.kinds else "the coordinates"
             return f"{what}: a pivot of it vanishes here, where {who} do not tell the motion, and {beyond}"
-        if kind == "rank":
+        if kind in ("rank", "minors"):
             return f"{what} here: their minors vanish together, and {beyond}"
         if kind == "whole":
             return f"{what} here, and {beyond}"
@@ -246,7 +246,10 @@ def _rank(planner: Planner) -> list[_Measure]:
 
 
 def _factors(planner: Planner) -> list[_Measure]:
-    """What a constraint is multiplied by as a whole, where that may vanish: only its sign tells."""
-    g = planner.graph
-    values = substitute(g, find_vanishing_factors(planner.system), planner.put_in)
-    return [_Measure(value, g.one, False, "rank", RANK_LOST, ()) for value in values if not planner.is_constant(value)]
+    """What a constraint is multiplied by as a whole, or all minors of several, where that may vanish: only its sign tells."""
+    g, system, found = planner.graph, planner.system, list[_Measure]()
+    for kind, nodes in (("rank", find_vanishing_factors(system)), ("minors", find_vanishing_minors(system))):
+        for value in substitute(g, nodes, planner.put_in):
+            if not planner.is_constant(value) and value not in [m.value for m in found]:
+                found.append(_Measure(value, g.one, False, kind, RANK_LOST, ()))
+    return found

@@ -286,3 +286,56 @@ def test_a_constraint_that_vanishes_as_a_whole_ends_the_run(
     out, err = capsys.readouterr()
     assert code == (3 if stops else 0) and ("constraints lose rank" in err) is stops
     assert (out == "") is stops
+
+
+MULTIPLIED_OUT = {
+    "x^2 + 2*x": ("-x^2*sin(th)*x' - 2*sin(th)*x*x' + x^2*cos(th)*y' + 2*cos(th)*x*y' = 0", 0.0),
+    "x^2*(x + 2)": ("-(x^3*sin(th) + 2*x^2*sin(th))*x' + (x^3*cos(th) + 2*x^2*cos(th))*y' = 0", 0.0),
+    "x*(2 + cos(th))": ("-(2*x*sin(th) + x*sin(th)*cos(th))*x' + (2*x*cos(th) + x*cos(th)^2)*y' = 0", 0.0),
+    "x*(x + y - 1e-4)": (
+        "(-x^2*sin(th) - x*y*sin(th) + x*sin(th)/10000)*x' + (x^2*cos(th) + x*y*cos(th) - x*cos(th)/10000)*y' = 0",
+        0.001,
+    ),
+}
+
+
+@pytest.mark.parametrize("formulation", ["auto", "multipliers"])
+@pytest.mark.parametrize("factor", MULTIPLIED_OUT)
+def test_a_shared_factor_that_was_multiplied_out_ends_the_run(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], formulation: str, factor: str
+) -> None:
+    """Its terms vanish with it where they have x as a factor, so that no size of them tells; nor does the sign of x (x + y) where
+    both change theirs within one step.
+    """
+    row, y = MULTIPLIED_OUT[factor]
+    path = tmp_path / "expanded.yaml"
+    text = FACTORED.replace("{factor}*(-sin(th)*x' + cos(th)*y') = 0", row).replace("{{", "{").replace("}}", "}")
+    path.write_text(text.replace("x': 1}", f"y: {y}, x': -1, y': {-math.tan(0.4)}}}"))
+    assert main(["run", str(path), "--points", "2", "-f", formulation]) == 3
+    out, err = capsys.readouterr()
+    assert "constraints lose rank" in err and out == ""
+
+
+SHARED_MINORS = """\
+nhc: 1
+system: shared_minors
+coordinates: [x, y, z, th]
+T: (x'^2 + y'^2 + z'^2)/2 + 3*th'^2/10
+V: x/10 + y^2/5
+constraints:
+  - z' - y*x' - x^2*y'/3 = 0
+  - z' - y*x' - x^2*y'/3 + (x^2 + x/2)*(sin(th)*y' - cos(th)*x') + th'*x^2 + th'*x/2 = 0
+scenes: {go: {initial: {x: 0.5, y: 0.2, th: 0.3, x': -1, y': -0.3}, time: [0, 3]}}
+"""
+
+
+@pytest.mark.parametrize("formulation", ["auto", "multipliers"])
+def test_a_factor_that_only_the_minors_share_ends_the_run(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], formulation: str
+) -> None:
+    """At x = 0 both constraints are the same, and no row vanishes."""
+    path = tmp_path / "minors.yaml"
+    path.write_text(SHARED_MINORS)
+    assert main(["run", str(path), "--project", "--points", "2", "-f", formulation]) == 3
+    said = capsys.readouterr().err
+    assert "t = 0.50643" in said and "constraints lose rank" in said

@@ -15,9 +15,10 @@ from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.dense import symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
-from nhc.algebra.graph import MUL, POW, Graph, Node
+from nhc.algebra.graph import ADD, MUL, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rewriting.angles import normalise_angles
+from nhc.algebra.shared import find_shared
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.choosing.adapt import set_pivots_aside
 from nhc.mechanics.regular.regularity import intervals
@@ -27,6 +28,7 @@ from nhc.records import record
 
 _MOST_ROWS = 3
 _MOST_MINORS = 60
+_FEW_TERMS = 100
 
 
 @record
@@ -39,6 +41,15 @@ class RankLoss:
 
 def find_rank_loss(system: System) -> RankLoss:
     """Rows with a pivot that cannot vanish are set aside; the others are judged by the squares of their maximal minors."""
+    known: list[tuple[System, RankLoss]] = system.graph.memory.setdefault("losses of rank", [])
+    found = next((loss for owner, loss in known if owner is system), None)
+    if found is None:
+        found = _find_rank_loss(system)
+        known.append((system, found))
+    return found
+
+
+def _find_rank_loss(system: System) -> RankLoss:
     g, known = system.graph, intervals(system)
     rows, columns = set_pivots_aside(system)
     matrix = rows_in_base(system, system.constraints)
@@ -72,11 +83,40 @@ def find_vanishing_factors(system: System) -> list[Node]:
 
     No measure that compares a constraint with its own size sees these places.
     """
-    g, known, found = system.graph, intervals(system), dict[Node, None]()
+    found = dict[Node, None]()
     for row in rows_in_base(system, system.constraints):
-        shared = reduce(and_, (_factors(g, entry) for entry in row if entry != g.zero))
-        found |= dict.fromkeys(base for base in sorted(shared) if not cannot_vanish(g, base, known))
+        found |= dict.fromkeys(_vanishing_shared(system, row))
     return list(found)
+
+
+def find_vanishing_minors(system: System) -> list[Node]:
+    """The same of the maximal minors of several constraints: there they do not say as much as they are."""
+    if system.l < 2:
+        return []  # that of one constraint are its coefficients
+    return _vanishing_shared(system, find_rank_loss(system).minors)
+
+
+def _vanishing_shared(system: System, nodes: Sequence[Node]) -> list[Node]:
+    """The factors that all of the nodes but zeros have and that may vanish, also where they were multiplied out.
+
+    Those are sought where nothing tells that what is left, without the factors in sight, cannot vanish.
+    """
+    g, known = system.graph, intervals(system)
+    entries = [node for node in nodes if node != g.zero]
+    if not entries or any(cannot_vanish(g, entry, known) for entry in entries):
+        return []
+    parts = [_factors(g, entry) for entry in entries]
+    shared = reduce(and_, parts)
+    found = [factor for base in sorted(shared) for factor in (_apart(g, base) if g.op[base] == ADD else [base])]
+    rest = [g.product(g.power(base, k) for base, k in (own - shared).items()) for own in parts]
+    if not cannot_vanish(g, normalise(g, g.sum([g.power(x, 2) for x in rest]), _FEW_TERMS), known):
+        found += find_shared(g, rest)
+    return [base for base in found if not cannot_vanish(g, base, known)]
+
+
+def _apart(graph: Graph, base: Node) -> list[Node]:
+    """The factors of a sum: where two of them vanish in one step, their product has one sign before and after it."""
+    return find_shared(graph, [base]) or [base]
 
 
 def _split_shared(graph: Graph, minors: Sequence[Node], known: Mapping[Node, Interval]) -> tuple[Node, list[Node]]:
