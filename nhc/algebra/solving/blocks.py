@@ -24,7 +24,8 @@ from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.sizes import row_scale
 
 _LARGEST_AT_ONCE = 3
-_LARGEST_CORE = 4
+LARGEST_CORE = 4
+"""Of rows that are solved by determinants: of more, pivots may vanish where the block is regular."""
 _TERMS = 120
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
 
@@ -112,7 +113,7 @@ def solve_block(
     if "Cramer's rule" in graph.off:
         return _eliminate(graph, block, columns, weakness, core=0)
     if size > _LARGEST_AT_ONCE:
-        return _eliminate(graph, block, columns, weakness, core=_LARGEST_CORE)
+        return _eliminate(graph, block, columns, weakness, core=LARGEST_CORE)
     return _solve_by_determinants(graph, block, columns, scale)
 
 
