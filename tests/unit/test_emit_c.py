@@ -6,6 +6,7 @@ import csv
 import ctypes
 import io
 import math
+import os
 import re
 import shutil
 import subprocess
@@ -44,7 +45,8 @@ FLAGS = (
     "-Wshadow",
     "-Werror",
 )
-COMPILERS = [c for c in ("gcc", "clang", "clang-14") if shutil.which(c)] or ["cc"]
+FOUND = {os.path.realpath(path): c for c in ("clang-14", "clang", "gcc") if (path := shutil.which(c))}  # each once
+COMPILERS = [*reversed(FOUND.values())] or ["cc"]
 
 
 def write(program: Program, folder: Path, options: EmitOptions) -> list[Path]:
