@@ -18,7 +18,7 @@ import pytest
 from nhc.cli.entry import RARE_COLLECTION
 from nhc.simulate import compile as compiling
 from nhc.simulate import workshop
-from tests.support import FREESTANDING, LARGE_PAGES, QUICK, UNOPTIMISED
+from tests.support import QUICK, UNOPTIMISED
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -59,11 +59,10 @@ def quick_models(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Compile]:
 
     def quick(sources: Mapping[str, str], unit: str, command: Sequence[str], library: Path) -> None:
         kept = (flag for flag in command[1:] if not flag.startswith(("-fpeel", "-frename")))  # gcc's alone
-        careful(sources, unit, (QUICK, *kept, *UNOPTIMISED, *FREESTANDING), library)
+        careful(sources, unit, (QUICK, *kept, *UNOPTIMISED), library)
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("NHC_CACHE", str(_shared(tmp_path_factory) / "cache"))
-        patch.setenv(*LARGE_PAGES)
         patch.setattr(compiling, "_compile", quick)
         yield careful
 

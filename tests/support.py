@@ -42,10 +42,6 @@ COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang") or
 # What compiles soonest, where nothing depends on how: IEEE arithmetic as it is written; clang takes half of gcc's time.
 QUICK = shutil.which("clang") or COMPILER
 UNOPTIMISED = ("-O0", "-ffp-contract=off")
-# A library finds what it calls in the process that loads it; the linker then reads the C library's symbols once less.
-FREESTANDING = ("-nostdlib",)
-# Compilers take a fifth less where the pages of their memory are large; what is no glibc does not read it.
-LARGE_PAGES = ("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1")
 
 
 def interrupt(*arguments: str) -> tuple[int, str]:
@@ -149,7 +145,7 @@ def compile_c(
         (folder / file).write_text(text)
     target = folder / (f"lib{name}.so" if library else name)
     sources = [str(folder / f) for f in files if f.endswith(".c") and not (library and f.endswith("_main.c"))]
-    shared = ("-shared", "-fPIC", *(() if levels or flags else FREESTANDING)) if library else ()
+    shared = ("-shared", "-fPIC") if library else ()
     done = subprocess.run(
         [*command, *STRICT, *shared, *sources, "-lm", "-o", str(target)], capture_output=True, text=True
     )

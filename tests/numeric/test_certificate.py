@@ -311,3 +311,26 @@ constraints:
         "III_2_6_as_printed",
         "III_2_4_doubled_gamma",
     }
+
+
+def test_a_pole_of_the_coordinates_is_no_distance() -> None:
+    """A trial point puts the hanging load to its pole, where accelerations of 1e33 leave no digit of the reactions."""
+    text = """nhc: 1
+system: crane_car
+coordinates: [x, y, th, al, be]
+parameters: {M: 40, J: 6, m: 5, a: 0.4, l: 1.2, g: 9.81, c: 0.3}
+define:
+  X: x + a*cos(th) + l*sin(al)*cos(th) - l*sin(be)*cos(al)*sin(th)
+  Y: y + a*sin(th) + l*sin(al)*sin(th) + l*sin(be)*cos(al)*cos(th)
+  Z: -l*cos(al)*cos(be)
+T: M/2*(x'^2 + y'^2) + J/2*th'^2 + m/2*(X'^2 + Y'^2 + Z'^2)
+V: m*g*Z
+forces: {al: -c*al', be: -c*be'}
+constraints:
+  - edge: -sin(th)*x' + cos(th)*y' = 0
+"""
+    made = certify(resolve(decode(Source("crane_car.yaml", text))))
+    assert {agreement.name for agreement in made.agreements} >= {"multipliers", "euler-lagrange", "voronec"}
+    for agreement in made.agreements:
+        assert agreement.distance.states >= 8
+        assert max(agreement.distance.accelerations, agreement.distance.reactions) < 1e-11

@@ -24,7 +24,7 @@ OF_VELOCITIES = ("state", "residuals", "positions")  # functions of t, q, q', p 
 def load_c(name: str, formulation: str, trig: str, folder: Path) -> CModel:
     files = emitted(name, "c", Options(formulation=formulation, trig=trig))
     folder.mkdir()
-    return CModel(name, ctypes.CDLL(str(compile_c(files, folder, name))), {})
+    return CModel(name, ctypes.CDLL(str(compile_c(files, folder, name, ("-O0",)))), {})
 
 
 def list_functions(module: ModuleType) -> dict[str, int]:

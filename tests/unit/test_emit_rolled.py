@@ -21,7 +21,6 @@ from nhc.emit.c.rolled.shift import find_orbits, list_pieces, trace
 from nhc.pipeline import Options
 from nhc.pipeline import program as build_program
 from nhc.program.ir import Let, Load, Program, Statement
-from tests.support import QUICK, UNOPTIMISED
 from tests.trees import joints
 from tests.unit.emit_cases import E, call, let, ref, store
 from tests.unit.test_emit_c import COMPILERS, FLAGS, write
@@ -75,10 +74,10 @@ def program(name: str) -> Program:
 
 
 def compiled(folder: Path, chain: Program, flags: tuple[str, ...], name: str) -> ctypes.CDLL:
-    """The functions; the compiler may not fuse products with sums, so that the same statements give the same doubles."""
+    """The functions; gcc may not fuse products with sums, so that the same statements give the same doubles."""
     (source,) = write(chain, folder, EmitOptions())
     library = folder / name
-    command = [QUICK, "-std=c99", *UNOPTIMISED, *flags, "-shared", "-fPIC", "-o", library, source]
+    command = [COMPILERS[0], "-std=c99", "-O0", "-ffp-contract=off", *flags, "-shared", "-fPIC", "-o", library, source]
     subprocess.run([*command, "-lm"], check=True, cwd=folder)
     return ctypes.CDLL(str(library))
 

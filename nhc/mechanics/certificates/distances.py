@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
@@ -20,6 +20,8 @@ _SPECIAL = 4  # the first of the trial points stand where careless choices are s
 _NEAR = 1e-7
 """Of what a determinant changes by where the state moves by 1: states closer to a frame's singular set tell of its conditioning."""
 _SHIFT = 1e-6
+_JUMP = 0.5
+"""Of the accelerations, by which they may change with that shift: where they do by more, the coordinates are singular (a pole)."""
 
 
 @record
@@ -58,14 +60,28 @@ def states_of(system: System, velocities: Velocities, reference: Claim) -> list[
             values = dict(point)
             if not _is_regular(system, velocities.guards, values):
                 continue
-            found = [float(x) for x in evaluate(system.graph, velocities.nodes, values)]
-            values.update(zip(velocities.symbols, found, strict=True))
-            q, r = solve_in_doubles(reference, system.graph, values)
+            state = _solve_reference(system, velocities, reference, values)
+            near = _solve_reference(system, velocities, reference, _shift(system, values))
         except (Singular, ArithmeticError, ValueError):
             continue
-        if all(math.isfinite(x) for x in (*q, *r)):
-            states.append(State(values, q, r))
+        found = (*state.accelerations, *state.reactions)
+        if all(map(math.isfinite, found)) and _relative(near.accelerations, state.accelerations) < _JUMP:
+            states.append(state)
     return states
+
+
+def _solve_reference(system: System, velocities: Velocities, reference: Claim, values: Mapping[Node, float]) -> State:
+    known = dict(values)
+    found = [float(x) for x in evaluate(system.graph, velocities.nodes, known)]
+    known.update(zip(velocities.symbols, found, strict=True))
+    return State(known, *solve_in_doubles(reference, system.graph, known))
+
+
+def _shift(system: System, values: Mapping[Node, float]) -> dict[Node, float]:
+    near = dict(values)
+    for k, symbol in enumerate((*system.q, system.t)):
+        near[symbol] += _SHIFT * max(1.0, abs(near[symbol])) * math.cos((k + 1.0) ** 1.5)
+    return near
 
 
 def measure(system: System, claim: Claim, states: Sequence[State]) -> Distance:
@@ -88,11 +104,8 @@ def _is_regular(system: System, guards: Guards, values: dict[Node, float]) -> bo
     What bounds the terms of a pivot (its scale) says little after some pivots: it grows with each of them, and the pivots do not.
     """
     nodes = [value for value, _ in guards]
-    near = dict(values)
-    for k, symbol in enumerate((*system.q, system.t)):
-        near[symbol] += _SHIFT * max(1.0, abs(near[symbol])) * math.cos((k + 1.0) ** 1.5)
     try:
-        here, there = (evaluate(system.graph, nodes, state) for state in (values, near))
+        here, there = (evaluate(system.graph, nodes, state) for state in (values, _shift(system, values)))
     except (ArithmeticError, ValueError):
         return False
     return all(
