@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from nhc.algebra.bounds.common_zero import find_common_zero
+from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.graph import Graph, Node
 
@@ -121,3 +122,15 @@ def test_a_common_zero_is_found(seed: int) -> None:
         g.add(power(2), g.power(Y, 2)), g.div(g.one, g.number(3))
     )  # the line's distance from the centre is sqrt(1/2)
     assert find_common_zero(g, [small, line], [X, Y], near) is None
+
+
+def test_the_cosine_of_an_arc_vanishes_nowhere() -> None:
+    """It is 1/sqrt(1 + x^2); what stands beside it still counts."""
+    g = Graph()
+    x, y = g.symbol("x"), g.symbol("y")
+    arc = g.function("cos", g.function("atan", x))
+    assert cannot_vanish(g, arc, {}) and cannot_vanish(g, g.neg(g.power(g.mul(arc, g.function("cosh", y)), 2)), {})
+    assert not cannot_vanish(g, g.mul(arc, y), {}) and not cannot_vanish(
+        g, g.function("sin", g.function("atan", x)), {}
+    )
+    assert not cannot_vanish(g, g.sub(arc, g.number(1)), {})

@@ -31,8 +31,28 @@ def list_bounds(graph: Graph, order: Sequence[Node], known: Mapping[Node, Interv
 
 
 def cannot_vanish(graph: Graph, root: Node, known: Mapping[Node, Interval]) -> bool:
-    """Whether the root is bounded away from zero for symbols in their intervals."""
-    return excludes_zero(bounds(graph, root, known))
+    """Whether the root is bounded away from zero for symbols in their intervals, but for factors cos(atan x), which are
+    1/sqrt(1 + x^2): these tend to zero without limits to x, and reach it nowhere.
+    """
+    rest = [
+        factor for factor in _factors(graph, root) if graph.op[factor] != "cos" or graph.op[graph.a[factor]] != "atan"
+    ]
+    return excludes_zero(bounds(graph, graph.product(rest), known))
+
+
+def _factors(graph: Graph, root: Node) -> list[Node]:
+    """The factors of a product and of its positive powers; the root alone where there is no cosine of an arc among them."""
+    found, stack = list[Node](), [root]
+    while stack:
+        node = stack.pop()
+        if graph.op[node] == MUL:
+            stack += [graph.b[node], graph.a[node]]
+        elif graph.op[node] in (NEG, POW) and (graph.op[node] == NEG or graph.b[node] > 0):
+            stack.append(graph.a[node])
+        else:
+            found.append(node)
+    arcs = any(graph.op[node] == "cos" and graph.op[graph.a[node]] == "atan" for node in found)
+    return found if arcs else [root]
 
 
 def excludes_zero(interval: Interval) -> bool:
@@ -117,7 +137,9 @@ def _function(op: str, x: Interval) -> Interval:
         return _outwards(math.sqrt(max(low, 0.0)), math.sqrt(high) if high >= 0 else math.inf)
     if op == "abs":
         return (0.0 if low <= 0 <= high else min(abs(low), abs(high))), max(abs(low), abs(high))
-    if op in ("asin", "atan"):
+    if op == "atan":
+        return _outwards(math.atan(low), math.atan(high))
+    if op == "asin":
         return -math.pi / 2, math.pi / 2
     return EVERYTHING
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
@@ -24,7 +25,8 @@ _CLEAR = 1e-5
 
 def never_vanishes(system: System, node: Node | None) -> bool:
     """Whether a determinant is not zero at any state."""
-    return node is not None and cannot_vanish_together(system.graph, [node], intervals(system))
+    g, known = system.graph, intervals(system)
+    return node is not None and (cannot_vanish(g, node, known) or cannot_vanish_together(g, [node], known))
 
 
 def _is_zero_as_given(system: System, node: Node) -> bool:
