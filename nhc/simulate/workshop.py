@@ -15,6 +15,7 @@ from nhc.simulate.compile import HASTY_FLAGS, CompileError, build, loop_flags, t
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
+from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
@@ -104,7 +105,7 @@ class Workshop:
         for made in self._made:
             if made.job is job and made.method == method:
                 return made
-        begin, most = time.perf_counter(), _find_haste(job)
+        begin, most = time.perf_counter(), _find_haste(job, method)
         model, notes = load(job, method, self.compiled, hasty=most > 0)
         self.seconds += time.perf_counter() - begin
         self._note(notes)
@@ -125,7 +126,8 @@ class Workshop:
         self.notes = tuple(dict.fromkeys((*self.notes, *notes)))
 
 
-def _find_haste(job: Job) -> int:
-    """Steps that a hasty model may take."""
+def _find_haste(job: Job, method: str) -> int:
+    """Steps that a hasty model may take; those that are solved for eliminate in a matrix of the state's size."""
     rhs = next(function for function in job.program.functions if function.name == "rhs")
-    return HASTE // (_OF_A_STEP + len(rhs.body))
+    solved = method in STRUCTURE or isinstance(RUNGE_KUTTA.get(method), Collocation)
+    return HASTE // (_OF_A_STEP + len(rhs.body) + (len(job.y) ** 3 if solved else 0))

@@ -62,7 +62,7 @@ def test_more_steps_are_done_from_the_start_by_the_optimised_model(
     expected = model.integrate(task, method, model.news())
     assert expected.steps > 20
     flags.clear()
-    monkeypatch.setattr(workshop, "_find_haste", lambda job: 20)
+    monkeypatch.setattr(workshop, "_find_haste", lambda job, method: 20)
     made = Workshop(compiled=True, show=None)
     assert made.integrate(job, method, task) == expected
     assert flags == [True, False]
@@ -70,9 +70,19 @@ def test_more_steps_are_done_from_the_start_by_the_optimised_model(
     assert flags == [True, False]
 
 
+def test_large_states_leave_an_implicit_method_less_haste() -> None:
+    """Its steps take a number of operations that grows with their cube."""
+    job = job_of("radau5")
+    large = replace(job, y=job.y * 20)
+    small, much = (workshop._find_haste(job, method) for method in ("radau5", "dop853"))
+    assert small < much
+    assert 100 * workshop._find_haste(large, "radau5") < small
+    assert workshop._find_haste(large, "dop853") == much
+
+
 def test_haste_is_spent_over_the_legs_of_a_run(flags: list[bool], monkeypatch: pytest.MonkeyPatch) -> None:
     job = job_of("dop853")
-    monkeypatch.setattr(workshop, "_find_haste", lambda job: 20)
+    monkeypatch.setattr(workshop, "_find_haste", lambda job, method: 20)
     made = Workshop(compiled=True, show=None)
     short = replace(task_of(job, "dop853"), most=12)
     for expected in ([True], [True, False]):
@@ -92,7 +102,7 @@ def test_the_run_goes_on_where_nothing_can_be_optimised(monkeypatch: pytest.Monk
     job = job_of("dop853")
     expected = run(job, Settings("dop853", 1e-8))
     monkeypatch.setattr(workshop, "build", build)
-    monkeypatch.setattr(workshop, "_find_haste", lambda job: 20)
+    monkeypatch.setattr(workshop, "_find_haste", lambda job, method: 20)
     found = run(job, Settings("dop853", 1e-8))
     assert (found.ended, found.rows) == ("done", expected.rows)
     assert found.notes[0] == "the compiler takes longer than 600 s; the run goes on without optimisation"
