@@ -227,12 +227,16 @@ class _Change:
         moves = any(g.deps[node] & g.deps[self._entry] for node in flow.flat)
         mask = self._mask if moves else g.deps[self._entry]
         self.open = [k for k, node in enumerate(_rows(flow, needs)) if g.deps[node] & mask]
-        self._dependent = _Evaluation(flow, needs, self._entry)
         self._narrow: dict[tuple[int, ...], _Evaluation] = {}
         held = reachable(g, _roots(flow, needs), g.deps[self._entry])
         free = [g.a[node] for node in held if g.op[node] == "sign" and not g.deps[node] & g.mask(flow.unknowns)]
         self.signs = [(x, reachable(g, [x], g.deps[self._entry])) for x in dict.fromkeys(free)]
         """Arguments of signs, each with what it is made of and depends on the entry."""
+
+    @cached_property
+    def _dependent(self) -> _Evaluation:
+        """All rows; only where the entry stands below a sign."""
+        return _Evaluation(self._flow, self._needs, self._entry)
 
     def compare(
         self,
