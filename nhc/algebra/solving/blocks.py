@@ -28,6 +28,8 @@ LARGEST_CORE = 4
 """Of rows that are solved by determinants: of more, pivots may vanish where the block is regular."""
 _TERMS = 120
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
+Pivots = list[tuple[int, int]]
+"""(row, column) of each pivot of an elimination, the rows counted after the exchanges before it."""
 
 
 def block_order(size: int, nonzero: Callable[[int, int], bool]) -> list[tuple[list[int], list[int]]]:
@@ -107,13 +109,18 @@ def solve_block(
     columns: Sequence[Sequence[Node]],
     weakness: Weakness | None = None,
     scale: Callable[[], Node] | None = None,
+    pivots: Pivots | None = None,
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
-    """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given)."""
+    """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given).
+
+    ``pivots`` are taken in their order, or recorded where there are none yet: what is solved again divides by nothing that was
+    not guarded the first time.
+    """
     size = len(block)
     if "Cramer's rule" in graph.off:
-        return _eliminate(graph, block, columns, weakness, core=0)
+        return _eliminate(graph, block, columns, weakness, 0, pivots)
     if size > _LARGEST_AT_ONCE:
-        return _eliminate(graph, block, columns, weakness, core=LARGEST_CORE)
+        return _eliminate(graph, block, columns, weakness, LARGEST_CORE, pivots)
     return _solve_by_determinants(graph, block, columns, scale)
 
 
@@ -196,6 +203,7 @@ def _eliminate(
     columns: Sequence[Sequence[Node]],
     weakness: Weakness | None,
     core: int,
+    pivots: Pivots | None,
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
     """Elimination: pivots that are constants while there are any, then Cramer's rule if no more than ``core`` rows are left.
 
@@ -206,11 +214,18 @@ def _eliminate(
     rows = [[*row, *(column[i] for column in columns)] for i, row in enumerate(block)]
     guards: list[tuple[Node, Node]] = []
     order: list[int] = []
+    given, taken = iter(pivots or ()), Pivots()
     for step in range(size):
-        found = _constant_pivot(graph, rows, step, order, size)
-        if found is None and size - step <= core and not guards:
-            break
+        if pivots:
+            found = next(given, None)
+            if found is None:
+                break
+        else:
+            found = _constant_pivot(graph, rows, step, order, size)
+            if found is None and size - step <= core and not guards:
+                break
         row, column = found or _pivot(graph, rows, step, order, size, weakness)
+        taken.append((row, column))
         rows[step], rows[row] = rows[row], rows[step]
         order.append(column)
         pivot = rows[step][column]
@@ -221,6 +236,8 @@ def _eliminate(
         for i in range(size):
             if i != step and rows[i][column] != graph.zero:
                 rows[i] = _without(graph, rows[i], rows[step], column)
+    if pivots is not None:
+        pivots[:] = taken
     left = [j for j in range(size) if j not in order]
     rest, more = _solve_core(graph, rows, left, size) if left else ([[]] * len(columns), [])
     solved = []
