@@ -114,9 +114,10 @@ class Follower:
             return None
         weak = crossed and outcome.status >= watch.weak
         kind = watch.kinds[outcome.status] if crossed else "frame"
-        framed = kind in _FRAME or (kind == "mass" and weak and self._is_for_its_frame(leg, recipe))
+        framed = kind in _FRAME or (kind == "mass" and weak and job.formulation.frame is not None)
         if framed and job.kept is None:
             return make_job(recipe, job.system, job.formulation, job)
+        framed = framed and (kind in _FRAME or self._is_for_its_frame(leg, recipe))
         # where the determinant is gone, so are the digits: only a start is as good as it was given
         sound = weak or outcome.steps == 0
         found = self._find(job, recipe, outcome) if framed and sound else None
@@ -183,7 +184,7 @@ class Follower:
     def _is_for_its_frame(self, leg: Leg, recipe: Recipe) -> bool:
         """Whether a mass matrix becomes singular because the coframe does, whose determinant squared stands in it."""
         place = place_of(leg.job, recipe, leg.outcome)
-        if place is None or leg.job.formulation.frame is None:
+        if place is None:
             return False
         return conditioning(leg.job.system, leg.job.formulation, place) ** max(leg.job.system.l, 1) < SOUND
 
