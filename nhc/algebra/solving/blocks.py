@@ -10,13 +10,13 @@ returned as a guard: it must not vanish.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
 from nhc.algebra.calculus import count, reachable
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import are_zero, is_zero
-from nhc.algebra.graph import POW, Graph, Node
+from nhc.algebra.graph import NEG, POW, Graph, Node
 from nhc.algebra.rewriting.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.rewriting.joined import make_product, split_factors
@@ -26,6 +26,9 @@ from nhc.algebra.solving.sizes import row_scale
 _LARGEST_AT_ONCE = 3
 LARGEST_CORE = 4
 """Of rows that are solved by determinants: of more, pivots may vanish where the block is regular."""
+LITTLE = Fraction(1, 10)
+"""Of a row before elimination, beside what is left of it: digits are lost, too, where little is left."""
+_WRITTEN_OUT = 7  # rows of a determinant that is watched: its pivots' product has no value where one of them vanishes
 _TERMS = 120
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
 
@@ -110,11 +113,43 @@ def solve_block(
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
     """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given)."""
     size = len(block)
-    if "Cramer's rule" in graph.off:
-        return _eliminate(graph, block, columns, weakness, core=0)
-    if size > _LARGEST_AT_ONCE:
-        return _eliminate(graph, block, columns, weakness, core=LARGEST_CORE)
+    if size > _LARGEST_AT_ONCE or "Cramer's rule" in graph.off:
+        core = 0 if "Cramer's rule" in graph.off else LARGEST_CORE
+        return _eliminate(graph, block, columns, weakness, core)
     return _solve_by_determinants(graph, block, columns, scale)
+
+
+def in_determinants(
+    graph: Graph, guards: Sequence[tuple[Node, Node]], blocks: Mapping[Node, Matrix]
+) -> list[tuple[Node, Node]]:
+    """(quantity, scale) pairs with the determinants of ``blocks`` in place of their pivots: zero where a block is singular."""
+    found = dict[tuple[Node, Node], None]()
+    for value, scale in guards:
+        block = blocks.get(without_sign(graph, value))
+        if block is None:
+            found[value, scale] = None
+            continue
+        pivots = [x for x, _ in guards if blocks.get(without_sign(graph, x)) == block]
+        whole = determinant_of(graph, block) if len(block) <= _WRITTEN_OUT else graph.product(pivots)
+        found[whole, row_scale(graph, block)] = None
+    return list(found)
+
+
+def without_sign(graph: Graph, node: Node) -> Node:
+    """x for -x."""
+    return graph.a[node] if graph.op[node] == NEG else node
+
+
+Matrix = tuple[tuple[Node, ...], ...]
+
+
+def find_eliminated(graph: Graph) -> dict[Node, Matrix]:
+    """For each pivot, without its sign, of an elimination in a fixed order the block that it is one of.
+
+    Such a pivot may vanish where the block is regular.  One that stands alone among constants is not here: it is the determinant.
+    """
+    found: dict[Node, Matrix] = graph.memory.setdefault("eliminated", {})
+    return found
 
 
 def _solve_by_determinants(
@@ -204,7 +239,9 @@ def _eliminate(
     """
     size = len(block)
     rows = [[*row, *(column[i] for column in columns)] for i, row in enumerate(block)]
+    given = list(range(size))
     guards: list[tuple[Node, Node]] = []
+    grown: list[tuple[Node, Node]] = []
     order: list[int] = []
     for step in range(size):
         found = _constant_pivot(graph, rows, step, order, size)
@@ -212,15 +249,21 @@ def _eliminate(
             break
         row, column = found or _pivot(graph, rows, step, order, size, weakness)
         rows[step], rows[row] = rows[row], rows[step]
+        given[step], given[row] = given[row], given[step]
         order.append(column)
         pivot = rows[step][column]
         if graph.value(pivot) is None:
             guards.append((pivot, row_scale(graph, [rows[step][:size]])))
+            grown.append((pivot, _size_now(graph, rows[step][:size], block[given[step]])))
         inverse = graph.inverse(pivot)
         rows[step] = [graph.mul(entry, inverse) if entry != graph.zero else entry for entry in rows[step]]
         for i in range(size):
             if i != step and rows[i][column] != graph.zero:
                 rows[i] = _without(graph, rows[i], rows[step], column)
+    if len(grown) > 1:
+        whole = tuple(map(tuple, block))
+        find_eliminated(graph).update((without_sign(graph, pivot), whole) for pivot, _ in grown)
+        guards = grown
     left = [j for j in range(size) if j not in order]
     rest, more = _solve_core(graph, rows, left, size) if left else ([[]] * len(columns), [])
     solved = []
@@ -232,6 +275,16 @@ def _eliminate(
             x[column] = graph.sub(own[size + c], graph.dot([own[j] for j in left], known))
         solved.append(x)
     return solved, [*guards, *more]
+
+
+def _size_now(graph: Graph, row: Sequence[Node], given: Sequence[Node]) -> Node:
+    """What a pivot is small against: the entries beside it, as large as they are, and a part of its row before the elimination.
+
+    The sizes of their terms, without their signs, grow with each pivot before, and say nothing after a few of them.
+    """
+    g = graph
+    now = g.sum([g.function("abs", entry) for entry in row])
+    return g.add(now, g.mul(g.number(LITTLE), row_scale(g, [given])))
 
 
 def _without(graph: Graph, row: Sequence[Node], by: Sequence[Node], column: int) -> list[Node]:
