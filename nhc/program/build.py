@@ -240,7 +240,8 @@ def lower_otherwise(planner: Planner, plan: FunctionPlan) -> Function | None:
     if other is None or not any(guard.status == SINGULAR_FRAME for guard in plan.guards):
         return None
     made: FunctionPlan = getattr(other, plan.name)()
-    return lower_function(other.graph, rewrite(other, made), other.parameters)
+    # not rewritten: of two nodes with one value, one may need unknowns of a solve that the other stands before
+    return lower_function(other.graph, made, other.parameters)
 
 
 def rewrite(planner: PlannerBase, plan: FunctionPlan) -> FunctionPlan:

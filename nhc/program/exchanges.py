@@ -35,7 +35,10 @@ class ExchangePlanner(Planner):
 
     def _arrange(self) -> None:
         base = self.base
-        self.parameters, self.put_in, self.state_loads = base.parameters, base.put_in, base.state_loads
+        self.parameters, self.state_loads = base.parameters, base.state_loads
+        # what was left out because nothing that is kept depends on it stands in the rows all the same
+        entries = (*self.system.q, *self.equations.motion.w)
+        self.put_in = {x: self.graph.zero for x in entries if x not in base.state_loads} | base.put_in
         self.kept_q, self.kept_w, self.y_nodes, self.y, self.p = base.kept_q, base.kept_w, base.y_nodes, base.y, base.p
 
     def _fix(self, nodes: Sequence[Node]) -> list[Node]:

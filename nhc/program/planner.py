@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.shorten import shorten
-from nhc.algebra.solving.blocks import Matrix, find_eliminated, in_determinants, without_sign
+from nhc.algebra.solving.blocks import Matrix, find_eliminated, without_sign
+from nhc.algebra.solving.determinants import in_determinants
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import bordered_system

@@ -112,11 +112,12 @@ class Follower:
             return None
         weak = crossed and outcome.status >= watch.weak
         kind = watch.kinds[outcome.status] if crossed else "frame"
-        if kind in _FRAME and job.kept is None:
+        framed = kind in _FRAME or (kind == "mass" and weak and self._is_for_its_frame(leg, recipe))
+        if framed and job.kept is None:
             return make_job(recipe, job.system, job.formulation, job)
         # where the determinant is gone, so are the digits: only a start is as good as it was given
         sound = weak or outcome.steps == 0
-        found = self._find(job, recipe, outcome) if kind in _FRAME and sound else None
+        found = self._find(job, recipe, outcome) if framed and sound else None
         if found is not None:
             return found
         if weak and kind in _NEAR and _comes_near(leg) and not self._is_sound(leg, recipe, kind):
@@ -159,6 +160,13 @@ class Follower:
             return is_mass_sound(leg.job.system, leg.job.formulation, place)
         system = leg.job.system
         return conditioning(system, leg.job.formulation, place) ** max(system.l, 1) >= SOUND
+
+    def _is_for_its_frame(self, leg: Leg, recipe: Recipe) -> bool:
+        """Whether a mass matrix becomes singular because the coframe does, whose determinant squared stands in it."""
+        place = place_of(leg.job, recipe, leg.outcome)
+        if place is None or leg.job.formulation.frame is None:
+            return False
+        return conditioning(leg.job.system, leg.job.formulation, place) ** max(leg.job.system.l, 1) < SOUND
 
     def _warn(self, leg: Leg, kind: str) -> None:
         line = f"{_NEAR[kind]}: digits are lost there"

@@ -10,7 +10,7 @@ returned as a guard: it must not vanish.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from nhc.algebra.calculus import count, reachable
@@ -28,9 +28,10 @@ LARGEST_CORE = 4
 """Of rows that are solved by determinants: of more, pivots may vanish where the block is regular."""
 LITTLE = Fraction(1, 10)
 """Of a row before elimination, beside what is left of it: digits are lost, too, where little is left."""
-_WRITTEN_OUT = 7  # rows of a determinant that is watched: its pivots' product has no value where one of them vanishes
 _TERMS = 120
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
+Pivots = list[tuple[int, int]]
+"""(row, column) of each pivot of an elimination, the rows counted after the exchanges before it."""
 
 
 def block_order(size: int, nonzero: Callable[[int, int], bool]) -> list[tuple[list[int], list[int]]]:
@@ -110,29 +111,19 @@ def solve_block(
     columns: Sequence[Sequence[Node]],
     weakness: Weakness | None = None,
     scale: Callable[[], Node] | None = None,
+    pivots: Pivots | None = None,
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
-    """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given)."""
+    """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given).
+
+    ``pivots`` are taken in their order, or recorded where there are none yet: what is solved again divides by nothing that was
+    not guarded the first time.
+    """
     size = len(block)
-    if size > _LARGEST_AT_ONCE or "Cramer's rule" in graph.off:
-        core = 0 if "Cramer's rule" in graph.off else LARGEST_CORE
-        return _eliminate(graph, block, columns, weakness, core)
+    if "Cramer's rule" in graph.off:
+        return _eliminate(graph, block, columns, weakness, 0, pivots)
+    if size > _LARGEST_AT_ONCE:
+        return _eliminate(graph, block, columns, weakness, LARGEST_CORE, pivots)
     return _solve_by_determinants(graph, block, columns, scale)
-
-
-def in_determinants(
-    graph: Graph, guards: Sequence[tuple[Node, Node]], blocks: Mapping[Node, Matrix]
-) -> list[tuple[Node, Node]]:
-    """(quantity, scale) pairs with the determinants of ``blocks`` in place of their pivots: zero where a block is singular."""
-    found = dict[tuple[Node, Node], None]()
-    for value, scale in guards:
-        block = blocks.get(without_sign(graph, value))
-        if block is None:
-            found[value, scale] = None
-            continue
-        pivots = [x for x, _ in guards if blocks.get(without_sign(graph, x)) == block]
-        whole = determinant_of(graph, block) if len(block) <= _WRITTEN_OUT else graph.product(pivots)
-        found[whole, row_scale(graph, block)] = None
-    return list(found)
 
 
 def without_sign(graph: Graph, node: Node) -> Node:
@@ -231,6 +222,7 @@ def _eliminate(
     columns: Sequence[Sequence[Node]],
     weakness: Weakness | None,
     core: int,
+    pivots: Pivots | None,
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
     """Elimination: pivots that are constants while there are any, then Cramer's rule if no more than ``core`` rows are left.
 
@@ -239,27 +231,36 @@ def _eliminate(
     """
     size = len(block)
     rows = [[*row, *(column[i] for column in columns)] for i, row in enumerate(block)]
-    given = list(range(size))
+    origin = list(range(size))
     guards: list[tuple[Node, Node]] = []
     grown: list[tuple[Node, Node]] = []
     order: list[int] = []
+    given, taken = iter(pivots or ()), Pivots()
     for step in range(size):
-        found = _constant_pivot(graph, rows, step, order, size)
-        if found is None and size - step <= core and not guards:
-            break
+        if pivots:
+            found = next(given, None)
+            if found is None:
+                break
+        else:
+            found = _constant_pivot(graph, rows, step, order, size)
+            if found is None and size - step <= core and not guards:
+                break
         row, column = found or _pivot(graph, rows, step, order, size, weakness)
+        taken.append((row, column))
         rows[step], rows[row] = rows[row], rows[step]
-        given[step], given[row] = given[row], given[step]
+        origin[step], origin[row] = origin[row], origin[step]
         order.append(column)
         pivot = rows[step][column]
         if graph.value(pivot) is None:
             guards.append((pivot, row_scale(graph, [rows[step][:size]])))
-            grown.append((pivot, _size_now(graph, rows[step][:size], block[given[step]])))
+            grown.append((pivot, _size_now(graph, rows[step][:size], block[origin[step]])))
         inverse = graph.inverse(pivot)
         rows[step] = [graph.mul(entry, inverse) if entry != graph.zero else entry for entry in rows[step]]
         for i in range(size):
             if i != step and rows[i][column] != graph.zero:
                 rows[i] = _without(graph, rows[i], rows[step], column)
+    if pivots is not None:
+        pivots[:] = taken
     if len(grown) > 1:
         whole = tuple(map(tuple, block))
         find_eliminated(graph).update((without_sign(graph, pivot), whole) for pivot, _ in grown)

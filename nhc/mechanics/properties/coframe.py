@@ -9,7 +9,8 @@ from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.solving.blocks import find_eliminated, in_determinants
+from nhc.algebra.solving.blocks import find_eliminated
+from nhc.algebra.solving.determinants import in_determinants
 from nhc.diagnostics import Bag
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.choosing.independence import independence
