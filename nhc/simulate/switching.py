@@ -163,8 +163,12 @@ class Follower:
 
     def _is_for_its_frame(self, leg: Leg, recipe: Recipe) -> bool:
         """Whether a mass matrix becomes singular because the coframe does, whose determinant squared stands in it."""
+        if leg.job.formulation.frame is None:
+            return False
+        if leg.job.kept is None:
+            return True  # a state that is not whole does not tell
         place = place_of(leg.job, recipe, leg.outcome)
-        if place is None or leg.job.formulation.frame is None:
+        if place is None:
             return False
         return conditioning(leg.job.system, leg.job.formulation, place) ** max(leg.job.system.l, 1) < SOUND
 
