@@ -252,11 +252,11 @@ def test_other_solvers_end_where_the_choice_becomes_singular(
 @pytest.mark.parametrize("formulation", ["voronec", "euler-lagrange"])
 def test_pivots_that_vanish_where_the_block_is_regular(formulation: str) -> None:
     """Five rows without constant pivots are eliminated in a fixed order, which fails where all angles of the linkage are right
-    ones: its constraints are independent there, and all velocities are kept from before that place on.
+    ones: its constraints are independent there, and rows are exchanged near that place.
     """
     source = Source("bricard.yaml", BRICARD)
     found = follow(source, formulation, 1e-10)
-    assert any("goes on with multipliers: pivots of" in note for note in found.notes)
+    assert not any("multipliers" in note or "singular" in note for note in found.notes)
     assert apart(found, follow(source, "multipliers", 1e-10)) < 1e-8
 
 

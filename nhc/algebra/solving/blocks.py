@@ -16,7 +16,7 @@ from fractions import Fraction
 from nhc.algebra.calculus import count, reachable
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import are_zero, is_zero
-from nhc.algebra.graph import POW, Graph, Node
+from nhc.algebra.graph import NEG, POW, Graph, Node
 from nhc.algebra.rewriting.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.rewriting.joined import make_product, split_factors
@@ -26,6 +26,8 @@ from nhc.algebra.solving.sizes import row_scale
 _LARGEST_AT_ONCE = 3
 LARGEST_CORE = 4
 """Of rows that are solved by determinants: of more, pivots may vanish where the block is regular."""
+LITTLE = Fraction(1, 10)
+"""Of a row before elimination, beside what is left of it: digits are lost, too, where little is left."""
 _TERMS = 120
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
 Pivots = list[tuple[int, int]]
@@ -124,6 +126,23 @@ def solve_block(
     return _solve_by_determinants(graph, block, columns, scale)
 
 
+def without_sign(graph: Graph, node: Node) -> Node:
+    """x for -x."""
+    return graph.a[node] if graph.op[node] == NEG else node
+
+
+Matrix = tuple[tuple[Node, ...], ...]
+
+
+def find_eliminated(graph: Graph) -> dict[Node, Matrix]:
+    """For each pivot, without its sign, of an elimination in a fixed order the block that it is one of.
+
+    Such a pivot may vanish where the block is regular.  One that stands alone among constants is not here: it is the determinant.
+    """
+    found: dict[Node, Matrix] = graph.memory.setdefault("eliminated", {})
+    return found
+
+
 def _solve_by_determinants(
     graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], scale: Callable[[], Node] | None
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
@@ -212,7 +231,9 @@ def _eliminate(
     """
     size = len(block)
     rows = [[*row, *(column[i] for column in columns)] for i, row in enumerate(block)]
+    origin = list(range(size))
     guards: list[tuple[Node, Node]] = []
+    grown: list[tuple[Node, Node]] = []
     order: list[int] = []
     given, taken = iter(pivots or ()), Pivots()
     for step in range(size):
@@ -227,10 +248,12 @@ def _eliminate(
         row, column = found or _pivot(graph, rows, step, order, size, weakness)
         taken.append((row, column))
         rows[step], rows[row] = rows[row], rows[step]
+        origin[step], origin[row] = origin[row], origin[step]
         order.append(column)
         pivot = rows[step][column]
         if graph.value(pivot) is None:
             guards.append((pivot, row_scale(graph, [rows[step][:size]])))
+            grown.append((pivot, _size_now(graph, rows[step][:size], block[origin[step]])))
         inverse = graph.inverse(pivot)
         rows[step] = [graph.mul(entry, inverse) if entry != graph.zero else entry for entry in rows[step]]
         for i in range(size):
@@ -238,6 +261,10 @@ def _eliminate(
                 rows[i] = _without(graph, rows[i], rows[step], column)
     if pivots is not None:
         pivots[:] = taken
+    if len(grown) > 1:
+        whole = tuple(map(tuple, block))
+        find_eliminated(graph).update((without_sign(graph, pivot), whole) for pivot, _ in grown)
+        guards = grown
     left = [j for j in range(size) if j not in order]
     rest, more = _solve_core(graph, rows, left, size) if left else ([[]] * len(columns), [])
     solved = []
@@ -249,6 +276,16 @@ def _eliminate(
             x[column] = graph.sub(own[size + c], graph.dot([own[j] for j in left], known))
         solved.append(x)
     return solved, [*guards, *more]
+
+
+def _size_now(graph: Graph, row: Sequence[Node], given: Sequence[Node]) -> Node:
+    """What a pivot is small against: the entries beside it, as large as they are, and a part of its row before the elimination.
+
+    The sizes of their terms, without their signs, grow with each pivot before, and say nothing after a few of them.
+    """
+    g = graph
+    now = g.sum([g.function("abs", entry) for entry in row])
+    return g.add(now, g.mul(g.number(LITTLE), row_scale(g, [given])))
 
 
 def _without(graph: Graph, row: Sequence[Node], by: Sequence[Node], column: int) -> list[Node]:
