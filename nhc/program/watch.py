@@ -9,7 +9,9 @@ gives p - c s.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
+from itertools import chain
 
 from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.calculus import count, substitute
@@ -19,7 +21,7 @@ from nhc.algebra.solving.blocks import determinant_of
 from nhc.algebra.solving.sizes import row_scale, size_of
 from nhc.mechanics.properties.singular import find_rank_loss, find_vanishing_factors, find_vanishing_minors
 from nhc.mechanics.regular.regularity import intervals
-from nhc.mechanics.regular.trials import usual_digits
+from nhc.mechanics.regular.trials import usual_digits, usual_part
 from nhc.mechanics.system import System
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
@@ -31,8 +33,10 @@ from nhc.records import record
 NOTHING = Fraction(1, 10**12)
 """Of the scale: less is singular.  An angle's sine, squared in a mass matrix, is 1e-6 there."""
 WEAK = tuple(Fraction(1, k) for k in (33, 100, 333, 1000, 10000))
-"""Of a determinant's scale: levels at which a run looks for another formulation; the scale may be far too large."""
+"""Of a determinant's scale: levels at which a run looks for another formulation; the scale may be too large by far."""
 DEEP = Fraction(1, 333)
+SMALL = Fraction(1, 100)
+"""Of its scale: the largest part that a determinant is anywhere; if it is less, levels are of that part."""
 THIN = Fraction(1, 10**4)
 """The same of a square's scale, and of a determinant's that is divided by once, not squared: four digits are lost there."""
 RANK_LOST = "the constraints lose rank"
@@ -98,7 +102,10 @@ class Watch:
 
 @record
 class _Measure:
-    """``value`` against ``scale``; ``squared``: it is a square or positive already.  ``levels``: where it is weak."""
+    """``value`` against ``scale``; ``squared``: it is a square or positive already.
+
+    ``levels``: where it is weak, as parts of ``usual`` times the scale.
+    """
 
     value: Node
     scale: Node
@@ -106,6 +113,7 @@ class _Measure:
     kind: str
     what: str
     levels: tuple[Fraction, ...]
+    usual: Fraction = Fraction(1)
 
 
 def watch_function(
@@ -122,7 +130,9 @@ def watch_function(
     frames = _frames(planner)
     determinants = [*_turned(planner), *_determinant(planner, known)]
     whole, solves = _whole(planner, known)
-    measures = [*frames, *determinants, *_pivots(planner, known), *_rank(planner), *whole]
+    # pivots of a mass matrix have no value where one of the coframe's vanishes, which is no singular place
+    pivots = [] if planner.exchanges else _pivots(planner, known)
+    measures = [*frames, *determinants, *pivots, *_rank(planner), *whole]
     seen = {m.value for m in (*frames, *determinants)}
     factors = [m for m in _factors(planner) if m.value not in seen]
     signs = [m for m in (*frames, *determinants, *factors) if m.value not in events]
@@ -132,15 +142,21 @@ def watch_function(
     levels: list[tuple[_Measure, Fraction]] = [(m, NOTHING) for m in measures]
     close = len(levels)
     if weak:
-        levels += [(m, level) for m in measures for level in m.levels]
+        levels += [(m, level * m.usual) for m in measures for level in m.levels]
     for measure, level in levels:
         nodes.append(_distance(planner, measure, level))
         about.append(measure.what)
-        kinds.append("deep" if NOTHING < level <= DEEP and measure.kind == "frame" else measure.kind)
+        deep = measure.kind == "frame" and NOTHING < level <= DEEP * measure.usual
+        kinds.append("deep" if deep else measure.kind)
     if not nodes:
         return None, Watch()
     watch = Watch(tuple(about), tuple(kinds), len(events), len(edges) + len(signs), close, len(frames) if weak else 0)
-    return planner.lower_out("watch", "values whose change of sign ends a run", nodes, about, solves=solves), watch
+    what, other = "values whose change of sign ends a run", planner.exchanges
+    if other is None or event is None:
+        return planner.lower_out("watch", what, nodes, about, solves=solves), watch
+    made = planner.lower_out("watch", what, nodes, about, planner.frame_guards())
+    exchanged = [*chain(*_asked(other, event)), *nodes[len(events) + len(edges) :]]
+    return replace(made, otherwise=other.lower_out("watch", what, exchanged, about)), watch
 
 
 def _asked(planner: Planner, event: Event | None) -> tuple[list[Node], list[Node]]:
@@ -185,7 +201,9 @@ def _guarded(planner: Planner, guards: Sequence[GuardPlan], kind: str, levels: t
         if not planner.is_constant(guard.value):
             usual = Fraction(1, 10 ** usual_digits(planner.system, guard.value, guard.scale))
             scale = planner.graph.mul(planner.graph.number(usual), guard.scale)
-            seen.setdefault(guard.value, _Measure(guard.value, scale, False, kind, guard.what, levels))
+            part = usual_part(planner.system, guard.value, guard.scale) / usual
+            own = _Measure(guard.value, scale, False, kind, guard.what, levels, part if part < SMALL else Fraction(1))
+            seen.setdefault(guard.value, own)
     return list(seen.values())
 
 

@@ -164,10 +164,6 @@ class Follower:
 
     def _is_for_its_frame(self, leg: Leg, recipe: Recipe) -> bool:
         """Whether a mass matrix becomes singular because the coframe does, whose determinant squared stands in it."""
-        if leg.job.formulation.frame is None:
-            return False
-        if leg.job.kept is None:
-            return True  # a state that is not whole does not tell
         place = place_of(leg.job, recipe, leg.outcome)
         if place is None:
             return False

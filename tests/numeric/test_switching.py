@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -282,3 +283,36 @@ def test_rates_of_the_constraints_divide_by_nothing_that_velocities_do_not() -> 
     assert (
         max(abs(a - b) for own in zip(*(f.rows for f in ended), strict=True) for a, b in zip(*own, strict=True)) < 1e-7
     )
+
+
+def test_a_coframe_of_six_rows_is_left_before_it_is_singular() -> None:
+    """A bicycle whose determinant is everywhere a small part of what its rows allow."""
+    text = (
+        spec_path("bicycle")
+        .read_text(encoding="utf-8")
+        .replace("  sz: sin(lam)*e1z + cos(lam)*e3z", "  sz: sin(lam)*e1z")
+    )
+    ended = [
+        run(open_scene(Source("b.yaml", text), "reference", f), Settings("dop853", 1e-9)) for f in ("", "multipliers")
+    ]
+    assert [found.ended for found in ended] == ["done", "done"]
+    assert any("goes on with" in note for note in ended[0].notes)
+    rows = zip(*(found.rows for found in ended), strict=True)
+    assert max(abs(a - b) for own in rows for a, b in zip(*own, strict=True)) < 1e-4
+
+
+def test_what_is_watched_has_values_where_a_pivot_vanishes() -> None:
+    """The rear wheel of a bicycle at a given speed ahead: upright, the pivots of its velocities are zero, and so are those of an
+    event on a velocity.
+    """
+    text = re.sub(r"\n  x: \{unit: m.*", "", spec_path("bicycle").read_text(encoding="utf-8"))
+    text = text.replace("parameters:\n", "parameters:\n  ahead: {value: 4.6, unit: m/s}\n")
+    text = text.replace("define:\n", "define:\n  x: ahead*t\n").replace("rear_x: x' +", "rear_x: ahead +")
+    text = re.sub(r"\ndependent: .*", "", text.split("  upright_again:")[0])
+    source = Source("b.yaml", text)
+    ended = [
+        run(open_scene(source, "reference", f, until="pitch' - 1e-3"), Settings("dop853", 1e-9))
+        for f in ("", "multipliers")
+    ]
+    assert [found.ended for found in ended] == ["event", "event"]
+    assert ended[0].outcome.t == pytest.approx(ended[1].outcome.t, abs=1e-7)
