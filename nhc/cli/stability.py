@@ -124,12 +124,14 @@ def _run_atlas(slow: bool, as_json: bool) -> int:
 
 
 def _check_target(output: str | None, force: bool) -> Path | None:
+    from nhc.cli.write import is_stream
+
     if output is None:
         return None
     path = Path(output)
     if path.suffix != ".html":
         raise click.UsageError(f"`{output}` should end in .html")
-    if path.exists() and not force:
+    if path.exists() and not (force or is_stream(path)):
         raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)
     return path
 
