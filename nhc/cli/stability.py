@@ -33,7 +33,9 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
 
 @click.command(
     "stability",
-    epilog=list_examples("nhc stability chaplygin_sleigh -o sleigh.html", "nhc stability bicycle --sweep speed=0:10"),
+    epilog=list_examples(
+        "nhc stability chaplygin_sleigh -o stability.html", "nhc stability bicycle --sweep speed=0:10"
+    ),
 )
 @click.argument("spec", required=False, shell_complete=complete_spec)
 @click.option("--scene", metavar="NAME", default="", help="The scene to look at; default: the first.")
