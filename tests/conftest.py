@@ -84,6 +84,7 @@ def jax_is_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
         stand_in = types.ModuleType("jax")
         stand_in.Array = numpy.ndarray  # type: ignore[attr-defined]
         stand_in.numpy = numpy  # type: ignore[attr-defined]
+        stand_in.lax = types.SimpleNamespace(cond=lambda good, one, other: one() if good else other())  # type: ignore[attr-defined]
         monkeypatch.setitem(sys.modules, "jax", stand_in)
         monkeypatch.setitem(sys.modules, "jax.numpy", numpy)
     else:

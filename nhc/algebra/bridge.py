@@ -99,6 +99,8 @@ def shared_factors(polynomials: Sequence[Powers]) -> list[Powers]:
     terms = ({powers: sympy.Rational(k.numerator, k.denominator) for powers, k in p.items()} for p in polynomials)
     shared, *others = (sympy.Poly(own, *unknowns, domain="QQ") for own in terms)
     for other in others:
+        if shared.is_ground:
+            return []
         shared = sympy.gcd(shared, other)
     few = len(shared.terms()) <= _MOST_FACTORED
     _, factors = shared.factor_list() if few else shared.sqf_list()

@@ -3,7 +3,7 @@
 The nodes are read as polynomials in their symbols and functions.  Sine and cosine of one angle are written by those of half of it,
 S and C, every term with as many of these factors (1 is S^2 + C^2): so multiplied out, a factor 1 + cos that meets sin^2 = (1 +
 cos)(1 - cos) is found as well.  Whether anything is shared is asked first modulo a prime, with numbers for all but one unknown:
-only where the answer is yes are factors sought, by SymPy.
+only where the answer is yes are factors sought, by SymPy, and only in the unknowns for which it is.
 """
 
 from __future__ import annotations
@@ -48,8 +48,11 @@ def _shared(graph: Graph, polynomials: Sequence[Polynomial]) -> list[Node]:
     lowest = [min(low[k] for _, low in dense) for k in range(len(unknowns))]
     found = _joined(graph, [atom for atom, low in zip(unknowns, lowest, strict=True) if low > 0])
     rest = [p for p, _ in dense]
-    if max(max(powers, default=0) for p in rest for powers in p) <= _HIGHEST and _seem_to_share(rest):
-        found += [_written(graph, factor, unknowns) for factor in shared_factors(rest)]
+    if max(max(powers, default=0) for p in rest for powers in p) <= _HIGHEST:
+        places = _seem_to_share(rest)
+        if places:
+            own = [unknowns[k] for k in places]
+            found += [_written(graph, factor, own) for factor in shared_factors(_coefficients(rest, places))]
     return found
 
 
@@ -146,8 +149,26 @@ def _shifted(p: Polynomial, unknowns: Sequence[Node]) -> tuple[Powers, list[int]
     return {tuple(n - m for n, m in zip(row, low, strict=True)): k for row, k in rows}, low
 
 
-def _seem_to_share(polynomials: Sequence[Powers]) -> bool:
-    """Whether for some unknown the polynomials have a factor in common, modulo a prime and with numbers for the others.
+def _coefficients(polynomials: Sequence[Powers], places: Sequence[int]) -> list[Powers]:
+    """All polynomials by the other unknowns: their coefficients, polynomials in those at the places, the shortest first.
+
+    A factor that only has these unknowns is one of every coefficient, and these are far smaller.  Each comes once, up to a number.
+    """
+    made: dict[frozenset[tuple[tuple[int, ...], Fraction]], Powers] = {}
+    for p in polynomials:
+        by_others: dict[tuple[int, ...], dict[tuple[int, ...], Fraction]] = {}
+        for powers, value in p.items():
+            others = tuple(0 if k in places else n for k, n in enumerate(powers))
+            by_others.setdefault(others, {})[tuple(powers[k] for k in places)] = value
+        for own in by_others.values():
+            first = own[min(own)]
+            monic = {powers: value / first for powers, value in own.items()}
+            made.setdefault(frozenset(monic.items()), monic)
+    return sorted(made.values(), key=len)
+
+
+def _seem_to_share(polynomials: Sequence[Powers]) -> list[int]:
+    """The unknowns for which the polynomials have a factor in common, modulo a prime and with numbers for the others.
 
     What they share is seen so; that it seems to be and is not has the chance of a zero at a random point.
     """
@@ -159,6 +180,7 @@ def _seem_to_share(polynomials: Sequence[Powers]) -> bool:
         value = rng.randrange(1, prime)
         tables.append(list(accumulate([value] * highest, lambda a, b: a * b % prime, initial=1)))
     scalars = [{powers: k.numerator * pow(k.denominator, -1, prime) for powers, k in p.items()} for p in polynomials]
+    places = []
     for k in range(count):
         if not all(any(powers[k] for powers in p) for p in scalars):
             continue
@@ -174,8 +196,8 @@ def _seem_to_share(polynomials: Sequence[Powers]) -> bool:
             if len(common) == 1:
                 break
         if len(common) > 1:
-            return True
-    return False
+            places.append(k)
+    return places
 
 
 def _common_divisor(p: list[int], q: list[int], prime: int) -> list[int]:

@@ -274,6 +274,11 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
         return [f"leave `--method {found.method}` out: nhc's own methods go on with another choice of velocities"]
     if job.recipe is None or not job.recipe.weak:
         return ["leave `--stay` out: the run then goes on with another choice of velocities"]
+    if job.formulation.frame is not None and job.system.constraints:
+        return [
+            "no other choice of velocities is better there; `-f multipliers` keeps all of them and goes on where the coordinates "
+            "are regular, and a `rotation:` is regular for all angles in space"
+        ]
     return [
         "no choice of velocities is regular there: the coordinates are singular; "
         "take others, such as a `rotation:` for angles in space"

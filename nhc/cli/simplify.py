@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import sys
+import time
 from pathlib import Path
 
 import click
 
+from nhc.cli.progress import Progress
 from nhc.cli.terminal import Exit, Failure, put, put_json, say
 from nhc.language import Source
 
@@ -54,7 +56,7 @@ def approximate(
     from nhc.study.simplify.measure import NotMeasured
 
     try:
-        ladder = pipeline.simplify(source, tolerance, pipeline.Options(formulation=formulation, scene=scene), _show)
+        ladder = pipeline.simplify(source, tolerance, pipeline.Options(formulation=formulation, scene=scene), _Shown())
     except RunError as error:
         raise Failure(str(error), error.help) from error
     except NotMeasured as error:
@@ -80,11 +82,20 @@ def approximate(
     return Exit.DONE
 
 
-def _show(runs: int, about: str) -> None:
-    """Progress, on a terminal only."""
-    if sys.stderr.isatty():
-        sys.stderr.write(f"\r{f'{runs}: without {about}'[:78]:78}")
-        sys.stderr.flush()
+class _Shown:
+    """Progress: a line that changes on a terminal; elsewhere one after half a minute, after one, two, four and so on."""
+
+    def __init__(self) -> None:
+        self.began, self.due = time.monotonic(), Progress.QUIET
+
+    def __call__(self, runs: int, about: str) -> None:
+        passed = time.monotonic() - self.began
+        if sys.stderr.isatty():
+            sys.stderr.write(f"\r{f'{runs}: without {about}'[:78]:78}")
+            sys.stderr.flush()
+        elif passed >= self.due:
+            self.due *= 2
+            say(f"after {passed:.0f} s {runs} models are measured")
 
 
 def _clear() -> None:

@@ -160,7 +160,7 @@ def list_statuses(program: Program) -> tuple[Status, ...]:
     """The singular blocks of all functions by code; whatever is selected, a code keeps its meaning."""
     meanings: dict[int, str] = {}
     for function in program.functions:
-        for statement in function.body:
+        for statement in (*function.body, *(function.otherwise.body if function.otherwise else ())):
             if isinstance(statement, Guard | Solve):
                 meanings.setdefault(statement.status, statement.what)
     return tuple(Status(code, meanings[code]) for code in sorted(meanings))

@@ -46,6 +46,8 @@ class Frame:
     solve: Callable[[bool], tuple[Sequence[Node], Sequence[tuple[Node, Node]]]]
     turned: tuple[Rotation, ...] = ()
     """The rotations whose angular velocity the frame was solved for, not e'."""
+    rows: Callable[[], tuple[list[Node], list[Node]]] | None = None
+    """The rows that vanish on the motion, and the unknowns in which they are linear, one for each coordinate."""
 
     @property
     def graph(self) -> Graph:
@@ -183,15 +185,19 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node], *,
     def rename() -> list[Node]:
         return substitute(g, written, moving(system, from_base(system, unknowns, turned)))
 
-    def solve(everything: bool) -> tuple[Sequence[Node], Sequence[tuple[Node, Node]]]:
+    def list_rows(everything: bool) -> tuple[list[Node], list[Node]]:
         values = rename()
         bare = [] if everything else [strip_factor(g, x, g.mask(system.p)) for x in values[: system.l]]
         rows = [own.row for own in bare]
         rows += [g.sub(x, w) for x, w in zip(values[len(bare) :], omega[len(bare) :], strict=True)]
-        found, guards = solve_rows(g, rows, unknowns, pivot_weakness(system))
-        return found, [*((divisor, divisor) for own in bare for divisor in own.divisors), *guards]
+        return rows, [divisor for own in bare for divisor in own.divisors]
 
-    frame = Frame(system, forms, omega, omega, solve, turned)
+    def solve(everything: bool) -> tuple[Sequence[Node], Sequence[tuple[Node, Node]]]:
+        rows, divisors = list_rows(everything)
+        found, guards = solve_rows(g, rows, unknowns, pivot_weakness(system))
+        return found, [*((divisor, divisor) for divisor in divisors), *guards]
+
+    frame = Frame(system, forms, omega, omega, solve, turned, lambda: (list_rows(everything=False)[0], unknowns))
     if not known:
         rows, velocities = (rename(), unknowns) if system.rotations else (written, system.v)
         if not is_clearly_regular(g, rows, velocities):

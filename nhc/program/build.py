@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
@@ -13,6 +14,7 @@ from nhc.algebra.rewriting.related import relate_angles
 from nhc.algebra.rewriting.sharing import share_parts
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.rewriting.values import share_values
+from nhc.algebra.solving.blocks import without_sign
 from nhc.mechanics.formulate import accelerations, reaction_ways
 from nhc.mechanics.frame import form_value, kept_forms
 from nhc.mechanics.system import Form
@@ -20,7 +22,7 @@ from nhc.program.ir import Argument, Function, Origin
 from nhc.program.jacobian import plan_jacobian
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, Target, map_nodes
-from nhc.program.planner import T_ARGUMENT, PlannerBase
+from nhc.program.planner import SINGULAR_FRAME, T_ARGUMENT, PlannerBase
 
 FUNCTIONS = (
     "rhs",
@@ -41,6 +43,16 @@ CALLED = 300
 
 class Planner(PlannerBase):
     """Plans of one model's functions."""
+
+    @cached_property
+    def exchanges(self) -> Planner | None:
+        frame, known = self.formulation.frame, self.eliminated()
+        pivots = (without_sign(self.graph, value) for value, _ in self.equations.guards)
+        if frame is None or not any(pivot in known for pivot in pivots):
+            return None
+        from nhc.program.exchanges import ExchangePlanner  # here, for few models need it
+
+        return ExchangePlanner(self.full_equations, self.formulation, base=self)
 
     def rhs(self) -> FunctionPlan:
         system, motion = self.system, self.equations.motion
@@ -119,9 +131,9 @@ class Planner(PlannerBase):
             return plan
         first, names = len(self.kept_q), self.kept_names()
         rates = {self.equations.motion.rates[k]: ("dydt", first + i, f"{names[k]}'") for i, k in enumerate(self.kept_w)}
-        return replace(
-            plan, loads=self.state_loads | rates, guards=(), solves=(), calls=(("rhs", "dydt", self.y.size),)
-        )
+        own = self.frame_guards() if self.exchanges else ()  # which rhs does not refuse then
+        calls = (("rhs", "dydt", self.y.size),)
+        return replace(plan, loads=self.state_loads | rates, guards=own, solves=(), calls=calls)
 
     def outputs(self) -> FunctionPlan:
         values = self.on_motion([node for _, node in self.system.outputs])
@@ -133,8 +145,9 @@ class Planner(PlannerBase):
 
     def energy(self) -> FunctionPlan:
         value = self.on_motion([self.system.energy])[0]
+        guards = self.frame_guards() if self.exchanges else ()
         return FunctionPlan(
-            "energy", "energy T + V", "", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value
+            "energy", "energy T + V", "", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value, guards
         )
 
     def state(self) -> FunctionPlan:
@@ -214,10 +227,21 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
             continue
         plan = getattr(planner, name)()
         if plan is not None:
-            functions.append(lower_function(planner.graph, rewrite(planner, plan), planner.parameters))
+            made = lower_function(planner.graph, rewrite(planner, plan), planner.parameters)
+            functions.append(replace(made, otherwise=lower_otherwise(planner, plan)))
         elif name in wanted:
             return build_functions(planner)  # the emitter refuses it, and names those that there are
     return tuple(functions)
+
+
+def lower_otherwise(planner: Planner, plan: FunctionPlan) -> Function | None:
+    """The function that stands in for a plan's where a pivot is small; None where nothing in it can be."""
+    other = planner.exchanges
+    if other is None or not any(guard.status == SINGULAR_FRAME for guard in plan.guards):
+        return None
+    made: FunctionPlan = getattr(other, plan.name)()
+    # not rewritten: of two nodes with one value, one may need unknowns of a solve that the other stands before
+    return lower_function(other.graph, made, other.parameters)
 
 
 def rewrite(planner: PlannerBase, plan: FunctionPlan) -> FunctionPlan:

@@ -55,4 +55,7 @@ def _needed(planner: Planner, scenes: Sequence[SceneData]) -> Needed | None:
     kept = {*planner.kept_names(), *(name for name, _ in planner.system.outputs)}
     wanted = dict.fromkeys(name for scene in scenes for name in scene.need)
     names = tuple(form.name for form in planner.system.quasi if form.name in wanted and form.name not in kept)
-    return Needed(needed_function(planner, list_columns(planner, names)), names) if names else None
+    if not names:
+        return None
+    others = list_columns(planner.exchanges, names) if planner.exchanges else ()
+    return Needed(needed_function(planner, list_columns(planner, names), others), names)

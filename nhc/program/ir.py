@@ -133,11 +133,13 @@ class Solve:
     tolerance: float
     status: int
     what: str
+    plain: bool = False
+    """The matrix has neither masses nor multipliers: the unknowns have the units that they come in."""
 
     @property
     def masses(self) -> int:
         """The number of unknowns before those that stand beside a block of zeros."""
-        masses = len(self.matrix)
+        masses = 0 if self.plain else len(self.matrix)
         while masses and all(entry == Number(Fraction(0)) for entry in self.matrix[masses - 1][masses - 1 :]):
             masses -= 1
         return masses
@@ -202,6 +204,7 @@ class Function:
 
     ``output`` is the array that Stores write (None: a scalar Result). ``finite`` says that the emitter must leave with a nonzero
     status when an output is not finite (every function that can meet a singular point of the spec's own expressions).
+    ``otherwise`` stands in for it, at the same arguments, where it would leave with the status 1: it does not depend on an order.
     """
 
     name: str
@@ -214,6 +217,7 @@ class Function:
     multiplications: int = 0
     divisions: int = 0
     calls: int = 0
+    otherwise: Function | None = None
 
 
 @record

@@ -175,6 +175,7 @@ class Lowering:
                 solve.tolerance,
                 solve.status,
                 solve.what,
+                solve.plain,
             )
         )
 

@@ -103,12 +103,18 @@ def planned_sketch(planner: Planner) -> Sketch:
     return replace(sketch, nodes=tuple(planner.on_motion(sketch.nodes)))
 
 
-def needed_function(planner: Planner, columns: Sequence[Column]) -> Function:
-    """out[k] is column k."""
+def needed_function(planner: Planner, columns: Sequence[Column], others: Sequence[Column] = ()) -> Function:
+    """out[k] is column k; ``others`` are the same columns of the planner's exchanges."""
     nodes = [column.node for column in columns]
     names = [column.heading for column in columns]
     solves = planner.graph.mask([s for plan in planner.solves for column in plan.symbols for s in column])
     dense = any(planner.graph.depends(node, solves) for node in nodes) if planner.solves else False
-    guards = planner.frame_guards() + (planner.mass_guards if "lambda" in " ".join(names) else ())
+    guards = planner.frame_guards() if others else planner.last_guards()
+    guards += planner.mass_guards if "lambda" in " ".join(names) else ()
     about = "what the run needs, in the order of its columns"
-    return planner.lower_out("needed", about, nodes, names, guards, planner.solves if dense else ())
+    made = planner.lower_out("needed", about, nodes, names, guards, planner.solves if dense else ())
+    if not others or planner.exchanges is None:
+        return made
+    return replace(
+        made, otherwise=planner.exchanges.lower_out("needed", about, [column.node for column in others], names)
+    )

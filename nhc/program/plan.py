@@ -42,6 +42,7 @@ class SolvePlan:
     tolerance: float
     status: int
     what: str
+    plain: bool = False
 
 
 @record

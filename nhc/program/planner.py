@@ -6,13 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import count, reachable, substitute
-from nhc.algebra.graph import NEG, Node
+from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.solving.blocks import Matrix, find_eliminated, without_sign
+from nhc.algebra.solving.determinants import in_determinants
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.frame import describe_added
-from nhc.mechanics.regular.trials import usual_digits
+from nhc.mechanics.regular.trials import usual_digits, usual_part
 from nhc.mechanics.system import System
 from nhc.mechanics.turning import moving
 from nhc.program.ir import Argument, Function, Origin, Quantity
@@ -22,6 +24,9 @@ from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
 MASS_LOST = "the mass matrix is singular"
+_PIVOT_DIGITS = (
+    3.0  # of a pivot that may vanish where its block is regular: there are twice as many in what it is divided by
+)
 _FRAME_DIGITS, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 12.0, 1e-13, 1e-13
 _TURNED_DIGITS = (
     7.0  # of a determinant that stands squared in that of the mass matrix; its scale is a few times what it can be
@@ -131,7 +136,7 @@ class PlannerBase:
         if any(not self.is_constant(value) for value, _ in self.equations.guards):
             what += ", or the velocities that are kept are"
         g = self.graph
-        sizes = [(g.a[pivot] if g.op[pivot] == NEG else pivot, pivot, scale) for pivot, scale in pivots]
+        sizes = [(without_sign(g, pivot), pivot, scale) for pivot, scale in pivots]
         # what is held against itself is refused at zero only
         return [
             GuardPlan(size, g.zero if pivot == scale else scale, tolerance, SINGULAR_MASS, what)
@@ -164,18 +169,53 @@ class PlannerBase:
         )
 
     def frame_guards(self) -> tuple[GuardPlan, ...]:
-        what = "the coframe is singular"
-        if self.formulation.dependent is not None:
-            names = ", ".join(f"{self.system.q_names[i]}'" for i in self.formulation.dependent.dependent)
-            what = f"the constraints cannot be solved for {names}"
-        return self._guard_determinants(self.equations.guards, _FRAME_DIGITS, SINGULAR_FRAME, what)
+        """Of the coframe's determinants; its pivots are left sooner where something stands in for what is divided by them."""
+        return self._guard_frame(_PIVOT_DIGITS if self.exchanges else _FRAME_DIGITS)
+
+    def last_guards(self) -> tuple[GuardPlan, ...]:
+        """The same of a function that nothing stands in for."""
+        return self._guard_frame(_FRAME_DIGITS)
+
+    def _guard_frame(self, digits: float) -> tuple[GuardPlan, ...]:
+        what, known = self.frame_what(), self.eliminated()
+        pivots = [pair for pair in self.equations.guards if without_sign(self.graph, pair[0]) in known]
+        others = [pair for pair in self.equations.guards if pair not in pivots]
+        return (
+            *self._guard_determinants(pivots, digits, SINGULAR_FRAME, what),
+            *self._guard_determinants(others, _FRAME_DIGITS, SINGULAR_FRAME, what),
+        )
+
+    def frame_determinants(self) -> tuple[GuardPlan, ...]:
+        """What vanishes where the coframe is singular, whatever the order of elimination."""
+        g, pairs = self.graph, list[tuple[Node, Node]]()
+        for value, scale in in_determinants(g, self.equations.guards, self.eliminated()):
+            # many rows are never all at right angles, and what they could be is far from what they are
+            most = g.one if (value, scale) in self.equations.guards else g.number(usual_part(self.system, value, scale))
+            pairs.append((value, g.mul(most, scale)))
+        return self._guard_determinants(pairs, _FRAME_DIGITS, SINGULAR_FRAME, self.frame_what())
+
+    def eliminated(self) -> dict[Node, Matrix]:
+        """The blocks whose pivots are guarded (see :func:`nhc.algebra.solving.blocks.find_eliminated`)."""
+        return find_eliminated(self.graph)
+
+    def frame_what(self) -> str:
+        """What it means where the coframe is singular."""
+        if self.formulation.dependent is None:
+            return "the coframe is singular"
+        names = ", ".join(f"{self.system.q_names[i]}'" for i in self.formulation.dependent.dependent)
+        return f"the constraints cannot be solved for {names}"
+
+    @property
+    def exchanges(self) -> PlannerBase | None:
+        """The plans of what stands in where a pivot in a fixed order is small; None where none can be."""
+        return None
 
     def _guard_determinants(
         self, pairs: Sequence[tuple[Node, Node]], digits: float, status: int, what: str
     ) -> tuple[GuardPlan, ...]:
         g, once = self.graph, dict[Node, GuardPlan]()
         for value, scale in pairs:
-            size = g.a[value] if g.op[value] == NEG else value
+            size = without_sign(g, value)
             # a constant determinant is only held against zero: its scale would be work for nothing
             limit = g.zero if self.is_constant(value) else scale
             tolerance = float(f"{10.0 ** -(digits + usual_digits(self.system, size, limit)):.2g}")

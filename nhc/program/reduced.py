@@ -8,7 +8,7 @@ from dataclasses import replace
 from nhc.mechanics.reduction.reduce import keep_everything
 from nhc.mechanics.scenes import kept_velocities
 from nhc.program.beats import find_beats
-from nhc.program.build import rewrite
+from nhc.program.build import lower_otherwise, rewrite
 from nhc.program.clock import find_stops
 from nhc.program.hold import make_hold, must_hold
 from nhc.program.ir import Function, Program, Quantity, SceneData
@@ -79,8 +79,9 @@ def lower_functions(planner: ScenePlanner, only: Sequence[str]) -> tuple[Functio
     for name in SCENE_FUNCTIONS:
         if only and known and name not in only:
             continue
-        plan: FunctionPlan = rewrite(planner, getattr(planner, name)())
-        found.append(lower_function(planner.graph, plan, planner.parameters))
+        plan: FunctionPlan = getattr(planner, name)()
+        made = lower_function(planner.graph, rewrite(planner, plan), planner.parameters)
+        found.append(replace(made, otherwise=lower_otherwise(planner, plan)))
     return tuple(found)
 
 

@@ -10,6 +10,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import MUL, Node
 from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.solving.blocks import Matrix, without_sign
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.motion import Motion
@@ -44,6 +45,16 @@ class ScenePlanner(Planner):
     @property
     def full_equations(self) -> Equations:
         return self.original
+
+    def eliminated(self) -> dict[Node, Matrix]:
+        g, known = self.graph, super().eliminated()
+        pivots = [x for x, _ in self.original.guards if without_sign(g, x) in known]
+        blocks = [known[without_sign(g, x)] for x in pivots]
+        flat = iter(substitute(g, [*pivots, *(x for block in blocks for row in block for x in row)], self.put_in))
+        fixed = [without_sign(g, next(flat)) for _ in pivots]
+        return dict(
+            zip(fixed, [tuple(tuple(next(flat) for _ in row) for row in block) for block in blocks], strict=True)
+        )
 
     def fix(self, nodes: Sequence[Node]) -> list[Node]:
         """Nodes over the full state in terms of what is kept; shorter where they can be."""

@@ -26,8 +26,11 @@ def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...
     """A line for each scene that starts where the planner's own formulation is singular, though another may not be."""
     g, system = planner.graph, planner.system
     moving = g.mask((system.t, *system.q))
-    nodes = [x for pair in planner.full_equations.guards if g.deps[pair[0]] & moving for x in pair]
-    guards = planner.frame_guards() if nodes else ()
+    pairs = [pair for pair in planner.full_equations.guards if g.deps[pair[0]] & moving]
+    guards = planner.frame_determinants() if pairs else ()
+    if planner.exchanges:
+        pairs = [(guard.value, guard.scale) for guard in guards]
+    nodes = [x for pair in pairs for x in pair]
     lines = []
     for scene in scenes if guards else ():
         try:

@@ -172,7 +172,7 @@ def _distance(planner: Planner, measure: _Measure, level: Fraction) -> Node:
 
 
 def _frames(planner: Planner) -> list[_Measure]:
-    return _guarded(planner, planner.frame_guards(), "frame", WEAK)
+    return _guarded(planner, planner.frame_determinants(), "frame", WEAK)
 
 
 def _turned(planner: Planner) -> list[_Measure]:

@@ -120,7 +120,7 @@ def prepare(
     beside = _Beside(structure.functions) if natural else _beside_steps(planner, known, recipe.hold)
     functions = (
         *build_functions(planner, ("rhs", "jacobian") if recipe.jacobian else ("rhs",)),
-        needed_function(planner, [*columns, *checks, *_drawn(sketch)]),
+        needed_function(planner, [*columns, *checks, *_drawn(sketch)], _exchanged(planner, recipe, scene)),
         *(() if watch is None else (watch,)),
         *(beside.functions if not natural else (*beside.functions, *build_functions(planner, ("velocities", "state")))),
     )
@@ -150,6 +150,16 @@ def prepare(
         recipe=None if natural else recipe,
         jumping=find_jumping(planner),
     )
+
+
+def _exchanged(planner: Planner, recipe: Recipe, scene: Scene) -> list[Column]:
+    """The needed columns where the coframe is solved with exchanges; none where it never is."""
+    other = planner.exchanges
+    if other is None:
+        return []
+    columns = list_columns(other, recipe.needs or tuple(need.name for need in scene.need))
+    checks = list_checks(other) if recipe.checks else []
+    return [*columns, *checks, *_drawn(planned_sketch(other) if recipe.draw else _NOTHING)]
 
 
 def _drawn(sketch: Sketch) -> list[Column]:

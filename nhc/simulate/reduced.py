@@ -10,6 +10,7 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.beats import find_beats
 from nhc.program.clock import find_stops
+from nhc.program.exchanges import ExchangePlanner
 from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program
 from nhc.program.needed import Column, list_energy, needed_function
@@ -39,6 +40,15 @@ def prepare_reduced(recipe: Recipe, formulation: Formulation, start: Start) -> J
     return replace(job_of(planner, start, recipe.jacobian, weak=recipe.weak), recipe=recipe)
 
 
+def _exchanged(planner: ScenePlanner) -> list[Column]:
+    """The needed columns where the coframe is solved with exchanges; none where it never is."""
+    other, wanted = planner.exchanges, planner.reduction.outputs
+    if not isinstance(other, ExchangePlanner):
+        return []
+    nodes = other.needed_nodes([column.name for column in wanted])
+    return [Column(column.name, "need", node) for column, node in zip(wanted, nodes, strict=True)]
+
+
 def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = False, weak: bool = False) -> Job:
     """The job of a reduction; ``energy``: with T + V and T as checks, where what is kept determines them."""
     system, made, equations = planner.system, planner.reduction, planner.original
@@ -53,7 +63,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
     leaps, beats = find_leaps(planner, known), find_beats(planner)
     functions = lower_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (
-        needed_function(planner, [*columns, *checks]),
+        needed_function(planner, [*columns, *checks], _exchanged(planner) if not checks else ()),
         *(() if watch is None else (watch,)),
         *(() if leaps is None else (leaps.function,)),
         *(() if beats is None else (beats.function,)),

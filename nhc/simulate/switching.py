@@ -11,8 +11,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from nhc.algebra.solving.blocks import LARGEST_CORE
-from nhc.mechanics.choosing.choose import build
 from nhc.mechanics.choosing.conditioning import Choice, conditioning, find_better, is_mass_sound, name_of
 from nhc.program.planner import SINGULAR_FRAME
 from nhc.records import record
@@ -114,19 +112,13 @@ class Follower:
             return None
         weak = crossed and outcome.status >= watch.weak
         kind = watch.kinds[outcome.status] if crossed else "frame"
-        if kind in _FRAME and job.kept is None:
+        framed = kind in _FRAME or (kind == "mass" and weak and job.formulation.frame is not None)
+        if framed and job.kept is None:
             return make_job(recipe, job.system, job.formulation, job)
+        framed = framed and (kind in _FRAME or self._is_for_its_frame(leg, recipe))
         # where the determinant is gone, so are the digits: only a start is as good as it was given
         sound = weak or outcome.steps == 0
-        found = self._find(job, recipe, outcome) if kind in _FRAME and sound else None
-        if (
-            found is None
-            and weak
-            and kind == "deep"
-            and job.system.l > LARGEST_CORE
-            and self._is_sound(leg, recipe, kind)
-        ):
-            found = self._keep_all(job, recipe, outcome)
+        found = self._find(job, recipe, outcome) if framed and sound else None
         if found is not None:
             return found
         if weak and kind in _NEAR and _comes_near(leg) and not self._is_sound(leg, recipe, kind):
@@ -141,22 +133,13 @@ class Follower:
         found = find_better(job.system, job.formulation, place, others)
         if found is None:
             return None
-        value = conditioning(job.system, job.formulation, place)
-        better = f"{name_of(found.system, found.formulation)} (conditioning {found.value:.2g})"
-        return self._change(
-            job, recipe, outcome, found, f"{better} in place of {name_of(job.system, job.formulation)} ({value:.2g})"
-        )
-
-    def _keep_all(self, job: Job, recipe: Recipe, outcome: Outcome) -> Job:
-        """The multipliers, where the coframe is regular and what is small is a pivot in the order of its elimination."""
-        choice = Choice(job.system, build(job.system, "multipliers"), 1.0)
-        why = f"multipliers: pivots of {name_of(job.system, job.formulation)} vanish, and its determinant does not"
-        return self._change(job, recipe, outcome, choice, why)
-
-    def _change(self, job: Job, recipe: Recipe, outcome: Outcome, found: Choice, told: str) -> Job:
         self.changes += 1
         if self.changes <= TOLD:
-            self._say(f"at t = {outcome.t:.9g} the run goes on with {told}")
+            value = conditioning(job.system, job.formulation, place)
+            self._say(
+                f"at t = {outcome.t:.9g} the run goes on with {name_of(found.system, found.formulation)} "
+                f"(conditioning {found.value:.2g}) in place of {name_of(job.system, job.formulation)} ({value:.2g})"
+            )
         if not self.jobs:
             self.jobs.append(job)
         for made in self.jobs:
@@ -178,6 +161,17 @@ class Follower:
             return is_mass_sound(leg.job.system, leg.job.formulation, place)
         system = leg.job.system
         return conditioning(system, leg.job.formulation, place) ** max(system.l, 1) >= SOUND
+
+    def _is_for_its_frame(self, leg: Leg, recipe: Recipe) -> bool:
+        """Whether a mass matrix becomes singular because the coframe does, whose determinant squared stands in it."""
+        if leg.job.formulation.frame is None:
+            return False
+        if leg.job.kept is None:
+            return True  # a state that is not whole does not tell
+        place = place_of(leg.job, recipe, leg.outcome)
+        if place is None:
+            return False
+        return conditioning(leg.job.system, leg.job.formulation, place) ** max(leg.job.system.l, 1) < SOUND
 
     def _warn(self, leg: Leg, kind: str) -> None:
         line = f"{_NEAR[kind]}: digits are lost there"

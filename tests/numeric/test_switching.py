@@ -252,9 +252,33 @@ def test_other_solvers_end_where_the_choice_becomes_singular(
 @pytest.mark.parametrize("formulation", ["voronec", "euler-lagrange"])
 def test_pivots_that_vanish_where_the_block_is_regular(formulation: str) -> None:
     """Five rows without constant pivots are eliminated in a fixed order, which fails where all angles of the linkage are right
-    ones: its constraints are independent there, and all velocities are kept from before that place on.
+    ones: its constraints are independent there, and rows are exchanged near that place.
     """
     source = Source("bricard.yaml", BRICARD)
     found = follow(source, formulation, 1e-10)
-    assert any("goes on with multipliers: pivots of" in note for note in found.notes)
+    assert not any("multipliers" in note or "singular" in note for note in found.notes)
     assert apart(found, follow(source, "multipliers", 1e-10)) < 1e-8
+
+
+def test_a_mass_matrix_that_is_lost_for_its_coframe_is_a_reason_to_change() -> None:
+    """A stone whose shape is not quite an ellipsoid's: the last level at which its coframe is weak is passed long before."""
+    text = spec_path("rattleback").read_text(encoding="utf-8")
+    source = Source("stone.yaml", text.replace(" + c^2*mu3^2)", ")").replace("time: [0, 5]", "time: [0, 1.6]"))
+    ended = [run(open_scene(source, "reference", f), Settings("dop853", 1e-9)) for f in ("", "multipliers")]
+    assert [found.ended for found in ended] == ["done", "done"]
+    last, other = (dict(zip(found.headings, found.rows[-1], strict=True)) for found in ended)
+    assert all(abs(last[name] - other[name]) < 1e-5 * max(1, abs(other[name])) for name in ("alpha", "beta", "gamma"))
+
+
+def test_rates_of_the_constraints_divide_by_nothing_that_velocities_do_not() -> None:
+    """Without the rear wheel's inertia other velocities are kept: six constraints are then solved for the others, and again for
+    the rates of these.  Upright, some pivots of the second time were zero, and no guard had looked at them.
+    """
+    text = spec_path("bicycle").read_text(encoding="utf-8").replace("T: T_R + T_B", "T: T_B")
+    ended = [
+        run(open_scene(Source("b.yaml", text), "reference", f), Settings("dop853", 1e-9)) for f in ("", "multipliers")
+    ]
+    assert [found.ended for found in ended] == ["done", "done"]
+    assert (
+        max(abs(a - b) for own in zip(*(f.rows for f in ended), strict=True) for a, b in zip(*own, strict=True)) < 1e-7
+    )

@@ -16,7 +16,7 @@ from fractions import Fraction
 from nhc.algebra.calculus import count, reachable
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import are_zero, is_zero
-from nhc.algebra.graph import POW, Graph, Node
+from nhc.algebra.graph import NEG, POW, Graph, Node
 from nhc.algebra.rewriting.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.rewriting.joined import make_product, split_factors
@@ -26,8 +26,12 @@ from nhc.algebra.solving.sizes import row_scale
 _LARGEST_AT_ONCE = 3
 LARGEST_CORE = 4
 """Of rows that are solved by determinants: of more, pivots may vanish where the block is regular."""
+LITTLE = Fraction(1, 10)
+"""Of a row before elimination, beside what is left of it: digits are lost, too, where little is left."""
 _TERMS = 120
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
+Pivots = list[tuple[int, int]]
+"""(row, column) of each pivot of an elimination, the rows counted after the exchanges before it."""
 
 
 def block_order(size: int, nonzero: Callable[[int, int], bool]) -> list[tuple[list[int], list[int]]]:
@@ -107,14 +111,36 @@ def solve_block(
     columns: Sequence[Sequence[Node]],
     weakness: Weakness | None = None,
     scale: Callable[[], Node] | None = None,
+    pivots: Pivots | None = None,
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
-    """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given)."""
+    """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given).
+
+    ``pivots`` are taken in their order, or recorded where there are none yet: what is solved again divides by nothing that was
+    not guarded the first time.
+    """
     size = len(block)
     if "Cramer's rule" in graph.off:
-        return _eliminate(graph, block, columns, weakness, core=0)
+        return _eliminate(graph, block, columns, weakness, 0, pivots)
     if size > _LARGEST_AT_ONCE:
-        return _eliminate(graph, block, columns, weakness, core=LARGEST_CORE)
+        return _eliminate(graph, block, columns, weakness, LARGEST_CORE, pivots)
     return _solve_by_determinants(graph, block, columns, scale)
+
+
+def without_sign(graph: Graph, node: Node) -> Node:
+    """x for -x."""
+    return graph.a[node] if graph.op[node] == NEG else node
+
+
+Matrix = tuple[tuple[Node, ...], ...]
+
+
+def find_eliminated(graph: Graph) -> dict[Node, Matrix]:
+    """For each pivot, without its sign, of an elimination in a fixed order the block that it is one of.
+
+    Such a pivot may vanish where the block is regular.  One that stands alone among constants is not here: it is the determinant.
+    """
+    found: dict[Node, Matrix] = graph.memory.setdefault("eliminated", {})
+    return found
 
 
 def _solve_by_determinants(
@@ -196,6 +222,7 @@ def _eliminate(
     columns: Sequence[Sequence[Node]],
     weakness: Weakness | None,
     core: int,
+    pivots: Pivots | None,
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
     """Elimination: pivots that are constants while there are any, then Cramer's rule if no more than ``core`` rows are left.
 
@@ -204,23 +231,40 @@ def _eliminate(
     """
     size = len(block)
     rows = [[*row, *(column[i] for column in columns)] for i, row in enumerate(block)]
+    origin = list(range(size))
     guards: list[tuple[Node, Node]] = []
+    grown: list[tuple[Node, Node]] = []
     order: list[int] = []
+    given, taken = iter(pivots or ()), Pivots()
     for step in range(size):
-        found = _constant_pivot(graph, rows, step, order, size)
-        if found is None and size - step <= core and not guards:
-            break
+        if pivots:
+            found = next(given, None)
+            if found is None:
+                break
+        else:
+            found = _constant_pivot(graph, rows, step, order, size)
+            if found is None and size - step <= core and not guards:
+                break
         row, column = found or _pivot(graph, rows, step, order, size, weakness)
+        taken.append((row, column))
         rows[step], rows[row] = rows[row], rows[step]
+        origin[step], origin[row] = origin[row], origin[step]
         order.append(column)
         pivot = rows[step][column]
         if graph.value(pivot) is None:
             guards.append((pivot, row_scale(graph, [rows[step][:size]])))
+            grown.append((pivot, _size_now(graph, rows[step][:size], block[origin[step]])))
         inverse = graph.inverse(pivot)
         rows[step] = [graph.mul(entry, inverse) if entry != graph.zero else entry for entry in rows[step]]
         for i in range(size):
             if i != step and rows[i][column] != graph.zero:
                 rows[i] = _without(graph, rows[i], rows[step], column)
+    if pivots is not None:
+        pivots[:] = taken
+    if len(grown) > 1:
+        whole = tuple(map(tuple, block))
+        find_eliminated(graph).update((without_sign(graph, pivot), whole) for pivot, _ in grown)
+        guards = grown
     left = [j for j in range(size) if j not in order]
     rest, more = _solve_core(graph, rows, left, size) if left else ([[]] * len(columns), [])
     solved = []
@@ -232,6 +276,16 @@ def _eliminate(
             x[column] = graph.sub(own[size + c], graph.dot([own[j] for j in left], known))
         solved.append(x)
     return solved, [*guards, *more]
+
+
+def _size_now(graph: Graph, row: Sequence[Node], given: Sequence[Node]) -> Node:
+    """What a pivot is small against: the entries beside it, as large as they are, and a part of its row before the elimination.
+
+    The sizes of their terms, without their signs, grow with each pivot before, and say nothing after a few of them.
+    """
+    g = graph
+    now = g.sum([g.function("abs", entry) for entry in row])
+    return g.add(now, g.mul(g.number(LITTLE), row_scale(g, [given])))
 
 
 def _without(graph: Graph, row: Sequence[Node], by: Sequence[Node], column: int) -> list[Node]:

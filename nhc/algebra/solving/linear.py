@@ -17,7 +17,7 @@ from nhc.algebra.exact.signs import STEPS
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.probe import probe_of
 from nhc.algebra.rewriting.shorten import shorten
-from nhc.algebra.solving.blocks import Weakness, block_order, solve_block
+from nhc.algebra.solving.blocks import Pivots, Weakness, block_order, solve_block
 from nhc.algebra.solving.peel import coefficients, peel
 from nhc.algebra.solving.sizes import form_size, row_scale
 from nhc.records import fresh, record, structure
@@ -133,12 +133,13 @@ class Elimination:
 
 @record
 class NamedBlock:
-    """A solved block: ``symbols`` stand for ``values``, the solution of matrix @ symbols = right."""
+    """A solved block: ``symbols`` stand for ``values``, the solution of matrix @ symbols = right by elimination with ``pivots``."""
 
     symbols: tuple[Node, ...]
     values: tuple[Node, ...]
     matrix: list[list[Node]]
     right: list[Node]
+    pivots: Pivots
 
     def mapped(self, change: Callable[[Sequence[Node]], Sequence[Node]]) -> NamedBlock:
         """The block with ``change`` applied to all it consists of."""
@@ -147,6 +148,7 @@ class NamedBlock:
             tuple(change(self.values)),
             [list(change(row)) for row in self.matrix],
             list(change(self.right)),
+            self.pivots,
         )
 
     def rates(self, graph: Graph, seeds: Mapping[Node, Node]) -> list[Node]:
@@ -154,7 +156,7 @@ class NamedBlock:
         g = graph
         residual = [g.sub(g.dot(row, self.symbols), value) for row, value in zip(self.matrix, self.right, strict=True)]
         right = [g.neg(node) for node in tangent(g, residual, seeds)]
-        return solve_block(g, self.matrix, [right])[0][0]
+        return solve_block(g, self.matrix, [right], pivots=self.pivots)[0][0]
 
 
 def solve(
@@ -220,11 +222,12 @@ def solve_rows(
 
     for part, columns, block in _blocks_of(graph, rows, unknowns):
         right = [graph.neg(known.without_others(rows[i])) for i in part]
-        (solved,), found = solve_block(graph, block, [right], weakness, partial(scale, part))
+        pivots = Pivots()
+        (solved,), found = solve_block(graph, block, [right], weakness, partial(scale, part), pivots)
         guards.extend(found)
         if named is not None and found and len(columns) > 1:
             symbols = [graph.symbol(f"solved_{j}", "unknown") for j in columns]
-            named.append(NamedBlock(tuple(symbols), tuple(solved), block, right))
+            named.append(NamedBlock(tuple(symbols), tuple(solved), block, right, pivots))
             solved = symbols
         for j, value in zip(columns, solved, strict=True):
             known.learn(unknowns[j], value)

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from nhc.emit.c.body import BodyPrinter
 from nhc.emit.c.dense import list_entries
+from nhc.emit.c.either import EXCHANGED
 from nhc.emit.c.lanes import LanesPrinter
 from nhc.emit.c.lines import Block, Blocks, wrap_code
 from nhc.emit.c.rolled.lines import Body, Fetch, Leave, Line, Loop, Put, count_lines, list_needs, may_roll
@@ -20,9 +21,9 @@ from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Section, Sol
 from nhc.records import record
 
 OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status", TURN)
-SLOW = frozenset(
-    ("velocities", "accelerations", "state", "residuals", "positions", "reactions", "energy", "jacobian", "outputs")
-)  # functions that no integrator calls at each stage: where they are long, they shall be compiled soon above all
+_SLOW = ("velocities", "accelerations", "state", "residuals", "positions", "reactions", "energy", "jacobian", "outputs")
+SLOW = frozenset((*_SLOW, *(f"{name}_{EXCHANGED}" for name in ("rhs", *_SLOW))))
+"""Functions that no integrator calls at each stage: where they are long, they shall be compiled soon above all."""
 LONG = 40  # statements from which on this holds
 LENGTHS = (250, 200)  # statements that one function may have, those of a part where there are more
 RHS_LENGTHS = (1200, 750)  # it must be fast above all: what parts leave for others costs stores and loads

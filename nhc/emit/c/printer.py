@@ -9,6 +9,7 @@ from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
 from nhc.emit.c.body import BodyPrinter
 from nhc.emit.c.dense import FEW
+from nhc.emit.c.either import Way, find_largest_block, print_either, rename
 from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.large import AT, LARGE, TURNED, list_angles, print_near, print_twice
@@ -124,7 +125,6 @@ def make_source_context(
     program: Program, helpers: set[str], functions: tuple[Function, ...], batch: Batch
 ) -> dict[str, object]:
     """What ``model.c.jinja`` uses besides the functions."""
-    sizes = [len(s.matrix) for f in functions for s in f.body if isinstance(s, Solve)]
     return {
         "name": program.system,
         "comment": print_source_comment(program),
@@ -132,7 +132,7 @@ def make_source_context(
         "helpers": tuple(sorted(helpers)),
         "each": batch.each,
         "least": batch.least,
-        "largest_block": max(sizes, default=0),
+        "largest_block": find_largest_block(functions),
     }
 
 
@@ -169,7 +169,7 @@ def make_hold_context(program: Program, helpers: set[str]) -> tuple[list[Printed
         )
         if hold
         else (),
-        "largest_block": max((len(s.matrix) for f in functions for s in f.body if isinstance(s, Solve)), default=0),
+        "largest_block": find_largest_block(functions + ([program.needed.function] if program.needed else [])),
     }
 
 
@@ -239,6 +239,16 @@ def print_arguments(arguments: Sequence[Argument], output: Argument | None, *, p
 
 def print_function(program: Program, function: Function, helpers: set[str], *, inline: bool = False) -> PrintedFunction:
     """A function of the program; its ``int`` is 0 only if every entry of its output is finite."""
+    made = print_one(program, function, helpers, inline=inline)
+    if function.otherwise is None:
+        return made
+    other = print_one(program, rename(function.otherwise, function), helpers, inline=inline)
+    parts, body = print_either(program.system, function, *(Way(x.definition, x.body, x.parts) for x in (made, other)))
+    return replace(made, definition=made.prototype, body=body, parts=parts)
+
+
+def print_one(program: Program, function: Function, helpers: set[str], *, inline: bool) -> PrintedFunction:
+    """A function by itself, without what stands in for it."""
     prefix, capitals, output = program.system, program.system.upper(), function.output
     body = arrange(place_guards(drop_unused(function.body)))
     layout = lay_out(function, body)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nhc.emit.environment import File
 from nhc.emit.options import EmitOptions, check_options, select_functions
 from nhc.emit.python.body import MODULES, WIDTH, BodyPrinter, print_sequence
@@ -17,6 +19,7 @@ from nhc.emit.statements import (
     place_guards,
 )
 from nhc.program.ir import Argument, Evaluate, Function, Load, Program, Quantity, Store, Sweep
+from nhc.program.planner import SINGULAR_FRAME
 from nhc.records import record
 
 LONGEST_REASON = WIDTH - 8
@@ -35,6 +38,8 @@ IMPORTS = {
     "jax": ("from collections.abc import Sequence", "", "import jax.numpy as jnp", "from jax import Array"),
 }
 
+LAZY = (*IMPORTS["jax"][:-1], "from jax import Array, lax")
+
 
 @record
 class PrintedFunction:
@@ -45,6 +50,7 @@ class PrintedFunction:
     loads: tuple[str, ...]
     body: tuple[str, ...]
     name: str
+    either: bool = False
 
 
 def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
@@ -52,12 +58,12 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
     check_options(program, options)
     functions = select_functions(program, options.only)
     helpers: set[str] = set()
-    printed = tuple(print_function(program, function, options.array, helpers) for function in functions)
+    printed = tuple(p for function in functions for p in print_all(program, function, options.array, helpers))
     ambiguous = any(f"{'    '}{name} = " in line for f in printed for line in f.loads + f.body for name in AMBIGUOUS)
     context: dict[str, object] = {
         "docstring": print_module_docstring(program, functions, options.array),
         "noqa": "# ruff: noqa: E741" if ambiguous else "",
-        "imports": IMPORTS[options.array],
+        "imports": LAZY if "either" in helpers and options.array == "jax" else IMPORTS[options.array],
         "prelude": PRELUDES[options.array],
         "tables": list_tables(program, options.array),
         "reasons": list_reasons(program),
@@ -101,7 +107,7 @@ def list_reasons(program: Program) -> tuple[str, ...]:
     return tuple(print_sequence("REASONS = ", [print_string(text) for text in short], "()", ""))
 
 
-def print_signature(function: Function, array: str) -> tuple[str, ...]:
+def print_signature(function: Function, array: str, name: str = "") -> tuple[str, ...]:
     """The ``def`` line, exploded where it is too long."""
     returned = {"": "list[float]", "numpy": "Array", "jax": "Array"}[array]
     if function.output is None and not array:
@@ -109,7 +115,7 @@ def print_signature(function: Function, array: str) -> tuple[str, ...]:
     if function.name == "jacobian" and not array:
         returned = "list[list[float]]"
     items = [print_argument(argument, array) for argument in function.inputs]
-    return tuple(print_sequence(f"def {function.name}", items, "()", "", f" -> {returned}:"))
+    return tuple(print_sequence(f"def {name or function.name}", items, "()", "", f" -> {returned}:"))
 
 
 def print_argument(argument: Argument, array: str) -> str:
@@ -119,6 +125,40 @@ def print_argument(argument: Argument, array: str) -> str:
         return f"{name}: {'float | Array' if array else 'float'}"
     kind = "Sequence[float] | Array" if array else "Sequence[float]"
     return f"{name}: {kind} = DEFAULTS" if argument.name == "p" else f"{name}: {kind}"
+
+
+def print_all(program: Program, function: Function, array: str, helpers: set[str]) -> tuple[PrintedFunction, ...]:
+    """A function; where something stands in for it, its two ways and the choice between them."""
+    own = print_function(program, function, array, helpers)
+    if function.otherwise is None:
+        return (own,)
+    helpers.add("either")
+    ordered, exchanged = f"_{function.name}_ordered", f"_{function.name}_exchanged"
+    other = print_function(program, replace(function.otherwise, name=function.name), array, helpers)
+    given = ", ".join(spell(argument.name) for argument in function.inputs)
+    body: tuple[str, ...]
+    if array == "jax":
+        body = (
+            f"    found = {ordered}({given})",
+            "    good = jnp.all(jnp.isfinite(found))",
+            f"    return lax.cond(good, lambda: found, lambda: {exchanged}({given}))",
+        )
+    else:
+        body = (
+            "    try:",
+            f"        return {ordered}({given})",
+            "    except SingularModelError as error:",
+            f"        if error.status != {SINGULAR_FRAME}:",
+            "            raise",
+            f"    return {exchanged}({given})",
+        )
+    first = ('    """In a fixed order of elimination."""',)
+    second = ('    """With rows exchanged, for places where a pivot of that order is small."""',)
+    return (
+        replace(own, signature=print_signature(function, array, ordered), docstring=first),
+        replace(other, signature=print_signature(function, array, exchanged), docstring=second),
+        replace(own, loads=(), body=body, either=True),
+    )
 
 
 def print_function(program: Program, function: Function, array: str, helpers: set[str]) -> PrintedFunction:

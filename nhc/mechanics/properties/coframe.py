@@ -9,6 +9,8 @@ from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
+from nhc.algebra.solving.blocks import find_eliminated
+from nhc.algebra.solving.determinants import in_determinants
 from nhc.diagnostics import Bag
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.choosing.independence import independence
@@ -43,7 +45,7 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
     if formulation.frame is None or not system.quasi:
         return
     _warn_of_lost_digits(system, formulation.frame.forms[system.l :], bag)
-    for guard, _ in formulation.frame.guards:
+    for guard, _ in in_determinants(system.graph, formulation.frame.guards, find_eliminated(system.graph)):
         if never_vanishes(system, guard) or (never_changes(system, guard) and not _is_zero_as_given(system, guard)):
             continue
         where = entry_text(system, guard) or zero_text(system, guard)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Sequence
+from fractions import Fraction
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate, evaluate_into
@@ -166,7 +167,17 @@ def usual_digits(system: System, value: Node, scale: Node) -> int:
     """
     if scale in (system.graph.zero, system.graph.one):
         return 0
-    known: dict[tuple[Node, Node], int] = system.graph.memory.setdefault("usual digits", {})
+    largest = _largest_part(system, value, scale)
+    return 0 if largest >= _NEAR else -math.ceil(math.log10(largest))
+
+
+def usual_part(system: System, value: Node, scale: Node) -> Fraction:
+    """The largest part of its ``scale`` that a determinant is anywhere it is looked at, in two digits."""
+    return Fraction(f"{_largest_part(system, value, scale):.2g}")
+
+
+def _largest_part(system: System, value: Node, scale: Node) -> float:
+    known: dict[tuple[Node, Node], float] = system.graph.memory.setdefault("usual parts", {})
     if (value, scale) not in known:
         ratios, nodes = [], [value, scale, size_of(system.graph, value)]
         for point in _kept_points(system, ordinary=False):
@@ -176,6 +187,5 @@ def usual_digits(system: System, value: Node, scale: Node) -> int:
                 continue
             if size and math.isfinite(found / size) and abs(found) > _ROUNDING * terms:
                 ratios.append(abs(found / size))
-        largest = max(ratios, default=1.0)
-        known[value, scale] = 0 if largest >= _NEAR else -math.ceil(math.log10(largest))
+        known[value, scale] = max(ratios, default=1.0)
     return known[value, scale]

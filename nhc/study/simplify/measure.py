@@ -99,6 +99,8 @@ class Meter:
                 found = run(job, settings)
         except ArithmeticError as error:
             raise Refused(f"the run without it fails: {error}") from error
+        if found.ended == "stopped":
+            raise KeyboardInterrupt  # it was heard by the run
         if found.headings != self.needs:
             raise Refused("the model without it delivers other quantities")
         if found.outcome.kind == TOO_MANY:
@@ -211,6 +213,8 @@ def _open(source: Source, scene: str, formulation: str, tolerance: float) -> tup
 
 
 def _complete(found: Trajectory) -> Trajectory:
+    if found.ended == "stopped":
+        raise KeyboardInterrupt
     if found.ended != "done":
         advice = ("`nhc run` says where the scene fails",)
         raise NotMeasured(f"the full model's run ends at t = {found.outcome.t:.6g}: {found.reason}", advice)

@@ -12,6 +12,7 @@ from nhc.records import record
 from nhc.simulate.opening import find_scene
 from nhc.simulate.run import POINTS
 from nhc.study.chart.measure import describe_machine
+from nhc.study.simplify.abreast import measure_abreast
 from nhc.study.simplify.candidate import Candidate
 from nhc.study.simplify.draft import Draft, draft_of
 from nhc.study.simplify.ladder import Kept, Ladder, Price, Rung, Size
@@ -90,14 +91,20 @@ class _Search:
         if text not in self.known:
             if self.runs >= self.most:
                 raise Bounded
-            self.runs += 1
-            if self.show is not None:
-                self.show(self.runs, gone[-1].about)
-            try:
-                self.known[text] = Trial(*self.meter.measure(text))
-            except Refused as refused:
-                self.known[text] = str(refused)
+            self._count(gone[-1])
+            self.known[text] = self._measure(text)
         return self.known[text]
+
+    def _count(self, candidate: Candidate) -> None:
+        self.runs += 1
+        if self.show is not None:
+            self.show(self.runs, candidate.about)
+
+    def _measure(self, text: str) -> Trial | str:
+        try:
+            return Trial(*self.meter.measure(text))
+        except Refused as refused:
+            return str(refused)
 
     def fits(self, trial: Trial) -> bool:
         return trial.error + max(self.meter.own) <= self.meter.tolerance
@@ -105,9 +112,8 @@ class _Search:
     def _measure_alone(self, candidates: Sequence[Candidate]) -> list[Candidate]:
         """Those that may go by themselves; of several that leave the same text the first."""
         nothing, found = self.text([]), []
-        alike: dict[
-            str, tuple[int, Candidate]
-        ] = {}  # the first of those that leave the same text, with the rank of the best
+        # the first of those that leave the same text, with the rank of the best
+        alike: dict[str, tuple[int, Candidate]] = {}
         for candidate in candidates:
             try:
                 text = self.text([candidate])
@@ -115,14 +121,16 @@ class _Search:
                 self.reasons[candidate] = str(error)
                 continue
             if text != nothing:
-                rank, first = alike.get(text, (candidate.rank, candidate))
-                alike[text] = (min(rank, candidate.rank), first)
+                rank, same = alike.get(text, (candidate.rank, candidate))
+                alike[text] = (min(rank, candidate.rank), same)
         self.waiting = [candidate for _, candidate in sorted(alike.values(), key=lambda entry: entry[0])]
-        for candidate in self.waiting:
-            if self.runs >= self.most - self.most // 3:  # the rest is for putting them together
-                self.bounded = True
-                break
-            trial = self.trial([candidate])
+        many = self.most - self.most // 3  # the rest is for putting them together
+        self.bounded = len(self.waiting) > many
+        first = self.waiting[:many]
+        texts = [self.text([candidate]) for candidate in first]
+        for candidate, text, trial in zip(first, texts, measure_abreast(self._measure, texts), strict=True):
+            self._count(candidate)
+            self.known[text] = trial
             if isinstance(trial, str):
                 self.reasons[candidate] = trial
             elif not self.fits(trial):

@@ -269,7 +269,7 @@ def _list_columns(
     ]
     found += [Column(i.text, "integral", r) for i, r in zip(integrals, rest[len(forms) :], strict=True)]
     found += [Column(text, "hidden", node) for text, node in hidden]
-    for guard in planner.frame_guards():
+    for guard in planner.frame_determinants():
         found += [Column(guard.what, "guard", guard.value), Column("", "scale", guard.scale)]
     found += [Column(f.name, "row", a) for f in system.constraints for a in f.coefficients]
     found += [Column("", "velocity", v) for v in planner.equations.motion.velocities]
