@@ -67,7 +67,7 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
 @click.command(
     "chart",
     epilog=list_examples(
-        "nhc chart chaplygin_sleigh -o sleigh.html", "nhc chart ladder/rigid_bicycle --against ladder/relaxing_tyres"
+        "nhc chart chaplygin_sleigh -o chart.html", "nhc chart ladder/rigid_bicycle --against ladder/relaxing_tyres"
     ),
 )
 @specs_argument

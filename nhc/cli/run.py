@@ -181,6 +181,8 @@ def _integrate(job: Job, settings: Settings) -> Trajectory:
 
 def _check_target(output: str | None, force: bool) -> Path | None:
     """The file to be written; None for stdout."""
+    from nhc.cli.write import is_stream
+
     if output in (None, "-"):
         return None
     assert output is not None
@@ -189,7 +191,7 @@ def _check_target(output: str | None, force: bool) -> Path | None:
         raise click.UsageError(f"`{output}` should end in {', '.join(KINDS)}")
     if path.is_dir():
         raise Failure(f"`{output}` is a folder", ["name a file after `-o`"])
-    if path.exists() and not force:
+    if path.exists() and not (force or is_stream(path)):
         raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)
     return path
 

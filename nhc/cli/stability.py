@@ -33,7 +33,9 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
 
 @click.command(
     "stability",
-    epilog=list_examples("nhc stability chaplygin_sleigh -o sleigh.html", "nhc stability bicycle --sweep speed=0:10"),
+    epilog=list_examples(
+        "nhc stability chaplygin_sleigh -o stability.html", "nhc stability bicycle --sweep speed=0:10"
+    ),
 )
 @click.argument("spec", required=False, shell_complete=complete_spec)
 @click.option("--scene", metavar="NAME", default="", help="The scene to look at; default: the first.")
@@ -124,12 +126,14 @@ def _run_atlas(slow: bool, as_json: bool) -> int:
 
 
 def _check_target(output: str | None, force: bool) -> Path | None:
+    from nhc.cli.write import is_stream
+
     if output is None:
         return None
     path = Path(output)
     if path.suffix != ".html":
         raise click.UsageError(f"`{output}` should end in .html")
-    if path.exists() and not force:
+    if path.exists() and not (force or is_stream(path)):
         raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)
     return path
 

@@ -1,4 +1,8 @@
-"""Files on disk: all of an emission or nothing, and never over a file that a user has edited."""
+"""Files on disk: all of an emission or nothing, and never over a file that a user has edited.
+
+Devices and pipes (`/dev/stdout`, a process substitution of the shell) hold nothing that could be lost: they are written to, neither
+read before nor replaced.
+"""
 
 from __future__ import annotations
 
@@ -26,6 +30,11 @@ def deliver(text: str, output: str | None, *, force: bool) -> None:
     if not force:
         refuse_to_overwrite({path: text}, edited_only=False)
     write_files({path: text})
+
+
+def is_stream(path: Path) -> bool:
+    """Whether there is a device or a pipe."""
+    return path.exists() and not (path.is_file() or path.is_dir())
 
 
 def place_files(files: Mapping[str, str], output: str | None) -> dict[Path, str]:
@@ -82,9 +91,12 @@ def refuse_to_overwrite(files: Mapping[Path, str], *, edited_only: bool = True) 
 def write_files(files: Mapping[Path, str]) -> None:
     """Write all of ``files`` or none, each by renaming a finished temporary file, and say so on stderr."""
     changed = {path: text for path, text in files.items() if _read(path) != text}
+    streams = [path for path in changed if is_stream(path)]
     try:
-        with _written_beside(changed) as temporaries:
+        with _written_beside({path: text for path, text in changed.items() if path not in streams}) as temporaries:
             _replace_all(temporaries)
+        for path in streams:
+            path.write_bytes(changed[path].encode())
     except OSError as error:
         where = error.filename or ", ".join(map(str, changed))  # a full disk names no file
         raise Failure(f"cannot write `{where}`: {describe_os_error(error)}", ["nothing was written"]) from error
@@ -97,9 +109,12 @@ def write_bytes(path: Path, content: bytes) -> None:
     final = path.resolve()
     temporary = final.with_name(f".{final.name}.{os.getpid()}.tmp")
     try:
-        final.parent.mkdir(parents=True, exist_ok=True)
-        temporary.write_bytes(content)
-        os.replace(temporary, final)
+        if is_stream(path):
+            path.write_bytes(content)
+        else:
+            final.parent.mkdir(parents=True, exist_ok=True)
+            temporary.write_bytes(content)
+            os.replace(temporary, final)
     except OSError as error:
         raise Failure(f"cannot write `{path}`: {describe_os_error(error)}", ["nothing was written"]) from error
     finally:
@@ -143,7 +158,9 @@ def _replace_all(temporaries: Mapping[Path, Path]) -> None:
 
 
 def _read(path: Path) -> str | None:
-    """Return the text of ``path`` with its line ends as they are, None when there is no such file."""
+    """Return the text of ``path`` with its line ends as they are, None when there is no such file, or a stream."""
+    if is_stream(path):
+        return None
     try:
         return path.read_bytes().decode(errors="replace")
     except FileNotFoundError:

@@ -114,6 +114,21 @@ class PlannerBase:
         matrix, right = self.dense_system()
         unknowns = (*rates, *equations.multipliers)
         self.solves = (self.plan_dense_solve(matrix, [right], [unknowns]),)
+        self.solved = self._held_alone(matrix, right, unknowns)
+
+    def _held_alone(
+        self, matrix: Sequence[Sequence[Node]], right: Sequence[Node], unknowns: Sequence[Node]
+    ) -> dict[Node, Node]:
+        """The accelerations that one constraint gives by itself, as u' = 0 does: not what elimination leaves of zero.
+
+        Rounding is no small part of that where the velocity stays zero, and no step is short enough for it.
+        """
+        g, found = self.graph, dict[Node, Node]()
+        for row, value in list(zip(matrix, right, strict=True))[len(self.equations.motion.rates) :]:
+            entries = [(k, entry) for k, entry in enumerate(row) if entry != g.zero]
+            if len(entries) == 1 and g.value(entries[0][1]) is not None:
+                found[unknowns[entries[0][0]]] = g.div(value, entries[0][1])
+        return found
 
     def _guard_pivots(self, pivots: Sequence[tuple[Node, Node]], tolerance: float) -> list[GuardPlan]:
         what = MASS_LOST

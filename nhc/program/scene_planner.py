@@ -85,8 +85,10 @@ class ScenePlanner(Planner):
 
     def _solve(self) -> None:
         super()._solve()
-        wanted = [self.solved[self.equations.motion.rates[k]] for k in self.kept_w if self.solved]
-        wanted += self.known([node for node, _ in self._columns()]) if self.solved else []
+        if not self.mass_guards:
+            return
+        wanted = [self.solved[self.equations.motion.rates[k]] for k in self.kept_w]
+        wanted += self.known([node for node, _ in self._columns()])
         seen = set(reachable(self.graph, wanted))
         turned = tuple(guard for guard in self.turned_guards if seen.issuperset(self._factors(guard.value)))
         self.mass_guards = tuple(guard for guard in self.mass_guards if guard in turned or guard.value in seen)

@@ -10,10 +10,11 @@ which is a difference then, has lost its own: a light wheel on a heavy cart.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+from nhc.program.contents import walk
 from nhc.program.ir import Binary, Expr, Let, Negate, Number, Ref, Solve
 from nhc.records import record
 
@@ -142,7 +143,22 @@ class _Elimination:
             # what a row holds alone may well be at rest
             if k < self.solve.masses and factors[k] and own != _ZERO and k not in held:
                 tests.append(Test(multiply(DIGITS, multiply(own, own)), "<=", multiply(values[k], values[k])))
-        return WrittenOut(named, tuple(self.lets), tuple(dict.fromkeys(tests)))
+        return WrittenOut(named, self._list_needed(named, tests), tuple(dict.fromkeys(tests)))
+
+    def _list_needed(self, named: Solve, tests: Sequence[Test]) -> tuple[Let, ...]:
+        """The lets without those that nothing uses: an acceleration that is not asked for, and not tested either."""
+        read = [x for test in tests for x in (test.left, test.right)]
+        needed = _list_names([*read, *(entry for row in named.matrix + named.columns for entry in row)])
+        kept = []
+        for let in reversed(self.lets):
+            if let.name in needed or let.name in self.used:
+                kept.append(let)
+                needed |= _list_names([let.value])
+        return tuple(reversed(kept))
+
+
+def _list_names(expressions: Iterable[Expr]) -> set[str]:
+    return {part.name for expression in expressions for part in walk(expression) if isinstance(part, Ref)}
 
 
 def _single(row: Sequence[Expr]) -> list[Expr]:

@@ -122,3 +122,20 @@ def test_names_of_the_languages_own_modules(
         assert ("note:" in told and words in told) if words else "note:" not in told
     assert main(["emit", str(spec), "--lang", "python", "-o", str(tmp_path / "model.py")]) == 0
     assert "note:" not in capsys.readouterr().err
+
+
+def test_a_pipe_is_written_to_and_neither_read_nor_replaced(tmp_path: Path) -> None:
+    """`-o >(less)`; of a device such as `/dev/zero`, all that it gives was read, and `--force` put a file in its place."""
+    pipe = tmp_path / "pipe.json"
+    os.mkfifo(pipe)
+    for wanted in (b"from text\n", b"from bytes"):
+        reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+        try:
+            if wanted.endswith(b"\n"):
+                write.deliver(wanted.decode(), str(pipe), force=False)
+            else:
+                write.write_bytes(pipe, wanted)
+            assert os.read(reader, 100) == wanted
+        finally:
+            os.close(reader)
+        assert pipe.is_fifo() and os.listdir(tmp_path) == [pipe.name]

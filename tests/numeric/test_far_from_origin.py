@@ -1,4 +1,4 @@
-"""Differences of coordinates stay differences: a motion far from the origin is that at the origin."""
+"""Differences of coordinates stay differences: a motion far from the origin, or from t = 0, is that at the origin."""
 
 from __future__ import annotations
 
@@ -47,3 +47,29 @@ def test_a_run_far_away_is_not_said_to_be_nearly_singular() -> None:
     job = open_scene(Source("s.yaml", SKATE + scenes), "far", "euler-lagrange")
     found = run(job, Settings("dop853", points=3))
     assert found.ended == "done" and not [note for note in found.notes if "nearly singular" in note]
+
+
+TURNING = """nhc: 1
+system: turning
+coordinates: [x, y, phi, z]
+T: (x'^2 + y'^2 + phi'^2 + z'^2)/2
+constraints:
+  - blade: sin(phi)*x' - cos(phi)*y' = 0
+  - lift: z' = 0.7
+scenes:
+"""
+
+
+@pytest.mark.parametrize("begin", [86400, 1700000000])
+def test_a_scene_far_from_t_0_is_one_that_starts_there(begin: int) -> None:
+    """phi turns at a constant rate; as a function of the time it had few digits, and the steps became as short as doubles allow."""
+    initial = "initial: {phi: 0.3, phi': 1, x': 1, z: 0.1}"
+    scenes = f"  far: {{{initial}, time: [{begin}, {begin + 1}]}}\n  near: {{{initial}, time: [0, 1]}}\n"
+    found = {}
+    for scene in ("far", "near"):
+        job = open_scene(Source("turning.yaml", TURNING + scenes), scene)
+        done = run(job, Settings("dop853", points=2, tolerance=1e-12))
+        assert done.ended == "done" and done.outcome.steps < 50
+        found[scene] = done.rows
+    assert found["far"][0] == found["near"][0]
+    assert found["far"][1] == pytest.approx(found["near"][1], rel=1e-12)

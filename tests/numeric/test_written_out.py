@@ -140,3 +140,25 @@ def test_rows_exchanged_or_not_give_one_motion(name: str, tmp_path: Path) -> Non
         found = compiled("rhs", 2 * n, 0.0, y, p)
         assert error(found[n:], compiled("accelerations", n, 0.0, y, p)) < 1e-9
         assert error(found, module.rhs(0.0, y, p)) < 1e-9
+
+
+def test_what_is_neither_asked_for_nor_tested_is_not_computed(tmp_path: Path) -> None:
+    """A scene that leaves out a velocity which one constraint holds: the solve still contains its acceleration."""
+    text = """\
+nhc: 1
+system: held
+coordinates: [z, x, y, w]
+T: (x'^2 + y'^2 + z'^2 + w'^2)/2 + z'*x'*cos(y)/5 + x'*y'*sin(w)/4 + y'*w'*x/7
+V: x*y*w
+constraints: ["z' = 0", "w' = y*x'"]
+formulation: multipliers
+scenes: {go: {initial: {x: 1}, time: [0, 1], need: x}}
+"""
+    options = Options(scene="go")
+    files = emit(Source("held.yaml", text), "c", options)
+    assert "inverse1" in files["held.c"]
+    compiled = CModel("held", ctypes.CDLL(str(compile_c(files, tmp_path, "held"))), {})
+    (module,) = emit(Source("held.yaml", text), "python", options).values()
+    model = python_model(module, "held")
+    y = [0.3, 0.2, 0.5, -0.7, 0.4, 0.1][: len(model.STATE)]
+    assert error(compiled("rhs", len(y), 0.0, y, model.DEFAULTS), model.rhs(0.0, y)) < 1e-13

@@ -4,6 +4,9 @@ Where rates q'_i = c_ik w_k + d_i have coefficients that are constant on every m
 integrates to q_i = C + a_j q_j + d t: constraints such as r*theta' = x', wheels on one axle, angles that turn at a constant rate.
 Where the constraints have an integral f(q, t) = C (holonomic ones, and those that are so in disguise) in which one coordinate
 stands linearly with a constant factor, that coordinate is a function of the others.
+
+Far from t = 0 functions of the time are not taken: C + d t keeps few digits there, and rates over it jump from one double t to the
+next, which an integrator takes for a rough motion.
 """
 
 from __future__ import annotations
@@ -47,6 +50,20 @@ class Integral:
 
 
 @record
+class Given:
+    """What is known of a scene's motions.
+
+    ``constants`` are symbols that do not change on a motion beside the parameters, ``first`` coordinates that had better stay,
+    ``known`` bounds of symbols; ``far``: it takes place far from t = 0.
+    """
+
+    constants: Sequence[Node]
+    first: Sequence[int]
+    known: Mapping[Node, Interval]
+    far: bool
+
+
+@record
 class _Row:
     """sum of weights * q' = vector . w + drift; ``vector`` is 1 in column ``pivot``."""
 
@@ -56,23 +73,13 @@ class _Row:
     drift: Node
 
 
-def find_integrals(
-    system: System,
-    rates: Mapping[int, Node],
-    w: Sequence[Node],
-    constants: Sequence[Node],
-    first: Sequence[int],
-    known: Mapping[Node, Interval],
-) -> list[Integral]:
-    """The coordinates among ``rates`` (index -> q' over the kept state) that follow from the others.
-
-    ``constants`` are symbols that do not change on a motion beside the parameters, ``first`` coordinates that had better stay.
-    """
+def find_integrals(system: System, rates: Mapping[int, Node], w: Sequence[Node], given: Given) -> list[Integral]:
+    """The coordinates among ``rates`` (index -> q' over the kept state) that follow from the others."""
     g = system.graph
-    changing = ~g.mask((*system.p, *constants))
+    changing = ~g.mask((*system.p, *given.constants))
     rows: list[_Row] = []
     found: list[Integral] = []
-    for i in sorted(rates, key=lambda i: (i not in first, i)):
+    for i in sorted(rates, key=lambda i: (i not in given.first, i)):
         try:
             coefficients, drift = linear_form(g, rates[i], w)
         except NotLinear:
@@ -83,8 +90,9 @@ def find_integrals(
         row = _reduce(system, _Row(-1, tuple(parts[:-1]), {i: g.one}, parts[-1]), rows)
         pivot = next((k for k, x in enumerate(row.vector) if x != g.zero), None)
         if pivot is None:
-            found.append(_integral(system, i, row))
-        elif cannot_vanish(g, row.vector[pivot], known):
+            if not given.far or _clean(system, [row.drift]) == [g.zero]:
+                found.append(_integral(system, i, row))
+        elif cannot_vanish(g, row.vector[pivot], given.known):
             rows.append(_scaled(system, row, pivot))
     return found
 
@@ -109,32 +117,27 @@ def find_closed(system: System, place: Mapping[Node, float]) -> tuple[Node, ...]
 
 
 def solve_closed(
-    system: System,
-    closed: Sequence[Node],
-    held: Sequence[int],
-    found: Sequence[Integral],
-    constants: Sequence[Node],
-    first: Sequence[int],
-    known: Mapping[Node, Interval],
+    system: System, closed: Sequence[Node], held: Sequence[int], found: Sequence[Integral], given: Given
 ) -> list[Integral]:
     """The coordinates among ``held`` that integrals of the constraints give by the other ones; after those already ``found``."""
     g, made = system.graph, list(found)
-    changing = ~g.mask((*system.p, *constants))
+    changing = ~g.mask((*system.p, *given.constants))
     for node in closed:
         free = [i for i in held if all(i != integral.index for integral in made)]
         others = g.mask([q for i, q in enumerate(system.q) if i not in free])
         known_ones = {system.q[integral.index]: g.add(integral.symbol, integral.rest) for integral in made}
         f = normalise_kept(g, substitute(g, [node], known_ones)[0], _TERMS)
         # a coordinate goes on where the branch of an angle ends
-        if g.depends(f, others) or has_jumps(system, [node], elsewhere=True):
+        late = given.far and g.depends(f, g.deps[system.t])
+        if late or g.depends(f, others) or has_jumps(system, [node], elsewhere=True):
             continue
-        for i in sorted(free, key=lambda i: (i in first, -i)):
+        for i in sorted(free, key=lambda i: (i in given.first, -i)):
             try:
                 (factor,), rest = linear_form(g, f, [system.q[i]])
             except NotLinear:
                 continue
             (factor,) = _clean(system, [factor])
-            if factor == g.zero or g.deps[factor] & changing or not cannot_vanish(g, factor, known):
+            if factor == g.zero or g.deps[factor] & changing or not cannot_vanish(g, factor, given.known):
                 continue
             made.append(_name_integral(system, i, g.neg(g.div(rest, factor))))
             break

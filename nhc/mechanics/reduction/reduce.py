@@ -21,10 +21,11 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.dependence import Dependence, find_dependence
 from nhc.mechanics.flow import Flow, flow_of, solve_at
 from nhc.mechanics.reduction.needs import Wanted, list_needs
-from nhc.mechanics.reduction.quadrature import Integral, close_integrals, find_integrals, solve_closed
+from nhc.mechanics.reduction.quadrature import Given, Integral, close_integrals, find_integrals, solve_closed
 from nhc.records import record
 
 _DRAWS = 60
+_FAR = 100  # durations of the scene, between t = 0 and its start
 
 
 @record
@@ -89,7 +90,8 @@ def reduce_equations(
         kept, constants = (constants[:1] or [0]), constants[1:]
     fixed, regular = _fix(flow, nodes, [*kept, *constants], known, equations.guards)
     driving = tuple(i for i in kept if any(i in dependence.rates[j] for j in kept if j != i))
-    integrals = _integrate(flow, kept, constants, fixed, driving, known, closed)
+    given = Given([flow.y[i] for i in constants], driving, known, _is_far(scene))
+    integrals = _integrate(flow, kept, fixed, given, closed)
     for integral in integrals:
         kept.remove(integral.index)
         fixed[flow.y[integral.index]] = flow.graph.add(integral.symbol, integral.rest)
@@ -116,23 +118,22 @@ def keep_everything(equations: Equations, formulation: Formulation, scene: Scene
     return Reduction(equations, formulation, names, every, (), (), (), (), columns, every, False)
 
 
+def _is_far(scene: Scene) -> bool:
+    """Whether it starts so far from t = 0 that doubles tell its times with two digits less."""
+    begin, end = scene.time
+    return abs(begin) > _FAR * (end - begin)
+
+
 def _integrate(
-    flow: Flow,
-    kept: Sequence[int],
-    constants: Sequence[int],
-    fixed: Mapping[Node, Node],
-    driving: Sequence[int],
-    known: Mapping[Node, Interval],
-    closed: Sequence[Node],
+    flow: Flow, kept: Sequence[int], fixed: Mapping[Node, Node], given: Given, closed: Sequence[Node]
 ) -> list[Integral]:
     """Coordinates that follow from others; one entry of the state stays in any case."""
     n = flow.system.n
     held = [i for i in kept if i < n]
     rates = dict(zip(held, substitute(flow.graph, [flow.velocities[i] for i in held], fixed), strict=True))
     w = [flow.y[i] for i in kept if i >= n]
-    still = [flow.y[i] for i in constants]
-    found = find_integrals(flow.system, rates, w, still, driving, known)
-    found += solve_closed(flow.system, closed, held, found, still, driving, known)
+    found = find_integrals(flow.system, rates, w, given)
+    found += solve_closed(flow.system, closed, held, found, given)
     if len(found) == len(kept):
         g, first = flow.graph, flow.graph.mask([found[0].symbol])
         found = found[:-1] if any(g.depends(integral.rest, first) for integral in found) else found[1:]
