@@ -133,9 +133,9 @@ class Planner(PlannerBase):
 
     def energy(self) -> FunctionPlan:
         value = self.on_motion([self.system.energy])[0]
-        return FunctionPlan(
-            "energy", "energy T + V", "", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value
-        )
+        unit = self.system.units.get("energy", "")
+        about = f"energy T + V [{unit}]" if unit not in ("", "1") else "energy T + V"
+        return FunctionPlan("energy", about, "", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value)
 
     def state(self) -> FunctionPlan:
         """y from (q, q'): the kept velocities are the values of their forms, without projection."""
