@@ -134,7 +134,8 @@ CONTRACTION_QUASI = Formula(
     CONTRACTION.latex.replace(r"dq_\mu - \dot q_\mu", r"d\pi_\mu - \omega_\mu"),
 )
 ENERGY_THEOREM = Formula(
-    "d/dt (p_i q_i' - T - U) = Q_i q_i' - dT/dt - dU/dt - lambda_alpha a_alpha   (Q without the potential's part, d/dt at fixed q, q')",
+    "d/dt (p_i q_i' - T - U) = Q_i q_i' - dT/dt - dU/dt - lambda_alpha a_alpha"
+    "   (Q without the potential's part, d/dt at fixed q, q')",
     r"\frac{d}{dt} (p_i \dot q_i - T - U) = Q_i \dot q_i - \frac{\partial T}{\partial t} - \frac{\partial U}{\partial t}"
     r" - \lambda_\alpha a_\alpha \qquad (Q_i \text{ without the potential's part})",
 )
