@@ -10,7 +10,7 @@ import click
 
 from nhc.cli.options import explain_option, json_option, list_examples, specs_argument
 from nhc.cli.specs import open_spec
-from nhc.cli.terminal import Exit, put, put_json, wants_colour
+from nhc.cli.terminal import Exit, put, put_json, put_wrapped, wants_colour
 from nhc.records import record
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def _print(result: Result, *, explain: bool, concise: bool) -> None:
     put(f"{result.source.path}: {_count(result.diagnostics) or 'ok'}")
     if explain:
         for fact in result.facts:
-            put(f"  {fact}")
+            put_wrapped(f"  {fact}", 4)
 
 
 def _count(diagnostics: tuple[Diagnostic, ...]) -> str:

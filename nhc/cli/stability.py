@@ -151,4 +151,4 @@ def _deliver(found: Laboratory, question: Question, target: Path | None, as_json
         from nhc.cli.write import write_bytes
         from nhc.report.stability import make_page
 
-        write_bytes(target, make_page(found, question.sweep[0] if question.sweep else "").encode())
+        write_bytes(target, make_page(found).encode())

@@ -9,7 +9,9 @@ from __future__ import annotations
 import io
 import json
 import os
+import shutil
 import sys
+import textwrap
 from collections.abc import Sequence
 from enum import IntEnum
 from typing import Any, TextIO
@@ -50,6 +52,24 @@ def put(text: str) -> None:
     if sys.stdout is None:
         raise Failure("stdout is closed", ["give `-o FILE`, or leave stdout open"])
     sys.stdout.write(text if text.endswith("\n") else text + "\n")
+
+
+def put_wrapped(text: str, hanging: int = 0) -> None:
+    """The same for one line, which a terminal breaks between words, its further lines indented; a pipe gets it whole."""
+    if sys.stdout is None or not sys.stdout.isatty():
+        put(text)
+        return
+    width = max(shutil.get_terminal_size().columns, hanging + 20)
+    start = text[: len(text) - len(text.lstrip())]
+    lines = textwrap.wrap(
+        text.strip(),
+        width,
+        initial_indent=start,
+        subsequent_indent=" " * hanging,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    put("\n".join(lines))
 
 
 def put_json(schema: str, data: dict[str, Any]) -> None:

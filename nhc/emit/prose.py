@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 import textwrap
 import unicodedata
+from collections.abc import Iterable
 
-from nhc.program.ir import Origin
+from nhc.program.ir import Origin, Quantity
 
 PUNCTUATION = {
     "\u2010": "-", "\u2011": "-", "\u2012": "-", "\u2013": "-", "\u2014": "-", "\u2212": "-",
@@ -57,6 +58,12 @@ def show_origin(origin: Origin) -> str:
 
 OPERATIONS = "Operations of one call (+-: sums and differences; calls: sin, cos, ...):"
 """The line above the counts of :func:`print_counts`."""
+
+
+def title_constraints(constraints: Iterable[Quantity]) -> str:
+    """The line above the constraints' names."""
+    units = any(quantity.unit for quantity in constraints)
+    return f"Constraints{', with the units of their reactions' if units else ''}:"
 
 
 def print_counts(adds: int, multiplications: int, divisions: int, calls: int) -> str:

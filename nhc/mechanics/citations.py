@@ -6,16 +6,16 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.system import System
 
 THESIS = (
-    "A. Vigneront, Formes exterieures en mecanique des systemes non holonomes, "
-    "memoire, Facultes universitaires Notre-Dame de la Paix, Namur, 1977"
+    "A. Vigneront, Formes extérieures en mécanique des systèmes non holonomes, "
+    "mémoire, Facultés universitaires Notre-Dame de la Paix, Namur, 1977"
 )
-GALLISSOT = "F. Gallissot, Les formes exterieures en mecanique, Annales de l'Institut Fourier 4 (1952) 145-297"
+GALLISSOT = "F. Gallissot, Les formes extérieures en mécanique, Annales de l'Institut Fourier 4 (1952) 145-297"
 _SOURCES = {
     "newton": (),
-    "lagrange": ("J.-L. Lagrange, Mecanique analytique, 1788",),
-    "multipliers": ("J.-L. Lagrange, Mecanique analytique, 1788",),
+    "lagrange": ("J.-L. Lagrange, Mécanique analytique, 1788",),
+    "multipliers": ("J.-L. Lagrange, Mécanique analytique, 1788",),
     "euler-lagrange": (
-        "H. Poincare, Sur une forme nouvelle des equations de la mecanique, C. R. Acad. Sci. Paris 132 (1901) 369-371",
+        "H. Poincaré, Sur une forme nouvelle des équations de la mécanique, C. R. Acad. Sci. Paris 132 (1901) 369-371",
         "G. Hamel, Die Lagrange-Eulerschen Gleichungen der Mechanik, Z. Math. Phys. 50 (1904) 1-57",
     ),
     "chaplygin": (

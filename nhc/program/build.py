@@ -146,9 +146,10 @@ class Planner(PlannerBase):
     def energy(self) -> FunctionPlan:
         value = self.on_motion([self.system.energy])[0]
         guards = self.frame_guards() if self.exchanges else ()
-        return FunctionPlan(
-            "energy", "energy T + V", "", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value, guards
-        )
+        unit = self.system.units.get("energy", "")
+        about = f"energy T + V [{unit}]" if unit not in ("", "1") else "energy T + V"
+        inputs = (T_ARGUMENT, self.y, self.p)
+        return FunctionPlan("energy", about, "", inputs, None, self.state_loads, (), value, guards)
 
     def state(self) -> FunctionPlan:
         """y from (q, q'): the kept velocities are the values of their forms, without projection."""

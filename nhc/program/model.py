@@ -53,7 +53,7 @@ def build_program(
         parameters=tuple(
             Quantity(p.name, p.unit, p.about, _default(p, k, chosen)) for k, p in enumerate(spec.parameters)
         ),
-        constraints=tuple(Quantity(c.name) for c in system.constraints),
+        constraints=tuple(Quantity(c.name, unit=system.units.get(f"lambda_{c.name}", "")) for c in system.constraints),
         outputs=tuple(Quantity(name, system.units.get(name, "")) for name, _ in system.outputs),
         functions=build_functions(planner, only),
         scenes=starts,

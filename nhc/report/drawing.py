@@ -36,7 +36,13 @@ def describe_drawing(found: Trajectory) -> dict[str, object] | None:
         }
         for k, outline in enumerate(sketch.outlines)
     ]
-    return {"spatial": sketch.spatial, "times": shorten(found.times[::stride]), "columns": columns, "shapes": shapes}
+    return {
+        "spatial": sketch.spatial,
+        "unit": found.job.system.spec.time_unit,
+        "times": shorten(found.times[::stride]),
+        "columns": columns,
+        "shapes": shapes,
+    }
 
 
 def shorten(values: Sequence[float]) -> list[float]:

@@ -17,24 +17,39 @@ from nhc.version import __version__
 
 WIDTH, PANEL = 760, 340
 TINY = 1e-20
-LONGEST = 32  # letters of a name beside an axis
+LONGEST = 32  # letters of names beside an axis
+FLAT = 30.0  # times as large as another quantity, which would seem to be zero in the same panel
 MOST_READ = 2000  # rows that the page carries as numbers
 
 
 def list_charts(found: Trajectory) -> list[Chart]:
-    """One chart of what is needed for each unit, so that no axis carries two."""
+    """One chart of what is needed for each unit and size, so that no axis carries two units and no line lies flat."""
     units: dict[str, list[int]] = {}
     for k, column in enumerate(found.job.columns):
         units.setdefault(column.unit, []).append(k)
     charts: list[Chart] = []
-    for unit, indices in units.items():
-        names = [found.headings[k] for k in indices]
-        label = names[0] if len(names) == 1 and len(names[0]) <= LONGEST else "value"
+    for unit, indices in [(unit, part) for unit, all_ in units.items() for part in _by_size(found, all_)]:
+        names = ", ".join(found.headings[k] for k in indices)
+        label = names if len(names) <= LONGEST else "value"
         series = tuple(Series(found.headings[k], found.times, [row[k] for row in found.rows]) for k in indices)
         title = f"{found.job.program.system}: {found.job.scene.name}" if not charts else ""
-        y = Axis(f"{label} [{unit}]" if unit not in ("", "1") else label)
+        shown = "" if unit == "1" else unit
+        y = Axis(f"{label} [{shown}]" if shown else label, unit=shown)
         charts.append(Chart(title, time_axis(found.job.system.spec.time_unit), y, series, WIDTH, PANEL))
     return charts
+
+
+def _by_size(found: Trajectory, indices: list[int]) -> list[list[int]]:
+    """The columns in groups of similar size, the largest first; what is zero or has no size stays with these."""
+    sizes = {k: max((abs(row[k]) for row in found.rows if math.isfinite(row[k])), default=0.0) for k in indices}
+    groups: list[list[int]] = []
+    rest = indices
+    while rest:
+        largest = max(sizes[k] for k in rest)
+        same = [k for k in rest if sizes[k] * FLAT >= largest or (sizes[k] == 0.0 and not groups)]
+        groups.append(same)
+        rest = [k for k in rest if k not in same]
+    return groups
 
 
 def list_check_charts(found: Trajectory) -> list[Chart]:
@@ -141,7 +156,7 @@ def _summary(found: Trajectory) -> list[tuple[str, str]]:
             text = f"relative change at most {worst:.3g}"
             terms = power_terms(found.job.system)
             if terms and worst > 0:  # a number that is no error
-                text += f"; it need not be constant: {', '.join(terms).replace('`', '')}"
+                text += f"; it need not be constant, because of {', '.join(terms).replace('`', '')}"
         facts.append((name, text))
     return facts
 
@@ -158,6 +173,8 @@ def _readable(chart: Chart) -> dict[str, object]:
         "height": frame.y.length,
         "low": frame.x.low,
         "high": frame.x.high,
+        "time": chart.x.unit,
+        "unit": chart.y.unit,
         "names": [series.label for series in chart.series],
         "x": shorten(times[::stride]),
         "y": [[None if math.isnan(y) else y for y in shorten(s.y[::stride])] for s in chart.series],

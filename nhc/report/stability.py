@@ -10,7 +10,7 @@ from nhc.emit.environment import create_environment
 from nhc.report.svg import Axis, Chart, Series, draw, time_axis
 from nhc.study.linearize import eigenvalues
 from nhc.study.stability.laboratory import Laboratory
-from nhc.study.stability.table import sections, time_of
+from nhc.study.stability.table import sections, time_of, with_unit
 from nhc.version import __version__
 
 WIDTH, PANEL = 760, 340
@@ -22,11 +22,11 @@ ROUNDING = 1e-13
 """Deviations that never leave this are left out of a picture."""
 
 
-def list_charts(lab: Laboratory, parameter: str = "") -> list[Chart]:
-    """The pictures, in the order of the table; ``parameter`` names what was swept."""
+def list_charts(lab: Laboratory) -> list[Chart]:
+    """The pictures, in the order of the table."""
     unit = lab.bench.job.system.spec.time_unit
     rate = f" [1/{unit}]" if unit else ""
-    charts = [*_sweep(lab, parameter, rate), *_spectrum(lab, rate)]
+    charts = [*_sweep(lab, rate), *_spectrum(lab, rate)]
     t = time_axis(unit)
     for run in lab.runs:
         chosen = [d for d in run.drifts if max(d.series, default=0.0) > 0.0]
@@ -70,11 +70,11 @@ def _positive(values: Iterable[float]) -> list[float]:
     return [max(abs(v), _TINY) if v else math.nan for v in values]
 
 
-def _sweep(lab: Laboratory, parameter: str, rate: str) -> list[Chart]:
+def _sweep(lab: Laboratory, rate: str) -> list[Chart]:
     """Real and imaginary parts over what was swept; each line is the k-th eigenvalue by real part."""
-    swept = lab.motion.swept if lab.motion is not None else None
-    if swept is None:
+    if lab.motion is None or lab.motion.swept is None:
         return []
+    swept = lab.motion.swept
     found = [eigenvalues(point) for point in swept.points]
     most = max(map(len, found))
     charts = []
@@ -92,8 +92,10 @@ def _sweep(lab: Laboratory, parameter: str, rate: str) -> list[Chart]:
         if not part:
             reach = max((y for y in ys if math.isfinite(y)), default=0.0)
             if reach > 0.0:  # what decays fast would press the crossings flat
-                xs, ys = _at_least(-_BELOW * reach, xs, ys)
-                title = f"{title}, from {-_BELOW * reach:.3g}"
+                kept = _at_least(-_BELOW * reach, xs, ys)
+                if len(kept[0]) < len(xs):
+                    title = f"{title} (what lies below {-_BELOW * reach:.3g} is not drawn)"
+                xs, ys = kept
                 lines = [Series("eigenvalues", xs, ys, dots=True)]
             else:
                 reach = max((abs(y) for y in ys if math.isfinite(y)), default=1.0)
@@ -101,16 +103,9 @@ def _sweep(lab: Laboratory, parameter: str, rate: str) -> list[Chart]:
                 Series(f"crossing at {c.value:.5g}", [c.value, c.value], [-reach, reach]) for c in swept.crossings
             ]
         charts.append(
-            _chart(title, Axis(_with_unit(lab, parameter), exact=True), Axis(f"{kind} part{rate}"), tuple(lines))
+            _chart(title, Axis(with_unit(lab, lab.motion.along), exact=True), Axis(f"{kind} part{rate}"), tuple(lines))
         )
     return charts
-
-
-def _with_unit(lab: Laboratory, name: str) -> str:
-    """What was swept, as an axis has it."""
-    system = lab.bench.equations.system
-    unit = {**{p.name: p.unit for p in system.spec.parameters}, **system.units}.get(name, "")
-    return f"{name} [{unit}]" if unit not in ("", "1") else name or "parameter"
 
 
 def _at_least(low: float, xs: list[float], ys: list[float]) -> tuple[list[float], list[float]]:
@@ -127,7 +122,7 @@ def _spectrum(lab: Laboratory, rate: str) -> list[Chart]:
     return [_chart(title, Axis(f"real part{rate}"), Axis(f"imaginary part{rate}"), points)]
 
 
-def make_page(lab: Laboratory, parameter: str = "") -> str:
+def make_page(lab: Laboratory) -> str:
     """The page."""
     bench = lab.bench
     parts = [
@@ -138,7 +133,7 @@ def make_page(lab: Laboratory, parameter: str = "") -> str:
         "title": escape(f"{bench.equations.system.name}: stability of {bench.job.scene.name}"),
         "about": escape(bench.job.scene.about or bench.job.program.about),
         "sections": parts,
-        "charts": [draw(chart) for chart in list_charts(lab, parameter)],
+        "charts": [draw(chart) for chart in list_charts(lab)],
         "version": __version__,
     }
     return create_environment().get_template("html/stability.html.jinja").render(context)

@@ -28,16 +28,17 @@ class Series:
 
 @record
 class Axis:
-    """``log``: logarithmic; ``exact``: ends where the data end."""
+    """``log``: logarithmic; ``exact``: ends where the data end; ``unit``, which the label has too: of a number read from it."""
 
     label: str
     log: bool = False
     exact: bool = False
+    unit: str = ""
 
 
 def time_axis(unit: str) -> Axis:
     """The time from the first to the last."""
-    return Axis(f"t [{unit}]" if unit else "t", exact=True)
+    return Axis(f"t [{unit}]" if unit else "t", exact=True, unit=unit)
 
 
 @record

@@ -26,6 +26,26 @@ def equation_page(number: str) -> str:
     return "\n".join(lines)
 
 
+def erratum_page(number: str) -> str:
+    """What ``nhc explain`` prints for an erratum, such as E7.
+
+    Raises:
+        KeyError: no erratum has that number.
+    """
+    erratum = ERRATA[number]
+    equations = ", ".join(entry.number for entry in EQUATIONS.values() if number in entry.errata)
+    return "\n".join(
+        [
+            f"erratum {number}: {erratum.title}",
+            "",
+            f"in print ({erratum.place}): {erratum.printed}",
+            f"corrected: {erratum.correction}",
+            f"evidence: {erratum.evidence} ({erratum.test})",
+            *([f"equations: {equations}"] if equations else []),
+        ]
+    )
+
+
 def _status(entry: Equation) -> list[str]:
     lines = [f"implemented by {place}" for place in entry.places]
     if entry.test:

@@ -20,6 +20,7 @@ import pytest
 
 from nhc.cli.entry import main
 from nhc.language import Source, read
+from nhc.report.page import list_charts
 from nhc.report.trajectory import npz_bytes
 from nhc.simulate import compile as compiling
 from nhc.simulate.compile import CacheError, CompileError, build, cache_folder
@@ -561,6 +562,19 @@ def test_a_lost_rank_is_told_with_its_singular_value(tmp_path: Path) -> None:
     assert "lose rank" in done.stderr
 
 
+def test_small_quantities_do_not_lie_flat_beside_large_ones() -> None:
+    text = (
+        "nhc: 1\nsystem: far\ncoordinates: {x: {unit: m}, y: {unit: m}, z: {unit: m}, rest: {unit: m}, phi: {unit: rad}}\n"
+        "parameters: {m: {value: 1, unit: kg}, I: {value: 1, unit: kg*m^2}}\nT: m/2*(x'^2 + y'^2 + z'^2 + rest'^2) + I/2*phi'^2\n"
+        "scenes: {go: {initial: {x': 100, y': 0.5, z': 10, phi': 1}, time: [0, 2]}}\n"
+    )
+    found = run(open_scene(Source("far.yaml", text)), Settings(points=5, compiled=False))
+    charts = list_charts(found)
+    assert [[series.label for series in chart.series] for chart in charts] == [["x", "z", "rest"], ["y"], ["phi"]]
+    assert [chart.y.label for chart in charts] == ["x, z, rest [m]", "y [m]", "phi [rad]"]
+    assert charts[0].title and not charts[1].title
+
+
 def test_a_page_names_units_and_says_where_a_change_of_energy_is_no_error(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -572,7 +586,11 @@ def test_a_page_names_units_and_says_where_a_change_of_energy_is_no_error(
     assert call(capsys, str(spec), "-o", str(tmp_path / "go.html"))[0] == 0
     page = (tmp_path / "go.html").read_text()
     assert "<td>0 to 4 s, 201 rows</td>" in page
+    (read,) = [
+        chart for chart in json.loads(re.findall(r'id="data">(.*?)</script>', page)[0]) if chart["names"] == ["x"]
+    ]
+    assert (read["time"], read["unit"]) == ("s", "m")
     assert "<td>m\u00a0=\u00a02\u00a0kg, F\u00a0=\u00a00.5\u00a0N</td>" in page
-    assert "<td>relative change at most 1; it need not be constant: the force on x</td>" in page
+    assert "<td>relative change at most 1; it need not be constant, because of the force on x</td>" in page
     assert call(capsys, "double_pendulum", "-o", str(tmp_path / "double.html"))[0] == 0
     assert "need not be constant" not in (tmp_path / "double.html").read_text()

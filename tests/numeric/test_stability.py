@@ -234,10 +234,13 @@ def test_numbers_and_axes_have_the_units_of_the_spec() -> None:
         "stable step [s]: ",
         "until t = 5 s by",
         "at t = 4.05 s\n",
+        "along w_n [rad/s]\n",
+        "  roll_x  0, 0 ",
     ):
         assert part in text
-    axes = {chart.x.label for chart in list_charts(found, "w_n")}
+    axes = {chart.x.label for chart in list_charts(found)}
     assert {"w_n [rad/s]", "t [s]", "real part [1/s]"} <= axes
+    assert "real parts: growth" in {chart.title for chart in list_charts(found)}  # nothing is left out of it
 
 
 def test_a_drift_is_told_by_its_ratio() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from nhc.diagnostics import Source, SpecError
@@ -9,6 +11,7 @@ from nhc.language import decode, read
 from nhc.language.expressions.names import FUNCTIONS
 from nhc.language.units.derived import derive_units
 from nhc.language.units.dimensions import parse_unit
+from nhc.pipeline import emit
 from tests.support import GALLERY, spec_path
 
 SLEIGH = """nhc: 1
@@ -131,3 +134,14 @@ def test_each_function_asks_for_units_that_fit(text: str) -> None:
 def test_units_of_the_gallery_are_units(name: str) -> None:
     for unit in derive_units(decode(read(str(spec_path(name))))).values():
         parse_unit(unit)
+
+
+@pytest.mark.parametrize("language", ["c", "python"])
+def test_emitted_files_show_them_for_reactions_and_the_energy(language: str) -> None:
+    text = SLEIGH.replace("LENGTH", "m").replace("MASS", "kg")
+    header = next(iter(emit(Source("s.yaml", text), language).values()))
+    assert re.search(r"Constraints, with the units of their reactions:\n[ *]*0: slip \[N\]\n", header)
+    assert "energy T + V [J]\n" in header
+    bare = re.sub(r"(, )?unit: [^,}]*", "", text).replace("{, ", "{")
+    plain = next(iter(emit(Source("s.yaml", bare), language).values()))
+    assert re.search(r"Constraints:\n[ *]*0: slip\n", plain) and "energy T + V\n" in plain

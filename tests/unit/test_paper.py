@@ -27,9 +27,10 @@ from nhc.mechanics.resolve import resolve
 from nhc.program.ir import Binary, Negate, Number, Power, Ref
 from nhc.program.model import build_program
 from nhc.program.paper import SHEETS, Derivation, Statement, derivation
+from nhc.program.sheets import formulas
 from nhc.program.sheets import tidy as tidying
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
-from nhc.program.sheets.model import Mark
+from nhc.program.sheets.model import Formula, Mark
 from nhc.program.sheets.tidy import list_roots, tidy
 from tests.ir_values import value
 
@@ -48,6 +49,23 @@ def derive(name: str, formulation: str = "") -> tuple[Derivation, Equations]:
 def sheet_items(made: Derivation, key: str) -> list[Statement]:
     (sheet,) = [sheet for sheet in made.sheets if sheet.key == key]
     return [item for item in sheet.items if isinstance(item, Statement)]
+
+
+# --- general formulas -----------------------------------------------------------------------------------------
+
+
+def list_formulas() -> list[Formula]:
+    groups = (formulas.NOTATION, formulas.OMEGA, formulas.EQUATIONS)
+    lone = [value for value in vars(formulas).values() if isinstance(value, Formula)]
+    return [*lone, *(formula for group in groups for formula in group.values())]
+
+
+def test_an_index_has_one_name_in_both_spellings() -> None:
+    """No `m` that is mu here and m there: what LaTeX calls mu, the text calls mu, and no other index stands where it has none."""
+    for formula in list_formulas():
+        for index in ("alpha", "beta", "mu", "nu"):
+            in_text = re.search(rf"(?<=[_{{,]){index}(?![a-z])", formula.text) is not None
+            assert in_text == (f"\\{index}" in formula.latex), formula.text
 
 
 # --- the text -------------------------------------------------------------------------------------------------
@@ -281,6 +299,20 @@ def test_no_abbreviation_hides_a_circle_or_a_cancelled_factor() -> None:
     text = print_derivation(derive("chaplygin_ball")[0])
     assert not re.search(r"((?:\w+\*)?)cos\((\w+)\)\^2 \+ \1sin\(\2\)\^2", text)
     assert not re.search(r"(\w+\(\w+\))\*?[^ ]*/\1(?!\^)", text)
+
+
+def test_a_quotient_before_a_velocity_stands_in_parentheses() -> None:
+    text = print_derivation(derive("rolling_disk")[0])
+    assert "  phi' = (1/sin(theta)) w_u\n  theta' = w_t\n  psi' = -(cos(theta)/sin(theta)) w_u + w_n\n" in text
+
+
+def test_a_vector_field_has_a_letter_of_its_own() -> None:
+    """The sleigh has positions X and Y."""
+    for name, letter in (("chaplygin_sleigh", "Z"), ("rolling_disk", "X")):
+        made = derive(name)[0]
+        text, latex = print_derivation(made), render_latex(made)
+        assert f"  dt({letter}) = 1" in text and f"i_{letter} Omega = A_mu({letter}) eta_mu" in text
+        assert f"a vector field ${letter}$ that" in latex and f"i_{letter} \\boldsymbol" in latex
 
 
 def test_symbols_of_the_theory_give_way_to_names_of_the_spec() -> None:

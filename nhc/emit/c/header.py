@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from nhc.emit.c.literals import print_comment
-from nhc.emit.prose import OPERATIONS, print_counts, wrap
+from nhc.emit.prose import OPERATIONS, print_counts, title_constraints, wrap
 from nhc.program.ir import Function, Program, Quantity
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
@@ -63,7 +63,7 @@ def print_file_comment(program: Program, functions: tuple[Function, ...], file_n
     texts += ["", "Parameters p:" if program.parameters else "No parameters."]
     texts += [f"p[{i}]: {describe_parameter(quantity)}" for i, quantity in enumerate(program.parameters)]
     if program.constraints:
-        texts += ["", "Constraints:"]
+        texts += ["", title_constraints(program.constraints)]
         texts += [f"{i}: {describe_quantity(quantity)}" for i, quantity in enumerate(program.constraints)]
     if program.outputs:
         texts += ["", "Outputs:"]

@@ -46,6 +46,8 @@ def _spell(kind: str, found: re.Match[str], names: Names) -> str:
             return f"{{{names.print_mark(Mark('p', (found['quasi'],), star=True))}}}"  # it has a raised star: a power needs braces
         case "name":
             bare = found["name"].rstrip("'")
+            if bare == "dt" and bare not in names.names:
+                return bare
             return _WORDS.get(bare) or names.print_mark(Mark(bare, dots=len(found["name"]) - len(bare)))
         case "cut":
             return r"\dots"

@@ -28,6 +28,9 @@ _SYMBOLS = {
 }  # fmt: skip
 _LETTERS = {"\u00df": r"\ss{}", "\u00f8": r"\o{}", "\u00d8": r"\O{}", "\u0142": r"\l{}", "\u0141": r"\L{}",
             "\u00e6": r"\ae{}", "\u00c6": r"\AE{}"}  # fmt: skip
+_MATH = {"\u00b5": r"\mu", "\u00b1": r"\pm", "\u00d7": r"\times", "\u00b7": r"\cdot", "\u22c5": r"\cdot", "\u2264": r"\leq",
+         "\u2265": r"\geq", "\u2260": r"\neq", "\u2248": r"\approx", "\u2192": r"\to", "\u221e": r"\infty", "\u00b0": r"^{\circ}",
+         "\u2032": r"{}'", "\u2033": r"{}''", "\u2212": "-", "\u2126": r"\Omega"}  # fmt: skip
 _ACCENTS = {"\u0300": r"\`", "\u0301": r"\'", "\u0302": r"\^", "\u0303": r"\~", "\u0304": r"\=", "\u0306": r"\u",
             "\u0307": r"\.", "\u0308": r'\"', "\u030a": r"\r", "\u030b": r"\H", "\u030c": r"\v", "\u0327": r"\c",
             "\u0328": r"\k"}  # fmt: skip
@@ -140,6 +143,8 @@ def _escape_character(character: str) -> str:
         return character
     if character in _LETTERS:
         return _LETTERS[character]
+    if character in _MATH:
+        return f"${_MATH[character]}$"
     if character in PUNCTUATION:
         return "".join(_SYMBOLS.get(c, c) for c in PUNCTUATION[character])
     greek = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (\w+)( WITH .*)?", unicodedata.name(character, ""))
@@ -149,6 +154,16 @@ def _escape_character(character: str) -> str:
     base, *marks = tuple(unicodedata.normalize("NFD", character))
     if base.isascii() and len(marks) == 1 and marks[0] in _ACCENTS:
         return f"{_ACCENTS[marks[0]]}{{{base}}}"
+    return _compatible(character)
+
+
+def _compatible(character: str) -> str:
+    """A raised or lowered digit and a fraction by their parts, else the character's code."""
+    parts = unicodedata.decomposition(character).split()
+    if parts and parts[0] in ("<super>", "<sub>", "<fraction>"):
+        text = "".join(chr(int(part, 16)) for part in parts[1:]).replace("\u2044", "/")
+        if re.fullmatch(r"[0-9a-zA-Z/]+", text):
+            return {"<super>": f"$^{{{text}}}$", "<sub>": f"$_{{{text}}}$"}.get(parts[0], text)
     return _code(character)
 
 

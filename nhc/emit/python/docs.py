@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nhc.emit.prose import OPERATIONS, print_counts, wrap
+from nhc.emit.prose import OPERATIONS, print_counts, title_constraints, wrap
 from nhc.emit.python.literals import print_docstring
 from nhc.emit.python.names import spell
 from nhc.program.ir import Argument, Function, Program, Quantity
@@ -61,7 +61,11 @@ def print_module_docstring(program: Program, functions: tuple[Function, ...], ar
     texts += ["", "Parameters p:" if program.parameters else "No parameters."]
     texts += [f"p[{i}]: {describe_parameter(q)}" for i, q in enumerate(program.parameters)]
     if program.constraints:
-        texts += ["", "Constraints:", *(f"{i}: {describe(q)}" for i, q in enumerate(program.constraints))]
+        texts += [
+            "",
+            title_constraints(program.constraints),
+            *(f"{i}: {describe(q)}" for i, q in enumerate(program.constraints)),
+        ]
     if program.outputs:
         texts += ["", "Outputs:", *(f"out[{i}] = {describe(q)}" for i, q in enumerate(program.outputs))]
     if functions:

@@ -59,7 +59,12 @@ class TextMath:
             elif is_sum(term.coefficient):
                 body = [_piece("("), *nest(self.pieces(term.coefficient)), _piece(f") {basis}")]
             else:
-                body = [*self._term(term.coefficient), _piece(f" {basis}")]
+                body = self._term(term.coefficient)
+                product = flatten_product(term.coefficient, self.symbols)
+                if product.under or product.parts[1]:  # x/2 y' might be read as x/(2 y')
+                    sign, body = body[: product.negative], body[product.negative :]
+                    body = [*sign, _piece("("), *nest(body), _piece(")")]
+                body = [*body, _piece(f" {basis}")]
             found += _signed(k == 0, negative, body)
         return found
 

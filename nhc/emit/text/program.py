@@ -42,7 +42,7 @@ def print_program(program: Program) -> str:
         ("coordinates", program.coordinates),
         ("state", program.state),
         ("parameters", program.parameters),
-        ("constraints", program.constraints),
+        ("constraints", tuple(Quantity(c.name) for c in program.constraints)),  # their units are those of the reactions
         ("outputs", program.outputs),
     )
     for title, quantities in groups:

@@ -10,6 +10,7 @@ The hypotheses: T, the constraints and the forces do not contain the dependent c
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 
 from nhc.algebra.calculus import derivative, gradient, tangent
@@ -25,6 +26,7 @@ from nhc.mechanics.system import System
 from nhc.records import record
 from nhc.thesis.tie import equation
 
+_LETTERS = re.compile(r"\bb_alpha\b|\bt\b(?= occurs)|\b[TU]\b|\bb\b(?= of)")
 _SHIFT = 0.37
 _ROUNDING = 1e-7
 
@@ -37,6 +39,13 @@ class Hypotheses:
 
     broken: tuple[str, ...]
     fatal: tuple[str, ...]
+
+
+def mark_letters(hypothesis: str) -> str:
+    """The sentence with the letters of the theory between dollar signs, for a derivation to typeset; names of the spec stay."""
+    pieces = hypothesis.split("`")
+    pieces[::2] = [_LETTERS.sub(lambda letter: f"${letter[0]}$", piece) for piece in pieces[::2]]
+    return "`".join(pieces)
 
 
 @equation("I.3")

@@ -12,6 +12,7 @@ from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.solving.linear import degrees
 from nhc.diagnostics import Bag, several
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
+from nhc.mechanics.formulations.chaplygin import mark_letters
 from nhc.mechanics.frame import coordinate_frame, describe_added
 from nhc.mechanics.properties.coframe import never_vanishes, warn_of_quasi_velocities
 from nhc.mechanics.properties.conserved import Integral, find_conserved
@@ -334,7 +335,7 @@ def _hypotheses(system: System, choice: Choice, facts: Facts) -> None:
         other, _, found = chaplygin_dependent(system, choice)
     except ArithmeticError:
         return
-    text = "; ".join(found.broken).replace("b_alpha", "$b_alpha$") if found.broken else "all hold"
+    text = "; ".join(map(mark_letters, found.broken)) if found.broken else "all hold"
     if other.dependent != choice.dependent:
         names = [f"{system.q_names[i]}'" for i in other.dependent]
         text = f"with {_list_marked(names)} dependent, {text}"

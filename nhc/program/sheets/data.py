@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from nhc.language import Scene
 from nhc.language.expressions.unparse import show_number, unparse
+from nhc.mechanics.formulations.chaplygin import mark_letters
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
 from nhc.program.sheets.formulas import NOTATION
 from nhc.program.sheets.model import Mark, Table
@@ -147,10 +148,10 @@ def _constraints(desk: Desk, sheet: DraftSheet) -> None:
         sheet.add(Draft(left, (), equation="I.1.1", place=form.place, note=form.name))
     held = [form for form in system.constraints if form.equation is not None]
     if held:
-        names = ", ".join(f"`{form.name}`" for form in held)
         one = len(held) == 1
+        which = "It" if count == 1 else f"Of these, {', '.join(f'`{form.name}`' for form in held)}"
         sheet.say(
-            f"Of these, {names} {'is the derivative' if one else 'are the derivatives'} of the holonomic"
+            f"{which} {'is the derivative' if one else 'are the derivatives'} of the holonomic"
             f" {'constraint' if one else 'constraints'}"
         )
         for form in held:
@@ -171,7 +172,7 @@ def reason_sheet(desk: Desk) -> DraftSheet:
         if formulation.broken:
             sheet.say("Of the hypotheses of I.3 these do not hold, and the generalized equations are used:")
             for line in formulation.broken:
-                sheet.say(f"- {line.replace('b_alpha', '$b_alpha$')}.")
+                sheet.say(f"- {mark_letters(line)}.")
         else:
             sheet.say(
                 "The hypotheses of I.3 hold: $T$ and the constraints contain neither the dependent coordinates nor the time,"

@@ -146,6 +146,10 @@ class Desk:
         """A form of the theory, Theta or Omega; in another shape beside a quantity of the spec with that name."""
         return Mark(f"{letter} form{OTHER if (letter, *lower) in self._taken else ''}", lower)
 
+    def vector_field(self) -> str:
+        """The letter of a vector field: X, or the first of some others that is no name of the spec."""
+        return next((letter for letter in "XYZWN" if (letter,) not in self._taken), "X")
+
     def is_free(self, letter: str) -> bool:
         """Whether no name of the spec looks like the letter or the letter with a number."""
         shown = LATIN.get(letter, letter)

@@ -6,24 +6,24 @@ from nhc.program.sheets.model import Formula
 
 NOTATION = {
     "euler-lagrange": Formula(
-        "omega_i = a_ij q_j' + a_i(n+1),  dpi_i = a_ij dq_j + a_i(n+1) dt,  q_j' = b_ji omega_i + b_j(n+1),"
-        "  d/dpi_i = b_ji d/dq_j,  P_i = b_ji Q_j,  q_(n+1) = t",
+        "omega_i = a_{i,j} q_j' + a_{i,n+1},  dpi_i = a_{i,j} dq_j + a_{i,n+1} dt,  q_j' = b_{j,i} omega_i + b_{j,n+1},"
+        "  d/dpi_i = b_{j,i} d/dq_j,  P_i = b_{j,i} Q_j,  q_{n+1} = t",
         r"\begin{gathered} \omega_i = a_{ij}\, \dot q_j + a_{i,n+1}, \qquad d\pi_i = a_{ij}\, dq_j + a_{i,n+1}\, dt, \qquad"
         r" \dot q_j = b_{ji}\, \omega_i + b_{j,n+1}, \\ \frac{\partial}{\partial \pi_i} = b_{ji} \frac{\partial}{\partial q_j},"
         r" \qquad P_i = b_{ji} Q_j, \qquad q_{n+1} = t \end{gathered}",
     ),
     "voronec": Formula(
-        "q_a' = b_am q_m' + b_a,  p_a = dT/dq_a'",
+        "q_alpha' = b_{alpha,mu} q_mu' + b_alpha,  p_alpha = dT/dq_alpha'",
         r"\dot q_\alpha = b_{\alpha\mu}\, \dot q_\mu + b_\alpha, \qquad p_\alpha = \frac{\partial T}{\partial \dot q_\alpha}",
     ),
-    "multipliers": Formula("a_ai q_i' + a_a = 0", r"a_{\alpha i}\, \dot q_i + a_\alpha = 0"),
+    "multipliers": Formula("a_{alpha,i} q_i' + a_alpha = 0", r"a_{\alpha i}\, \dot q_i + a_\alpha = 0"),
 }
 NOTATION["chaplygin"] = NOTATION["voronec"]
 """What the letters of the general formulas stand for."""
 
 GAMMA = Formula(
-    "d(dpi_i) = gamma^i_mj dpi_m ^ dpi_j (m < j) - eps^i_j dpi_j ^ dt,"
-    "  gamma^i_tj = (da_ir/dq_s - da_is/dq_r) b_st b_rj,  eps^i_j = gamma^i_(n+1)j",
+    "d(dpi_i) = gamma^i_{m,j} dpi_m ^ dpi_j (m < j) - eps^i_j dpi_j ^ dt,"
+    "  gamma^i_{t,j} = (da_{i,r}/dq_s - da_{i,s}/dq_r) b_{s,t} b_{r,j},  eps^i_j = gamma^i_{n+1,j}",
     r"\begin{gathered} d(d\pi_i) = \sum_{m<j} \gamma^i_{mj}\, d\pi_m \wedge d\pi_j - \varepsilon^i_j\, d\pi_j \wedge dt, \\"
     r" \gamma^i_{tj} = \Bigl(\frac{\partial a_{ir}}{\partial q_s} - \frac{\partial a_{is}}{\partial q_r}\Bigr) b_{st} b_{rj},"
     r" \qquad \varepsilon^i_j = \gamma^i_{n+1,j} \end{gathered}",
@@ -54,22 +54,22 @@ OMEGA = {
         "II.3",
     ),
     "multipliers": Formula(
-        "Omega = (dp_i - (dT/dq_i + Q_i + lambda_a a_ai) dt) ^ (dq_i - q_i' dt)",
+        "Omega = (dp_i - (dT/dq_i + Q_i + lambda_alpha a_{alpha,i}) dt) ^ (dq_i - q_i' dt)",
         r"\boldsymbol{\Omega} = \Bigl(dp_i - \Bigl(\frac{\partial T}{\partial q_i} + Q_i + \lambda_\alpha a_{\alpha i}\Bigr)"
         r" dt\Bigr) \wedge (dq_i - \dot q_i\, dt)",
         "II.3",
     ),
     "euler-lagrange": Formula(
-        "Omega = [dp*_j + ((gamma^i_mj omega_m + eps^i_j) p*_i - dT/dpi_j - P_j) dt] ^ eta_j"
-        " + p*_i gamma^i_mj eta_m ^ eta_j (m < j),  eta_j = dpi_j - omega_j dt",
+        "Omega = [dp*_j + ((gamma^i_{m,j} omega_m + eps^i_j) p*_i - dT/dpi_j - P_j) dt] ^ eta_j"
+        " + p*_i gamma^i_{m,j} eta_m ^ eta_j (m < j),  eta_j = dpi_j - omega_j dt",
         r"\begin{gathered} \boldsymbol{\Omega} = \Bigl[dp^*_j + \Bigl((\gamma^i_{mj} \omega_m + \varepsilon^i_j)\, p^*_i"
         r" - \frac{\partial T}{\partial \pi_j} - P_j\Bigr) dt\Bigr] \wedge \eta_j"
         r" + \sum_{m<j} p^*_i \gamma^i_{mj}\, \eta_m \wedge \eta_j, \\ \eta_j = d\pi_j - \omega_j\, dt \end{gathered}",
         "III.2.5",
     ),
     "voronec": Formula(
-        "Omega = (d(dT*/dq_m') - p_a db_am - R_m dt) ^ (dq_m - q_m' dt),"
-        "  R_m = (dT/dq_m + Q_m) + b_am (dT/dq_a + Q_a),  dq_a = b_am dq_m + b_a dt",
+        "Omega = (d(dT*/dq_mu') - p_alpha db_{alpha,mu} - R_mu dt) ^ (dq_mu - q_mu' dt),"
+        "  R_mu = (dT/dq_mu + Q_mu) + b_{alpha,mu} (dT/dq_alpha + Q_alpha),  dq_alpha = b_{alpha,mu} dq_mu + b_alpha dt",
         r"\begin{gathered} \boldsymbol{\Omega} = \Bigl(d\frac{\partial T^*}{\partial \dot q_\mu} - p_\alpha\, db_{\alpha\mu}"
         r" - R_\mu\, dt\Bigr) \wedge (dq_\mu - \dot q_\mu\, dt), \\ R_\mu = \frac{\partial T}{\partial q_\mu} + Q_\mu"
         r" + b_{\alpha\mu} \Bigl(\frac{\partial T}{\partial q_\alpha} + Q_\alpha\Bigr), \qquad"
@@ -87,12 +87,12 @@ EQUATIONS = {
         "II.3",
     ),
     "multipliers": Formula(
-        "d/dt dT/dq_i' - dT/dq_i = Q_i + lambda_a a_ai",
+        "d/dt dT/dq_i' - dT/dq_i = Q_i + lambda_alpha a_{alpha,i}",
         r"\frac{d}{dt} \frac{\partial T}{\partial \dot q_i} - \frac{\partial T}{\partial q_i} = Q_i + \lambda_\alpha a_{\alpha i}",
         "I.4.1",
     ),
     "euler-lagrange": Formula(
-        "d/dt dT/domega_m + (gamma^i_nm omega_n + eps^i_m) dT/domega_i - dT/dpi_m = P_m,  P_m = b_im Q_i,"
+        "d/dt dT/domega_mu + (gamma^i_{nu,mu} omega_nu + eps^i_mu) dT/domega_i - dT/dpi_mu = P_mu,  P_mu = b_{i,mu} Q_i,"
         "  i over all n quasi-velocities",
         r"\frac{d}{dt} \frac{\partial T}{\partial \omega_\mu} + (\gamma^i_{\nu\mu} \omega_\nu + \varepsilon^i_\mu)"
         r" \frac{\partial T}{\partial \omega_i} - \frac{\partial T}{\partial \pi_\mu} = P_\mu = b_{i\mu} Q_i,"
@@ -100,7 +100,8 @@ EQUATIONS = {
         "I.2.15",
     ),
     "chaplygin": Formula(
-        "d/dt dT*/dq_m' - dT*/dq_m + p_a [(db_an/dq_m - db_am/dq_n) q_n' + db_a/dq_m - db_am/dt] = Q_m + b_am Q_a",
+        "d/dt dT*/dq_mu' - dT*/dq_mu + p_alpha [(db_{alpha,nu}/dq_mu - db_{alpha,mu}/dq_nu) q_nu' + db_alpha/dq_mu"
+        " - db_{alpha,mu}/dt] = Q_mu + b_{alpha,mu} Q_alpha",
         r"\frac{d}{dt} \frac{\partial T^*}{\partial \dot q_\mu} - \frac{\partial T^*}{\partial q_\mu} + p_\alpha \Bigl["
         r"\Bigl(\frac{\partial b_{\alpha\nu}}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial q_\nu}\Bigr) \dot q_\nu"
         r" + \frac{\partial b_\alpha}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial t}\Bigr]"
@@ -108,8 +109,8 @@ EQUATIONS = {
         "III.3",
     ),
     "voronec": Formula(
-        "d/dt dT*/dq_m' = dT*/dq_m + b_bm dT*/dq_b + Q_m + b_bm Q_b"
-        " + p_a {b_am' - (d/dq_m + b_bm d/dq_b)(b_an q_n' + b_a)}",
+        "d/dt dT*/dq_mu' = dT*/dq_mu + b_{beta,mu} dT*/dq_beta + Q_mu + b_{beta,mu} Q_beta"
+        " + p_alpha [b_{alpha,mu}' - (d/dq_mu + b_{beta,mu} d/dq_beta)(b_{alpha,nu} q_nu' + b_alpha)]",
         r"\begin{split} \frac{d}{dt} \frac{\partial T^*}{\partial \dot q_\mu} = {} & \frac{\partial T^*}{\partial q_\mu}"
         r" + b_{\beta\mu} \frac{\partial T^*}{\partial q_\beta} + Q_\mu + b_{\beta\mu} Q_\beta \\ & + p_\alpha \Bigl\{"
         r"\dot b_{\alpha\mu} - \Bigl(\frac{\partial}{\partial q_\mu} + b_{\beta\mu} \frac{\partial}{\partial q_\beta}\Bigr)"
@@ -118,27 +119,28 @@ EQUATIONS = {
     ),
 }
 POINCARE = Formula(
-    EQUATIONS["euler-lagrange"].text,
+    EQUATIONS["euler-lagrange"].text.replace("mu", "j").replace("nu", "m"),
     EQUATIONS["euler-lagrange"].latex.replace(r"\mu", "j").replace(r"\nu", "m"),
     "I.2.14",
 )
 
 CONTRACTION = Formula(
-    "i_X Omega = A_m(X) eta_m  for  Omega = A_m ^ eta_m and eta_m(X) = 0,  eta_m = dq_m - q_m' dt",
+    "i_X Omega = A_mu(X) eta_mu  for  Omega = A_mu ^ eta_mu and eta_mu(X) = 0,  eta_mu = dq_mu - q_mu' dt",
     r"\boldsymbol{\Omega} = A_\mu \wedge \eta_\mu, \quad \eta_\mu(X) = 0 \quad\Longrightarrow\quad"
     r" i_X \boldsymbol{\Omega} = A_\mu(X)\, \eta_\mu, \qquad \eta_\mu = dq_\mu - \dot q_\mu\, dt",
 )
 CONTRACTION_QUASI = Formula(
-    CONTRACTION.text.replace("dq_m - q_m'", "dpi_m - omega_m"),
+    CONTRACTION.text.replace("dq_mu - q_mu'", "dpi_mu - omega_mu"),
     CONTRACTION.latex.replace(r"dq_\mu - \dot q_\mu", r"d\pi_\mu - \omega_\mu"),
 )
 ENERGY_THEOREM = Formula(
-    "d/dt (p_i q_i' - T - U) = Q_i q_i' - dT/dt - dU/dt - lambda_a a_a   (Q without the potential's part, d/dt at fixed q, q')",
+    "d/dt (p_i q_i' - T - U) = Q_i q_i' - dT/dt - dU/dt - lambda_alpha a_alpha"
+    "   (Q without the potential's part, d/dt at fixed q, q')",
     r"\frac{d}{dt} (p_i \dot q_i - T - U) = Q_i \dot q_i - \frac{\partial T}{\partial t} - \frac{\partial U}{\partial t}"
     r" - \lambda_\alpha a_\alpha \qquad (Q_i \text{ without the potential's part})",
 )
 REACTION = Formula(
-    "Q_i becomes Q_i + lambda_a a_ai",
+    "Q_i becomes Q_i + lambda_alpha a_{alpha,i}",
     r"Q_i \;\longrightarrow\; Q_i + \lambda_\alpha a_{\alpha i}",
     "I.4.1",
 )

@@ -31,20 +31,22 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     """i_X Omega row by row, each claim tested exactly."""
     sheet = DraftSheet("associated", "The associated system")
     motion, system = desk.equations.motion, desk.system
-    sheet.say("The interior product of the 2-form with a vector field $X$ that satisfies the kinematics is")
-    sheet.add(CONTRACTION_QUASI if desk.formulation.name == "euler-lagrange" else CONTRACTION)
+    field = desk.vector_field()
+    sheet.say(f"The interior product of the 2-form with a vector field ${field}$ that satisfies the kinematics is")
+    general = CONTRACTION_QUASI if desk.formulation.name == "euler-lagrange" else CONTRACTION
+    sheet.add(replace(general, text=general.text.replace("X", field), latex=general.latex.replace("X", field)))
     if forms.whole is None:
         sheet.say(
             "So the rows of the velocities' differentials hold automatically, those of the velocity forms are the equations of"
-            " motion, and the row of dt is their combination: the theorem of energy."
+            " motion, and the row of $dt$ is their combination: the theorem of energy."
         )
         return sheet
     components = motion_components(system, motion)
     rows = associated_rows(forms.whole, components)
     basis = desk.basis(forms.whole)
-    sheet.say("The motion is the vector field $X$ for which this vanishes; its components along the coframe are")
+    sheet.say(f"The motion is the vector field ${field}$ for which this vanishes; its components along the coframe are")
     for mark, node in zip(basis, components, strict=True):
-        sheet.add(Draft(desk.name(replace(mark, at="(X)")), desk.plain(node)))
+        sheet.add(Draft(desk.name(replace(mark, at=f"({field})")), desk.plain(node)))
     automatic, one = sum(row.kind == "automatic" for row in rows), len(motion.w) == 1
     if automatic == len(motion.w):
         which = "one holds" if one else f"{automatic} hold"
@@ -61,7 +63,7 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     )
     if not any(desk.nonzero([identity, desk.graph.add(last.node, weighted)])):
         sheet.say(
-            f"The row of dt is {'this one times minus its' if one else 'the sum of these, each times minus its'} velocity"
+            f"The row of $dt$ is {'this one times minus its' if one else 'the sum of these, each times minus its'} velocity"
             f" (checked exactly): the theorem of energy, a consequence of the {'equation' if one else 'equations'} of motion."
         )
     return sheet

@@ -30,7 +30,7 @@ SweepRange = tuple[str, float, float, int]
 
 @record
 class Motion:
-    """``place`` says from where it was found; ``swept`` is None where nothing was asked.
+    """``place`` says from where it was found; ``swept`` is None where nothing was asked, ``along`` names what was varied.
 
     ``regularity`` in [0, 1]: of the mass matrix there, and of what inertia is left; below ``SINGULAR`` the coordinates
     themselves fail (gimbal lock) and the eigenvalues say nothing of the motion.
@@ -42,6 +42,7 @@ class Motion:
     swept: Sweep | None
     place: str
     regularity: float
+    along: str = ""
 
     @property
     def flow(self) -> Flow:
@@ -94,12 +95,13 @@ def _motion(
     if regularity > SINGULAR:
         check_smooth(model, steady)
     made = linearise_at(model, steady)
-    swept = None
+    swept, name = None, ""
     if search.sweep is not None:
         name, low, high, count = search.sweep
         values = [low + (high - low) * k / (count - 1) for k in range(count)]
-        swept = sweep(branch_of(model, steady.y, _spelled(model.flow, name), holds), values)
-    return Motion(better, model, made, swept, place, regularity)
+        name = _spelled(model.flow, name)
+        swept = sweep(branch_of(model, steady.y, name, holds), values)
+    return Motion(better, model, made, swept, place, regularity, name)
 
 
 def _spelled(flow: Flow, name: str) -> str:

@@ -39,9 +39,7 @@ def sections(lab: Laboratory) -> tuple[Section, ...]:
     per, of = (f" [1/{unit}]", f" [{unit}]") if unit else ("", "")
     parts = [
         Section("steady motion", tuple(_motion(lab.motion, unit)) if lab.motion else ()),
-        Section(
-            "along the parameter", tuple(_sweep(lab.motion.swept, unit)) if lab.motion and lab.motion.swept else ()
-        ),
+        *_swept(lab, unit),
         Section(f"eigenvalues along the scene{per}", tuple(_spectrum(lab))),
         Section(f"largest stable step{of}: measured, predicted (-: no theory)", tuple(_limits(lab))),
         *(Section(title, tuple(rows)) for title, rows in _drifts(lab)),
@@ -76,6 +74,13 @@ _VERDICTS = {
 def time_of(value: float, unit: str, digits: int = 6) -> str:
     """A time with its unit, where the spec has one."""
     return f"{value:.{digits}g} {unit}".rstrip()
+
+
+def with_unit(lab: Laboratory, name: str) -> str:
+    """A parameter or quantity with its unit in brackets, as a title or an axis has it."""
+    system = lab.bench.equations.system
+    unit = {**{p.name: p.unit for p in system.spec.parameters}, **system.units}.get(name, "")
+    return f"{name} [{unit}]" if unit not in ("", "1") else name
 
 
 def _motion(found: Motion, unit: str) -> list[Row]:
@@ -113,6 +118,13 @@ def _kind(mode: Mode, unit: str) -> str:
     if not (mode.grows or mode.decays):
         return f"neither grows nor decays{period}"
     return f"{'grows' if mode.grows else 'decays'} e-fold in {time_of(1 / abs(x.real), unit, 4)}{period}"
+
+
+def _swept(lab: Laboratory, unit: str) -> list[Section]:
+    motion = lab.motion
+    if motion is None or motion.swept is None:
+        return []
+    return [Section(f"along {with_unit(lab, motion.along)}", tuple(_sweep(motion.swept, unit)))]
 
 
 def _sweep(found: Sweep, unit: str) -> list[Row]:
@@ -164,7 +176,7 @@ def _drifts(lab: Laboratory) -> list[tuple[str, list[Row]]]:
         rows = [
             Row(
                 d.what,
-                f"{d.first:.1e}, {d.last:.1e}",
+                f"{_deviation(d.first)}, {_deviation(d.last)}",
                 judge(d),
             )
             for d in run.drifts
@@ -173,6 +185,10 @@ def _drifts(lab: Laboratory) -> list[tuple[str, list[Row]]]:
             rows.append(Row("ends", f"at t = {time_of(run.reached, unit)}", run.why))
         found.append((f"drift until t = {time_of(run.wanted, unit)} by {how}: first tenth, last tenth", rows))
     return found
+
+
+def _deviation(value: float) -> str:
+    return f"{value:.1e}" if value else "0"
 
 
 def judge(drift: Drift) -> str:

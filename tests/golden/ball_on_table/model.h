@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:c0d7e305c1b33388)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:3d32bc1374d8a5cd)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -30,9 +30,9 @@
  * p[4]: Omega1 = 0.0 [rad/s]: amplitude of its modulation
  * p[5]: nu = 2.0 [rad/s]: frequency of its modulation
  *
- * Constraints:
- * 0: roll_x
- * 1: roll_y
+ * Constraints, with the units of their reactions:
+ * 0: roll_x [N]
+ * 1: roll_y [N]
  *
  * Outputs:
  * out[0] = spin [rad/s]
@@ -129,7 +129,7 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
 int ball_on_table_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double ball_on_table_energy(double t, const double *y, const double *p);

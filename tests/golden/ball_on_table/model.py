@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:06b949866d7e6f4f).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:1ed21f4d77e995b4).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -31,9 +31,9 @@ p[3]: Omega0 = 1.4 [rad/s]: mean rate of the table
 p[4]: Omega1 = 0.0 [rad/s]: amplitude of its modulation
 p[5]: nu = 2.0 [rad/s]: frequency of its modulation
 
-Constraints:
-0: roll_x
-1: roll_y
+Constraints, with the units of their reactions:
+0: roll_x [N]
+1: roll_y [N]
 
 Outputs:
 out[0] = spin [rad/s]
@@ -519,7 +519,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns a scalar.

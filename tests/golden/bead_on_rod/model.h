@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:2a82220c8bad213c)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:6aca970f6c8a384a)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -107,7 +107,7 @@ int bead_on_rod_residuals(double t, const double *q, const double *qdot, const d
 int bead_on_rod_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double bead_on_rod_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:d56301f1bdcd2490).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:8435a0dbc44e23d9).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -233,7 +233,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:56bf3c925af62151)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:2b5fafe365f20145)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -48,13 +48,13 @@
  * p[24]: F_xx = 0.1405 [kg*m^2]: front wheel, across the axle
  * p[25]: F_yy = 0.28 [kg*m^2]: front wheel, about the axle
  *
- * Constraints:
- * 0: rear_x
- * 1: rear_y
- * 2: rear_z
- * 3: front_x
- * 4: front_y
- * 5: front_z
+ * Constraints, with the units of their reactions:
+ * 0: rear_x [N]
+ * 1: rear_y [N]
+ * 2: rear_z [N]
+ * 3: front_x [N]
+ * 4: front_y [N]
+ * 5: front_z [N]
  *
  * Outputs:
  * out[0] = speed [m/s]
@@ -152,7 +152,7 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
 int bicycle_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double bicycle_energy(double t, const double *y, const double *p);

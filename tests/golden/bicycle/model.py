@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:5eaa41c72692cc38).
+"""bicycle, emitted by nhc 0.1.0 (nhc:1e5cf18c30fe956b).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -49,13 +49,13 @@ p[23]: m_F = 3.0 [kg]: mass of the front wheel
 p[24]: F_xx = 0.1405 [kg*m^2]: front wheel, across the axle
 p[25]: F_yy = 0.28 [kg*m^2]: front wheel, about the axle
 
-Constraints:
-0: rear_x
-1: rear_y
-2: rear_z
-3: front_x
-4: front_y
-5: front_z
+Constraints, with the units of their reactions:
+0: rear_x [N]
+1: rear_y [N]
+2: rear_z [N]
+3: front_x [N]
+4: front_y [N]
+5: front_z [N]
 
 Outputs:
 out[0] = speed [m/s]
@@ -1562,7 +1562,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:b3d7d544004938db)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:3b9c87357ac84f12)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -16,8 +16,8 @@
  * p[0]: m = 1.0 [kg]: mass of the bob
  * p[1]: g = 9.81 [m/s^2]: acceleration of gravity
  *
- * Constraints:
- * 0: rod
+ * Constraints, with the units of their reactions:
+ * 0: rod [kg/s^2]
  *
  * Outputs:
  * out[0] = length [m]
@@ -115,7 +115,7 @@ int cartesian_pendulum_residuals(double t, const double *q, const double *qdot, 
 int cartesian_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double cartesian_pendulum_energy(double t, const double *y, const double *p);

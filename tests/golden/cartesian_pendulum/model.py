@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:e2f8183370d0ea41).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:e08b4ea777efb025).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -16,8 +16,8 @@ Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bob
 p[1]: g = 9.81 [m/s^2]: acceleration of gravity
 
-Constraints:
-0: rod
+Constraints, with the units of their reactions:
+0: rod [kg/s^2]
 
 Outputs:
 out[0] = length [m]
@@ -291,7 +291,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (3,), p (2,).
     Returns a scalar.

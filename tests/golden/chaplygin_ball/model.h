@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:04bee1014423a63f)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:634a0fed7b5d15bc)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -23,9 +23,9 @@
  * p[3]: I2 = 0.5 [kg*m^2]
  * p[4]: I3 = 0.7 [kg*m^2]
  *
- * Constraints:
- * 0: roll_x
- * 1: roll_y
+ * Constraints, with the units of their reactions:
+ * 0: roll_x [N]
+ * 1: roll_y [N]
  *
  * Outputs:
  * out[0] = K1 [kg*m^2/s]
@@ -125,7 +125,7 @@ int chaplygin_ball_residuals(double t, const double *q, const double *qdot, cons
 int chaplygin_ball_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double chaplygin_ball_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:a4d5ed06050907c6).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:0a6d0c03e07044cc).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -23,9 +23,9 @@ p[2]: I1 = 0.4 [kg*m^2]
 p[3]: I2 = 0.5 [kg*m^2]
 p[4]: I3 = 0.7 [kg*m^2]
 
-Constraints:
-0: roll_x
-1: roll_y
+Constraints, with the units of their reactions:
+0: roll_x [N]
+1: roll_y [N]
 
 Outputs:
 out[0] = K1 [kg*m^2/s]
@@ -513,7 +513,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns a scalar.

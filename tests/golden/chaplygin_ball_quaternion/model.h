@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:538b15b0d8be2483)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:6cfbf57eec8dda17)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -24,10 +24,10 @@
  * p[3]: I2 = 0.5 [kg*m^2]
  * p[4]: I3 = 0.7 [kg*m^2]
  *
- * Constraints:
- * 0: roll_x
- * 1: roll_y
- * 2: R_norm
+ * Constraints, with the units of their reactions:
+ * 0: roll_x [N]
+ * 1: roll_y [N]
+ * 2: R_norm [N*m]
  *
  * Outputs:
  * out[0] = K_x [kg*m^2/s]
@@ -134,7 +134,7 @@ int chaplygin_ball_quaternion_positions(double t, const double *q, const double 
 int chaplygin_ball_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double chaplygin_ball_quaternion_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:28eda49cf3367c80).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:8d3e139b96d2b887).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -24,10 +24,10 @@ p[2]: I1 = 0.4 [kg*m^2]
 p[3]: I2 = 0.5 [kg*m^2]
 p[4]: I3 = 0.7 [kg*m^2]
 
-Constraints:
-0: roll_x
-1: roll_y
-2: R_norm
+Constraints, with the units of their reactions:
+0: roll_x [N]
+1: roll_y [N]
+2: R_norm [N*m]
 
 Outputs:
 out[0] = K_x [kg*m^2/s]
@@ -600,7 +600,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:099f7b395b5c8ada)
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:0d0ccf0b73747e57)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -17,8 +17,8 @@
  * p[1]: J = 0.5 [kg*m^2]: moment of inertia about the centre of mass
  * p[2]: a = 0.7 [m]: from the edge to the centre of mass
  *
- * Constraints:
- * 0: slip
+ * Constraints, with the units of their reactions:
+ * 0: slip [N]
  *
  * Outputs:
  * out[0] = speed [m/s]
@@ -117,7 +117,7 @@ int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, co
 int chaplygin_sleigh_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double chaplygin_sleigh_energy(double t, const double *y, const double *p);

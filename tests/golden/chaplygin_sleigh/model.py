@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:7a967fbae4256bb8).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:a7cc7f718ea0912b).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -17,8 +17,8 @@ p[0]: m = 1.0 [kg]: mass
 p[1]: J = 0.5 [kg*m^2]: moment of inertia about the centre of mass
 p[2]: a = 0.7 [m]: from the edge to the centre of mass
 
-Constraints:
-0: slip
+Constraints, with the units of their reactions:
+0: slip [N]
 
 Outputs:
 out[0] = speed [m/s]
@@ -309,7 +309,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns a scalar.

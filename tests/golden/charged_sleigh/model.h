@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:8e40109662a96252)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:d359568f2f3ed377)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -18,8 +18,8 @@
  * p[2]: a = 0.7 [m]: from the edge to the centre of mass
  * p[3]: B = 0.9 [kg/s]: charge times field
  *
- * Constraints:
- * 0: slip
+ * Constraints, with the units of their reactions:
+ * 0: slip [N]
  *
  * Outputs:
  * out[0] = speed [m/s]
@@ -116,7 +116,7 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
 int charged_sleigh_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double charged_sleigh_energy(double t, const double *y, const double *p);

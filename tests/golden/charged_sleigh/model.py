@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:80b815f1bb1b51c5).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:41dcbadf23c72016).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -19,8 +19,8 @@ p[1]: J = 0.5 [kg*m^2]: moment of inertia about the centre of mass
 p[2]: a = 0.7 [m]: from the edge to the centre of mass
 p[3]: B = 0.9 [kg/s]: charge times field
 
-Constraints:
-0: slip
+Constraints, with the units of their reactions:
+0: slip [N]
 
 Outputs:
 out[0] = speed [m/s]
@@ -313,7 +313,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:b34b956ddae53b2a)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:b5ad170e5383a941)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -25,10 +25,10 @@
  * p[6]: tau_R = 0.3 [N*m]: torque on the right wheel
  * p[7]: tau_L = 0.2 [N*m]: torque on the left wheel
  *
- * Constraints:
- * 0: slip
- * 1: roll_R
- * 2: roll_L
+ * Constraints, with the units of their reactions:
+ * 0: slip [N]
+ * 1: roll_R [N]
+ * 2: roll_L [N]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 9 +-, 22 *, 3 /, 2 calls
@@ -121,7 +121,7 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
 int diff_drive_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double diff_drive_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:1c187c9c54244655).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:2f21615d2582b284).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -26,10 +26,10 @@ p[5]: d = 0.1 [m]: from the axle to the centre of mass
 p[6]: tau_R = 0.3 [N*m]: torque on the right wheel
 p[7]: tau_L = 0.2 [N*m]: torque on the left wheel
 
-Constraints:
-0: slip
-1: roll_R
-2: roll_L
+Constraints, with the units of their reactions:
+0: slip [N]
+1: roll_R [N]
+2: roll_L [N]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 9 +-, 22 *, 3 /, 2 calls
@@ -412,7 +412,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:42d9e1a2fd8f708b)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:17bd8af2f39e325b)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -37,11 +37,11 @@
  * p[3]: J = 0.0625 [kg*m^2]: about the vertical
  * p[4]: k = 1.0 [N/m]: stiffness of the spring
  *
- * Constraints:
- * 0: roll_x1
- * 1: roll_y1
- * 2: roll_x2
- * 3: roll_y2
+ * Constraints, with the units of their reactions:
+ * 0: roll_x1 [N]
+ * 1: roll_y1 [N]
+ * 2: roll_x2 [N]
+ * 3: roll_y2 [N]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 5 +-, 15 *, 1 /, 4 calls
@@ -133,7 +133,7 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
 int disk_chain2_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double disk_chain2_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:e5998333a53c8911).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:7fba7f81678a780a).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -38,11 +38,11 @@ p[2]: I = 0.125 [kg*m^2]: about the axle
 p[3]: J = 0.0625 [kg*m^2]: about the vertical
 p[4]: k = 1.0 [N/m]: stiffness of the spring
 
-Constraints:
-0: roll_x1
-1: roll_y1
-2: roll_x2
-3: roll_y2
+Constraints, with the units of their reactions:
+0: roll_x1 [N]
+1: roll_y1 [N]
+2: roll_x2 [N]
+3: roll_y2 [N]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 5 +-, 15 *, 1 /, 4 calls
@@ -481,7 +481,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns a scalar.

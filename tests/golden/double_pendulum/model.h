@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:c2a1964e74c1f4fd)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:04ece0ae7ab315cb)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -114,7 +114,7 @@ int double_pendulum_residuals(double t, const double *q, const double *qdot, con
 int double_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double double_pendulum_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:081ca4947663db46).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:baafca80989b16be).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -294,7 +294,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:6ceb87c74f50638a)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:377b519505cba65c)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -114,7 +114,7 @@ int free_rigid_body_residuals(double t, const double *q, const double *qdot, con
 int free_rigid_body_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double free_rigid_body_energy(double t, const double *y, const double *p);

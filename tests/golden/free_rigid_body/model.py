@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:01bdc1fc1ba5d5f6).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:2ef5815d962a4ca5).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -344,7 +344,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.

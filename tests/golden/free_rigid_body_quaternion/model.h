@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:630e3d971b3e6440)
+ * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:b76881a5a9690353)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -19,8 +19,8 @@
  * p[1]: I2 = 2.0 [kg*m^2]
  * p[2]: I3 = 3.0 [kg*m^2]
  *
- * Constraints:
- * 0: R_norm
+ * Constraints, with the units of their reactions:
+ * 0: R_norm [N*m]
  *
  * Outputs:
  * out[0] = L_x [kg*m^2/s]
@@ -128,7 +128,7 @@ int free_rigid_body_quaternion_positions(double t, const double *q, const double
 int free_rigid_body_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double free_rigid_body_quaternion_energy(double t, const double *y, const double *p);

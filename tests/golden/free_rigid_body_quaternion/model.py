@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:762f6fdef59cd4d0).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:06a45d78442264bb).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -20,8 +20,8 @@ p[0]: I1 = 1.0 [kg*m^2]
 p[1]: I2 = 2.0 [kg*m^2]
 p[2]: I3 = 3.0 [kg*m^2]
 
-Constraints:
-0: R_norm
+Constraints, with the units of their reactions:
+0: R_norm [N*m]
 
 Outputs:
 out[0] = L_x [kg*m^2/s]
@@ -377,7 +377,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns a scalar.

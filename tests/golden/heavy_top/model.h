@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:388fb64a7cb8a681)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:d853a67a1ea69156)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -112,7 +112,7 @@ int heavy_top_residuals(double t, const double *q, const double *qdot, const dou
 int heavy_top_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double heavy_top_energy(double t, const double *y, const double *p);

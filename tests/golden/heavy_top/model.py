@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:82fc42f67513de7e).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:a1941c3af61aa8eb).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -304,7 +304,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.

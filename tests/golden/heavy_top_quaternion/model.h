@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:6fedcc8b3285cdb8)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:97199c761eedfb2f)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -20,8 +20,8 @@
  * p[1]: I3 = 1.5 [kg*m^2]: about the axis
  * p[2]: mgl = 2.0 [N*m]: weight times the distance of the centre of mass
  *
- * Constraints:
- * 0: R_norm
+ * Constraints, with the units of their reactions:
+ * 0: R_norm [N*m]
  *
  * Outputs:
  * out[0] = height [1]
@@ -126,7 +126,7 @@ int heavy_top_quaternion_positions(double t, const double *q, const double *p, d
 int heavy_top_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double heavy_top_quaternion_energy(double t, const double *y, const double *p);

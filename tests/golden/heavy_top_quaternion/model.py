@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:9d350ece04395345).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:961e4412cfaa7291).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -20,8 +20,8 @@ p[0]: I1 = 1.0 [kg*m^2]: across the axis, at the fixed point
 p[1]: I3 = 1.5 [kg*m^2]: about the axis
 p[2]: mgl = 2.0 [N*m]: weight times the distance of the centre of mass
 
-Constraints:
-0: R_norm
+Constraints, with the units of their reactions:
+0: R_norm [N*m]
 
 Outputs:
 out[0] = height [1]
@@ -361,7 +361,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:4ab6070e218d8ed8)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:7243cf68fb296415)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -16,8 +16,8 @@
  * p[1]: g = 9.81 [m/s^2]: acceleration of gravity
  * p[2]: l = 1.0 [m]: length of the rod
  *
- * Constraints:
- * 0: rod
+ * Constraints, with the units of their reactions:
+ * 0: rod [kg/s^2]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 2 +-, 8 *, 1 /, 2 calls
@@ -119,7 +119,7 @@ int holonomic_pendulum_positions(double t, const double *q, const double *p, dou
 int holonomic_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double holonomic_pendulum_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:967f111dd1ab10fd).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:fc1bff4cdbd4ccb6).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -18,8 +18,8 @@ p[0]: m = 1.0 [kg]: mass of the bob
 p[1]: g = 9.81 [m/s^2]: acceleration of gravity
 p[2]: l = 1.0 [m]: length of the rod
 
-Constraints:
-0: rod
+Constraints, with the units of their reactions:
+0: rod [kg/s^2]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 2 +-, 8 *, 1 /, 2 calls
@@ -317,7 +317,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:d574edae91ca0fcc)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:d300f1e1f72378fb)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -20,10 +20,10 @@
  * p[2]: a = 0.5 [m]: half the length of a link
  * p[3]: k = 0.5 [N*m]: stiffness of the hinges
  *
- * Constraints:
- * 0: wheel1
- * 1: wheel2
- * 2: wheel3
+ * Constraints, with the units of their reactions:
+ * 0: wheel1 [N]
+ * 1: wheel2 [N]
+ * 2: wheel3 [N]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
  * rhs: 42 +-, 79 *, 3 /, 6 calls
@@ -116,7 +116,7 @@ int n_snake3_residuals(double t, const double *q, const double *qdot, const doub
 int n_snake3_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double n_snake3_energy(double t, const double *y, const double *p);

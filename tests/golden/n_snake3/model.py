@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:ead7d4e03cb7b194).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:77d3570293152dcb).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -21,10 +21,10 @@ p[1]: J = 0.1 [kg*m^2]: each link
 p[2]: a = 0.5 [m]: half the length of a link
 p[3]: k = 0.5 [N*m]: stiffness of the hinges
 
-Constraints:
-0: wheel1
-1: wheel2
-2: wheel3
+Constraints, with the units of their reactions:
+0: wheel1 [N]
+1: wheel2 [N]
+2: wheel3 [N]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 42 +-, 79 *, 3 /, 6 calls
@@ -537,7 +537,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:3a8c8f857c12f7e9)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:17229a686a049ae0)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -22,11 +22,11 @@
  * p[3]: J = 0.05 [kg*m^2]: each trailer
  * p[4]: L = 0.8 [m]: from axle to axle
  *
- * Constraints:
- * 0: axle0
- * 1: axle1
- * 2: axle2
- * 3: axle3
+ * Constraints, with the units of their reactions:
+ * 0: axle0 [N]
+ * 1: axle1 [N]
+ * 2: axle2 [N]
+ * 3: axle3 [N]
  *
  * Outputs:
  * out[0] = tail_x [m]
@@ -123,7 +123,7 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
 int n_trailer3_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double n_trailer3_energy(double t, const double *y, const double *p);

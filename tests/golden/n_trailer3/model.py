@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:87923b5535f3a9b6).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:83078789c7dda9d9).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -23,11 +23,11 @@ p[2]: m = 0.5 [kg]: each trailer
 p[3]: J = 0.05 [kg*m^2]: each trailer
 p[4]: L = 0.8 [m]: from axle to axle
 
-Constraints:
-0: axle0
-1: axle1
-2: axle2
-3: axle3
+Constraints, with the units of their reactions:
+0: axle0 [N]
+1: axle1 [N]
+2: axle2 [N]
+3: axle3 [N]
 
 Outputs:
 out[0] = tail_x [m]
@@ -505,7 +505,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:c231d54045356679)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:aca7f8fc6238cd0b)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -107,7 +107,7 @@ int pendulum_residuals(double t, const double *q, const double *qdot, const doub
 int pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double pendulum_energy(double t, const double *y, const double *p);

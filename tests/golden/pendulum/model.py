@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:dc9b562884f0b753).
+"""pendulum, emitted by nhc 0.1.0 (nhc:dc9d5232d0d83f49).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -241,7 +241,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns a scalar.

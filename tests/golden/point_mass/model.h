@@ -1,5 +1,5 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:5b9f2debc83fa588)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:19131877824a70aa)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -111,7 +111,7 @@ int point_mass_residuals(double t, const double *q, const double *qdot, const do
 int point_mass_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double point_mass_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:68ab9a79a7b63d79).
+"""point_mass, emitted by nhc 0.1.0 (nhc:02198e4c315f5386).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -263,7 +263,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.

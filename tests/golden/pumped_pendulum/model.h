@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:a022fad5294ff00c)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:768467140d658900)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -108,7 +108,7 @@ int pumped_pendulum_residuals(double t, const double *q, const double *qdot, con
 int pumped_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double pumped_pendulum_energy(double t, const double *y, const double *p);

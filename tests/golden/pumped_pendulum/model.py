@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:22f2a86df738b9af).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:ccb7de0dde284546).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -253,7 +253,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:5396497ff34af368)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:c01fab9f7760f4e4)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -27,10 +27,10 @@
  * p[7]: I_d = -0.2 [cm^2]: product of inertia, what makes it a rattleback
  * p[8]: g = 981.0 [cm/s^2]: acceleration of gravity
  *
- * Constraints:
- * 0: roll_x
- * 1: roll_y
- * 2: roll_z
+ * Constraints, with the units of their reactions:
+ * 0: roll_x [cm/s^2]
+ * 1: roll_y [cm/s^2]
+ * 2: roll_z [cm/s^2]
  *
  * Outputs:
  * out[0] = spin [rad/s]
@@ -126,7 +126,7 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
 int rattleback_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [cm^2/s^2]
  * infinite or NaN where the model is singular
  */
 double rattleback_energy(double t, const double *y, const double *p);

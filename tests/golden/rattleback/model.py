@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:b800aa2b3e804df2).
+"""rattleback, emitted by nhc 0.1.0 (nhc:64a7d376392f100d).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -28,10 +28,10 @@ p[6]: I_c = 17.0 [cm^2]
 p[7]: I_d = -0.2 [cm^2]: product of inertia, what makes it a rattleback
 p[8]: g = 981.0 [cm/s^2]: acceleration of gravity
 
-Constraints:
-0: roll_x
-1: roll_y
-2: roll_z
+Constraints, with the units of their reactions:
+0: roll_x [cm/s^2]
+1: roll_y [cm/s^2]
+2: roll_z [cm/s^2]
 
 Outputs:
 out[0] = spin [rad/s]
@@ -692,7 +692,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [cm^2/s^2]
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:d66b155160d67cfe)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:4d1e5bf34ab5f559)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -21,9 +21,9 @@
  * p[3]: d1 = 0.6 [m]: from the hinge to the first axle
  * p[4]: d2 = 0.25 [m]: from the hinge to the second axle
  *
- * Constraints:
- * 0: rear
- * 1: front
+ * Constraints, with the units of their reactions:
+ * 0: rear [N]
+ * 1: front [N]
  *
  * Outputs:
  * out[0] = speed [m/s]
@@ -119,7 +119,7 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
 int roller_racer_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double roller_racer_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:0bc87907bedea2b5).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:3fe3ff67c59a6d0c).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -21,9 +21,9 @@ p[2]: I2 = 0.05 [kg*m^2]
 p[3]: d1 = 0.6 [m]: from the hinge to the first axle
 p[4]: d2 = 0.25 [m]: from the hinge to the second axle
 
-Constraints:
-0: rear
-1: front
+Constraints, with the units of their reactions:
+0: rear [N]
+1: front [N]
 
 Outputs:
 out[0] = speed [m/s]
@@ -414,7 +414,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:027052a601f1220c)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:f972e3206f643c01)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -22,9 +22,9 @@
  * p[3]: C = 0.125 [kg*m^2]: moment of inertia about the axis
  * p[4]: g = 9.81 [m/s^2]: acceleration of gravity
  *
- * Constraints:
- * 0: roll_x
- * 1: roll_y
+ * Constraints, with the units of their reactions:
+ * 0: roll_x [N]
+ * 1: roll_y [N]
  *
  * Outputs:
  * out[0] = height [m]
@@ -122,7 +122,7 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
 int rolling_disk_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double rolling_disk_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:dce5c5513c139e33).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:3b8171f6e027fe2c).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -22,9 +22,9 @@ p[2]: A = 0.0625 [kg*m^2]: moment of inertia about a diameter
 p[3]: C = 0.125 [kg*m^2]: moment of inertia about the axis
 p[4]: g = 9.81 [m/s^2]: acceleration of gravity
 
-Constraints:
-0: roll_x
-1: roll_y
+Constraints, with the units of their reactions:
+0: roll_x [N]
+1: roll_y [N]
 
 Outputs:
 out[0] = height [m]
@@ -436,7 +436,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:d5870d3d9ef51458)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:3c12e0a0cde33ebb)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -23,9 +23,9 @@
  * p[4]: I3 = 0.42 [kg*m^2]: about the axis
  * p[5]: g = 9.81 [m/s^2]: acceleration of gravity
  *
- * Constraints:
- * 0: roll_x
- * 1: roll_y
+ * Constraints, with the units of their reactions:
+ * 0: roll_x [N]
+ * 1: roll_y [N]
  *
  * Outputs:
  * out[0] = jellett [kg*m^3/s]
@@ -121,7 +121,7 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
 int routh_sphere_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double routh_sphere_energy(double t, const double *y, const double *p);

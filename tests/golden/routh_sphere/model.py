@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:bd84df71e15fae31).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:af1317b629b0b31c).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -24,9 +24,9 @@ p[3]: I1 = 0.38 [kg*m^2]: across the axis, at the centre of mass
 p[4]: I3 = 0.42 [kg*m^2]: about the axis
 p[5]: g = 9.81 [m/s^2]: acceleration of gravity
 
-Constraints:
-0: roll_x
-1: roll_y
+Constraints, with the units of their reactions:
+0: roll_x [N]
+1: roll_y [N]
 
 Outputs:
 out[0] = jellett [kg*m^3/s]
@@ -463,7 +463,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:7a1a19aa2ff2eab0)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:6f3782413b57a77b)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -19,8 +19,8 @@
  * p[2]: g = 9.81 [m/s^2]: acceleration of gravity
  * p[3]: alpha = 0.5235987755982988 [rad]: slope, 30 degrees
  *
- * Constraints:
- * 0: slip
+ * Constraints, with the units of their reactions:
+ * 0: slip [N]
  *
  * Outputs:
  * out[0] = speed [m/s]
@@ -116,7 +116,7 @@ int skate_incline_residuals(double t, const double *q, const double *qdot, const
 int skate_incline_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double skate_incline_energy(double t, const double *y, const double *p);

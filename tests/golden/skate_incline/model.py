@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:8d31679e82ec0682).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:82fa6fcb41b87832).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -20,8 +20,8 @@ p[1]: J = 0.4 [kg*m^2]: moment of inertia about the normal
 p[2]: g = 9.81 [m/s^2]: acceleration of gravity
 p[3]: alpha = 0.5235987755982988 [rad]: slope, 30 degrees
 
-Constraints:
-0: slip
+Constraints, with the units of their reactions:
+0: slip [N]
 
 Outputs:
 out[0] = speed [m/s]
@@ -311,7 +311,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:9859d6c211671f17)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:54cf4548b2f7255e)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -123,7 +123,7 @@ int smooth_tippe_top_residuals(double t, const double *q, const double *qdot, co
 int smooth_tippe_top_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double smooth_tippe_top_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:0ceb0809e59c2139).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:6169a0c7f99dd6cb).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -400,7 +400,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:b86fd878cae7f795)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:6f437e11ce631904)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -29,9 +29,9 @@
  * p[6]: sigma = 0.02 [N*m]: amplitude of the torques on the axles
  * p[7]: nu = 1.0 [rad/s]: frequency of the torques
  *
- * Constraints:
- * 0: back
- * 1: front
+ * Constraints, with the units of their reactions:
+ * 0: back [N]
+ * 1: front [N]
  *
  * Outputs:
  * out[0] = speed [m/s]
@@ -127,7 +127,7 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
 int snakeboard_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double snakeboard_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:b78c65ff08afaffe).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:c4ac37d2bcbb95ea).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -32,9 +32,9 @@ p[5]: tau = 0.05 [N*m]: amplitude of the torque on the rotor
 p[6]: sigma = 0.02 [N*m]: amplitude of the torques on the axles
 p[7]: nu = 1.0 [rad/s]: frequency of the torques
 
-Constraints:
-0: back
-1: front
+Constraints, with the units of their reactions:
+0: back [N]
+1: front [N]
 
 Outputs:
 out[0] = speed [m/s]
@@ -683,7 +683,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:852775ba8b323c41)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:edde7421045abc6b)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -111,7 +111,7 @@ int spherical_pendulum_residuals(double t, const double *q, const double *qdot, 
 int spherical_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double spherical_pendulum_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:da16dd8d567709b6).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:927b9b24ab8d5bcc).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -274,7 +274,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:68d3db1d05f9addb)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:a06c2ab5ba5b7ef0)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -19,8 +19,8 @@
  * p[3]: I13 = 0.3 [kg*m^2]
  * p[4]: I23 = -0.2 [kg*m^2]
  *
- * Constraints:
- * 0: no_spin
+ * Constraints, with the units of their reactions:
+ * 0: no_spin [N*m]
  *
  * Outputs:
  * out[0] = M3 [kg*m^2/s]
@@ -116,7 +116,7 @@ int suslov_residuals(double t, const double *q, const double *qdot, const double
 int suslov_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double suslov_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:71376adff53bbe1a).
+"""suslov, emitted by nhc 0.1.0 (nhc:c8f4efc9c8412f16).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -19,8 +19,8 @@ p[2]: I33 = 2.0 [kg*m^2]
 p[3]: I13 = 0.3 [kg*m^2]
 p[4]: I23 = -0.2 [kg*m^2]
 
-Constraints:
-0: no_spin
+Constraints, with the units of their reactions:
+0: no_spin [N*m]
 
 Outputs:
 out[0] = M3 [kg*m^2/s]
@@ -352,7 +352,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:1ddbf1290aed9c1b)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:ebc94f1792c51f32)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -19,9 +19,9 @@
  * p[2]: I = 0.125 [kg*m^2]: moment of inertia about the axle
  * p[3]: J = 0.0625 [kg*m^2]: moment of inertia about the vertical
  *
- * Constraints:
- * 0: roll_x
- * 1: roll_y
+ * Constraints, with the units of their reactions:
+ * 0: roll_x [N]
+ * 1: roll_y [N]
  *
  * Outputs:
  * out[0] = speed [m/s]
@@ -117,7 +117,7 @@ int vertical_disk_residuals(double t, const double *q, const double *qdot, const
 int vertical_disk_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double vertical_disk_energy(double t, const double *y, const double *p);

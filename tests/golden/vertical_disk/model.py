@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:a404bfc7a7bc7cde).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:5019dc80b9e8471f).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -20,9 +20,9 @@ p[1]: R = 0.5 [m]: radius
 p[2]: I = 0.125 [kg*m^2]: moment of inertia about the axle
 p[3]: J = 0.0625 [kg*m^2]: moment of inertia about the vertical
 
-Constraints:
-0: roll_x
-1: roll_y
+Constraints, with the units of their reactions:
+0: roll_x [N]
+1: roll_y [N]
 
 Outputs:
 out[0] = speed [m/s]
@@ -322,7 +322,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:771688ec85c9753f)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:7762e5ea92e71ca4)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -17,8 +17,8 @@
  * p[1]: I2 = 1.7 [kg*m^2]
  * p[2]: I3 = 2.3 [kg*m^2]
  *
- * Constraints:
- * 0: no_turn
+ * Constraints, with the units of their reactions:
+ * 0: no_turn [N*m]
  *
  * Outputs:
  * out[0] = L_x [kg*m^2/s]
@@ -115,7 +115,7 @@ int veselova_residuals(double t, const double *q, const double *qdot, const doub
 int veselova_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * energy T + V
+ * energy T + V [J]
  * infinite or NaN where the model is singular
  */
 double veselova_energy(double t, const double *y, const double *p);

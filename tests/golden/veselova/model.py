@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:6896edd156b81984).
+"""veselova, emitted by nhc 0.1.0 (nhc:7dea666814e58778).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -17,8 +17,8 @@ p[0]: I1 = 1.0 [kg*m^2]
 p[1]: I2 = 1.7 [kg*m^2]
 p[2]: I3 = 2.3 [kg*m^2]
 
-Constraints:
-0: no_turn
+Constraints, with the units of their reactions:
+0: no_turn [N*m]
 
 Outputs:
 out[0] = L_x [kg*m^2/s]
@@ -431,7 +431,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """energy T + V [J]
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns a scalar.

@@ -1,7 +1,7 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:bdc9a8e5919ac23f).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:4a9e0c4bd5bfb2c4).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
-    Caplygin's hypotheses fail.
+    Čaplygin's hypotheses fail.
 Source: voronec_particle.yaml
 Equations of motion: voronec (I.4.9)
 Why: dependent velocities of the spec
