@@ -30,6 +30,7 @@ LITTLE = Fraction(1, 10)
 """Of a row before elimination, beside what is left of it: digits are lost, too, where little is left."""
 _TERMS = 120
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
+Matrix = tuple[tuple[Node, ...], ...]
 Pivots = list[tuple[int, int]]
 """(row, column) of each pivot of an elimination, the rows counted after the exchanges before it."""
 
@@ -129,9 +130,6 @@ def solve_block(
 def without_sign(graph: Graph, node: Node) -> Node:
     """x for -x."""
     return graph.a[node] if graph.op[node] == NEG else node
-
-
-Matrix = tuple[tuple[Node, ...], ...]
 
 
 def find_eliminated(graph: Graph) -> dict[Node, Matrix]:
