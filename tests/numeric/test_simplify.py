@@ -6,6 +6,7 @@ import json
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -33,7 +34,7 @@ from nhc.study.simplify.draft import Draft, draft_of
 from nhc.study.simplify.ladder import Ladder, Size
 from nhc.study.simplify.measure import Meter, NotMeasured, meter_of
 from nhc.study.simplify.search import Trial, _Search, simplify
-from nhc.study.simplify.text import write_draft
+from nhc.study.simplify.text import NoLimit, write_draft
 from nhc.study.simplify.zero import INFINITE, ZERO, is_infinite, list_terms, replace_parts
 from tests.support import GALLERY, spec_path
 
@@ -572,3 +573,16 @@ def test_no_range_ends_with_minus_zero() -> None:
     meter = meter_of(source(text), "one", "", TOLERANCE)
     largest = {name: high for name, _, high, _ in measure.ranges_of(source(text), decode(source(text)), meter)}
     assert str(largest["y'"]) == "0.0"
+
+
+@pytest.mark.parametrize("name", ["bodies/car_trailer", "chaplygin_ball_quaternion", "heavy_top_quaternion"])
+def test_every_candidate_leaves_a_spec_that_can_be_read(name: str) -> None:
+    """Also where definitions are nhc's own, of bodies and rotations, and where only names of forces use them."""
+    origin = read(str(spec_path(name)))
+    scene = decode(origin).scenes[0]
+    draft = draft_of(origin, scene)
+    candidates = draft.candidates(open_scene(origin, scene.name).start)
+    assert len(candidates) > 10 and not any("define.R_" in candidate.about for candidate in candidates)
+    for candidate in candidates:
+        with suppress(NoLimit):
+            decode(Source("less.yaml", write_draft(draft, draft.change([candidate]))))

@@ -58,7 +58,9 @@ class Draft:
     def candidates(self, start: Start) -> list[Candidate]:
         """Terms of T, of U or V, of forces, constraints and definitions; then parameters; then coordinates that a limit fixes."""
         found = []
-        physics = {place: tree for place, tree in self.trees.items() if place[0] not in FOLLOWING}
+        physics = {
+            place: tree for place, tree in self.trees.items() if place[0] not in FOLLOWING and self._is_given(place)
+        }
         for place, tree in physics.items():
             for node, minus in self._terms(place, tree):
                 found.append(
@@ -78,6 +80,10 @@ class Draft:
                 found.append(large)
         limits = self._limits(start)
         return number_twins([*found, *limits, *group(limits)])
+
+    def _is_given(self, place: Place) -> bool:
+        """Whether it stands in the spec: what nhc makes of a rotation has no terms to leave out."""
+        return place[0] != "define" or place[1] in self.spec.named_order
 
     def _where(self, place: Place) -> str:
         key, name = place

@@ -47,7 +47,8 @@ class _Writer:
         """Definitions and parameters that were used and are not any more."""
         changed = {**self.changed.trees, **{("copy", n): tree for n, tree in self.changed.copied.items()}}
         before, after = self._used(self.draft.trees, False), self._used(changed, True)
-        return {name for name in before if name not in after}
+        idle = {name for name in before if name not in after}
+        return idle - self._used_beside(idle)
 
     def _used(self, trees: Mapping[Place, Syntax], copies: bool) -> set[str]:
         definitions = {name: tree for (key, name), tree in trees.items() if key == "define"}
@@ -123,13 +124,30 @@ class _Writer:
             if not gone and not (key == "define" and name in idle):
                 entries.append((text, self._text(node, (key, name))))
             copy = self.changed.copies.get(name, "") if key == "define" else ""
-            if copy and copy in self._used_now():
+            if copy and copy in self._used_now(idle):
                 entries.append((_plain(copy), _plain(unparse(self.changed.copied[name]))))
+        if key == "define":
+            entries += self._copies_of_made({fold(text.value) for text, _ in table.entries}, idle)
         return replace(table, entries=tuple(entries)) if entries else None
 
-    def _used_now(self) -> set[str]:
+    def _copies_of_made(self, written: set[str], idle: set[str]) -> list[tuple[Text, Node]]:
+        """Copies of definitions that nhc makes of bodies and rotations, which have no entry to stand behind."""
+        made = [(name, copy) for name, copy in self.changed.copies.items() if name not in written]
+        used = self._used_now(idle) if made else set()
+        return [
+            (_plain(copy), _plain(unparse(self.changed.copied[name]))) for name, copy in sorted(made) if copy in used
+        ]
+
+    def _used_now(self, idle: set[str]) -> set[str]:
         changed = {**self.changed.trees, **{("copy", n): tree for n, tree in self.changed.copied.items()}}
-        return self._used(changed, True)
+        return self._used(changed, True) | self._used_beside(idle)
+
+    def _used_beside(self, idle: set[str]) -> set[str]:
+        """What definitions use that stay, also those that stand there for the names of forces or for readers alone."""
+        copies = {self.changed.copies[name]: tree for name, tree in self.changed.copied.items()}
+        definitions = {name: tree for (key, name), tree in self.changed.trees.items() if key == "define"}
+        used = {n for name, tree in definitions.items() if name not in idle for n in names_in(tree)}
+        return reach(used, definitions | copies)
 
     def _text(self, text: Text, place: Place) -> Text:
         new, old = self.changed.trees[place], self.draft.trees[place]
