@@ -15,6 +15,9 @@ CASES = {
     "dT/dx' + 2 y": r"$\partial T/\partial \dot{x} + 2\,y$",
     "x^(a + 1)*sqrt(1 + x^2)": r"$x^{a + 1}\,\sqrt{1 + x^{2}}$",
     "x^-1 - cos(2*phi)": r"$x^{-1} - \cos(2\,\varphi)$",
+    "l*cos(a) - cos(b)^2 + sin(a) cos(b)": r"$l\,\cos a - \cos^{2} b + \sin a\,\cos b$",
+    "cos(a)*b + sin(a) b' + cos(b)/2": r"$\cos(a)\,b + \sin(a)\,\dot{b} + \cos(b)/2$",
+    "cos(a)^n*cos(b)*(a + 1) + sqrt(sin(a))": r"$\cos(a)^{n}\,\cos(b)\,(a + 1) + \sqrt{\sin a}$",
     "log(x)/…": r"$\ln(x)/\dots$",
     "(2, 3)": "$(2, 3)$",
 }

@@ -23,6 +23,8 @@ _FUNCTIONS = {name: f"\\{name}" for name in _PLAIN} | COMMANDS | {"abs": r"\oper
 _WORDS = {"const": r"\text{const}"} | _FUNCTIONS
 _COMMANDS = frozenset(_FUNCTIONS.values())
 _OPERANDS = frozenset(("partial", "momentum", "name", "number"))
+_BARE = frozenset(rf"\{name}" for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh"))
+"""Functions that need no parentheses about a name, and whose exponent stands before it."""
 
 
 def print_inline(text: str, names: Names) -> str:
@@ -66,6 +68,10 @@ def _join(tokens: list[tuple[str, str]]) -> list[str]:
             end = _closing(tokens, k + 1)
             shown += [text, "{", *_join(tokens[k + 2 : end]), "}"]
             k = end
+        elif text in _BARE and (bare := _bare(tokens, k)):
+            length, exponent = bare
+            shown += [text, exponent, " ", tokens[k + 2][1]]
+            k += length - 1
         elif text == "^":
             length = 2 if after[1] == "-" else 1
             shown += ["^{", *(part for _, part in tokens[k + 1 : k + 1 + length]), "}"]
@@ -84,6 +90,25 @@ def _join(tokens: list[tuple[str, str]]) -> list[str]:
             shown.append(r"\,")
         k += 1
     return shown
+
+
+def _bare(tokens: list[tuple[str, str]], k: int) -> tuple[int, str] | None:
+    r"""How many tokens make the ``cos(a)`` or ``cos(a)^2`` that may be \cos a, and its exponent; None where it may not."""
+    texts = [text for _, text in tokens[k + 1 : k + 5]]
+    if texts[:1] != ["("] or texts[2:3] != [")"] or tokens[k + 2][0] != "name":
+        return None
+    length, exponent = 4, ""
+    if texts[3:] == ["^"]:
+        kind, power = tokens[k + 5] if k + 5 < len(tokens) else ("", "")
+        if kind != "number":
+            return None
+        length, exponent = 6, f"^{{{power}}}"
+    rest = [token for token in tokens[k + length :] if token[0] != "blank"]
+    if rest[:1] == [("sign", "*")]:
+        del rest[0]
+    kind, text = rest[0] if rest else ("", "")
+    followed = text in ("(", "/") or (kind in _OPERANDS and text not in _COMMANDS)
+    return None if followed else (length, exponent)
 
 
 def _ends(token: tuple[str, str]) -> bool:
