@@ -26,10 +26,11 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import check_scene_name, start_of
 from nhc.mechanics.system import System
-from nhc.program.build import FUNCTIONS, Planner
+from nhc.program.build import FUNCTIONS
 from nhc.program.ir import Program
 from nhc.program.model import build_program
-from nhc.program.starting import warn_as_given, warn_negative, warn_undetermined
+from nhc.program.planning.planner import Planner
+from nhc.program.runs.starting import warn_as_given, warn_negative, warn_undetermined
 from nhc.records import record
 from nhc.stamp import stamp
 

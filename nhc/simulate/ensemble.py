@@ -6,7 +6,7 @@ import time
 from collections.abc import Sequence
 
 from nhc.mechanics.scenes import Start
-from nhc.program.stepping import LEAST_TOLERANCE, SAFETY
+from nhc.program.runs.stepping import LEAST_TOLERANCE, SAFETY
 from nhc.records import record
 from nhc.simulate.compile import CompileError, build, lane_flags
 from nhc.simulate.compiled import CompiledModel

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
-from nhc.program.hold import SINGULAR_HOLD, TORN_HOLD
 from nhc.program.ir import Beats, Function, Load, Program
-from nhc.program.stepping import LIMITS
-from nhc.program.watch import WEAK
+from nhc.program.runs.hold import SINGULAR_HOLD, TORN_HOLD
+from nhc.program.runs.stepping import LIMITS
+from nhc.program.runs.watch import WEAK
 from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
 from nhc.simulate.kernel import Kernel, print_kernel

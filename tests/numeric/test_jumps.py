@@ -16,7 +16,7 @@ from nhc.mechanics.properties.facts import describe
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.pipeline import Options, check, reduce_scene
-from nhc.program.stepping import Limits
+from nhc.program.runs.stepping import Limits
 from nhc.simulate.methods import loop
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from typing import Protocol
 
-from nhc.program.hold import TORN_HOLD
+from nhc.program.runs.hold import TORN_HOLD
 from nhc.simulate.methods.step import Step
 
 

@@ -9,7 +9,7 @@ from copy import copy
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
-from nhc.program.stepping import LIMITS
+from nhc.program.runs.stepping import LIMITS
 from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.beating import Beating, find_turn
 from nhc.simulate.methods.holding import Held, hold_end

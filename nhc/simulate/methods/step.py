@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from nhc.program.stepping import LIMITS
+from nhc.program.runs.stepping import LIMITS
 
 Vector = list[float]
 ASIDE = 1.0 / 1024

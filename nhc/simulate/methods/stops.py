@@ -1,4 +1,4 @@
-"""The times at which adaptive steps have to end (:mod:`nhc.program.clock`), for a run that is under way."""
+"""The times at which adaptive steps have to end (:mod:`nhc.program.runs.clock`), for a run that is under way."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from math import copysign, inf
 from typing import Protocol
 
-from nhc.program.watch import WEAK
+from nhc.program.runs.watch import WEAK
 from nhc.simulate.methods.step import Step
 
 Look = Callable[[float], list[float]]

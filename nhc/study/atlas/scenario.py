@@ -17,7 +17,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
-from nhc.program.watch import Watch
+from nhc.program.runs.watch import Watch
 from nhc.records import record
 from nhc.resources import find_specs
 from nhc.simulate.methods import RUNGE_KUTTA

@@ -19,10 +19,11 @@ from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.regular.undefined import are_defined
 from nhc.mechanics.scenes import Start
 from nhc.mechanics.turning import mass_matrix
-from nhc.program.build import Planner, build_functions
-from nhc.program.needed import Column, needed_function, reactions_of
-from nhc.program.stepping import LEAST_TOLERANCE, SAFETY
-from nhc.program.structure import structure_of
+from nhc.program.build import build_functions
+from nhc.program.planning.planner import Planner
+from nhc.program.runs.needed import Column, needed_function, reactions_of
+from nhc.program.runs.stepping import LEAST_TOLERANCE, SAFETY
+from nhc.program.runs.structure import structure_of
 from nhc.simulate.compile import CompileError, build, tell_why
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel

@@ -16,9 +16,9 @@ from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.scenes import Start, kept_velocities
-from nhc.program.build import Planner
 from nhc.program.ir import Quantity
 from nhc.program.plan import FunctionPlan
+from nhc.program.planning.planner import Planner
 
 
 @dataclass(eq=False, repr=False)

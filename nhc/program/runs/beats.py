@@ -14,9 +14,9 @@ from collections.abc import Iterator
 from nhc.algebra.calculus import count, derivative
 from nhc.algebra.graph import POW, Node
 from nhc.mechanics.system import System
-from nhc.program.clock import HIGH, list_reached
 from nhc.program.ir import Beats
-from nhc.program.planner import PlannerBase
+from nhc.program.planning.base import PlannerBase
+from nhc.program.runs.clock import HIGH, list_reached
 
 _PERIODIC = frozenset({"sin", "cos"})
 _LARGE = 1000  # operations beyond which a rate is not followed

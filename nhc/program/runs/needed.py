@@ -1,4 +1,4 @@
-"""What a run needs beside the right-hand side: one function for all wanted quantities (:mod:`nhc.program.watch` has another).
+"""What a run needs beside the right-hand side: one function for all wanted quantities (:mod:`nhc.program.runs.watch` has another).
 
 ``needed`` takes the state to the columns of a trajectory; it does not mind whether a quantity belongs to the
 formulation's state, for everything is an expression in (t, y, p).
@@ -19,9 +19,9 @@ from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.turning import moving
-from nhc.program.build import Planner
 from nhc.program.ir import Function
-from nhc.program.scene_planner import ScenePlanner
+from nhc.program.planning.planner import Planner
+from nhc.program.planning.scene import ScenePlanner
 from nhc.records import record
 
 

@@ -80,7 +80,7 @@ def _along_held(
     g = full.system.graph
     if not 0 < 2 * full.system.l <= len(full.motion.w) or len(full.motion.w) <= FEW:
         return None
-    from nhc.program.held_tree import held_tree
+    from nhc.program.planning.held_tree import held_tree
 
     held = held_tree(full, kept)
     if held is None:

@@ -18,11 +18,11 @@ from nhc.mechanics.formulate import bordered_system, equations_of
 from nhc.mechanics.frame import form_value, total_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.turning import from_base, moving
-from nhc.program.build import Planner
 from nhc.program.ir import Function
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, SweepPlan, Target
-from nhc.program.planner import SINGULAR_FRAME
-from nhc.program.scene_planner import ScenePlanner
+from nhc.program.planning.base import SINGULAR_FRAME
+from nhc.program.planning.planner import Planner
+from nhc.program.planning.scene import ScenePlanner
 
 _TOLERANCE = 1e-13
 

@@ -13,11 +13,11 @@ from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
 from nhc.mechanics.system import System
 from nhc.mechanics.turning import regular_energy
-from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function
-from nhc.program.lower import lower_function
+from nhc.program.lowering.lower import lower_function
 from nhc.program.plan import FunctionPlan, Target
-from nhc.program.planner import T_ARGUMENT
+from nhc.program.planning.base import T_ARGUMENT
+from nhc.program.planning.planner import Planner
 from nhc.records import record
 
 

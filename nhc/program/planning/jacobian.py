@@ -13,9 +13,9 @@ from dataclasses import replace
 from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.shorten import shorten
-from nhc.program.mass_route import Solver
 from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target
-from nhc.program.planner import PlannerBase
+from nhc.program.planning.base import PlannerBase
+from nhc.program.planning.mass_route import Solver
 from nhc.records import record
 
 LONGEST = 1500

@@ -21,9 +21,9 @@ from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.constancy import has_jumps
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.turning import moving
-from nhc.program.build import Planner
 from nhc.program.ir import Function, Hold
 from nhc.program.plan import SolvePlan
+from nhc.program.planning.planner import Planner
 
 SINGULAR_HOLD = 3
 SINGULAR = "the constraints, or the masses on them, are singular here, so that a state cannot be brought back"

@@ -26,7 +26,7 @@ from nhc.algebra.solving.sizes import size_of
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.values import scene_values
 from nhc.program.plan import SolvePlan
-from nhc.program.planner import PlannerBase
+from nhc.program.planning.base import PlannerBase
 from nhc.records import record
 
 _POINTS = 24  # at most, at which its usual value is looked for

@@ -18,9 +18,9 @@ from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import POW, Graph, Node
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.turning import moving
-from nhc.program.clock import CORNERS, HIGH, STEPS, list_reached
 from nhc.program.ir import Leaps
-from nhc.program.planner import PlannerBase
+from nhc.program.planning.base import PlannerBase
+from nhc.program.runs.clock import CORNERS, HIGH, STEPS, list_reached
 
 _GROWING = frozenset({"exp", "cosh", "sinh"})
 _STEEP = _GROWING | STEPS  # beyond their arguments' zeros they are known: 0, 1 or negligible

@@ -23,11 +23,11 @@ from nhc.mechanics.properties.singular import find_rank_loss, find_vanishing_fac
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.regular.trials import usual_digits, usual_part
 from nhc.mechanics.system import System
-from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
-from nhc.program.nearness import are_masses_regular, find_nearness
 from nhc.program.plan import GuardPlan, SolvePlan
-from nhc.program.planner import MASS_LOST
+from nhc.program.planning.base import MASS_LOST
+from nhc.program.planning.planner import Planner
+from nhc.program.runs.nearness import are_masses_regular, find_nearness
 from nhc.records import record
 
 NOTHING = Fraction(1, 10**12)

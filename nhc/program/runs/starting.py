@@ -16,7 +16,7 @@ from nhc.mechanics.regular.given_rank import find_dependent_as_given, find_depen
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.regular.undefined import find_pole, find_undefined
 from nhc.mechanics.scenes import Start, kept_velocities, left_at_zero, place_of
-from nhc.program.build import Planner
+from nhc.program.planning.planner import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
 _LOST = "the functions refuse that start; the formulation `multipliers` has no coframe"

@@ -18,9 +18,9 @@ from nhc.mechanics.regular.trials import usual_digits, usual_part
 from nhc.mechanics.system import System
 from nhc.mechanics.turning import moving
 from nhc.program.ir import Argument, Function, Origin, Quantity
-from nhc.program.lower import lower_function
-from nhc.program.mass_route import mass_route
+from nhc.program.lowering.lower import lower_function
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
+from nhc.program.planning.mass_route import mass_route
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
 MASS_LOST = "the mass matrix is singular"

@@ -5,8 +5,8 @@ tenth of a second lies between the stages: the estimate of the error knows nothi
 has its special places where its argument is zero or turns: there ``sign`` jumps, ``max`` has a corner, ``exp(-((t - a)/w)^2)`` its
 peak.  The argument is a slow function of time also where the pulse is short, so that a grid finds them.
 
-Functions of the state have such places along a motion, and the steps look for these by themselves (:mod:`nhc.program.leaps`), as
-for those of a function of time that turns more often than the grid can tell.  Of it the first are listed, for a body at rest.
+Functions of the state have such places along a motion, and the steps look for these by themselves (:mod:`nhc.program.runs.leaps`),
+as for those of a function of time that turns more often than the grid can tell.  Of it the first are listed, for a body at rest.
 """
 
 from __future__ import annotations

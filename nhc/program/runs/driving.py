@@ -9,14 +9,14 @@ from collections.abc import Sequence
 
 from nhc.mechanics.scenes import Start
 from nhc.mechanics.system import System
-from nhc.program.beats import find_beats
-from nhc.program.build import Planner
-from nhc.program.clock import find_stops
-from nhc.program.hold import make_hold
 from nhc.program.ir import Beats, Hold, Leaps, Lookout, Needed, SceneData, Stop
-from nhc.program.leaps import find_leaps
-from nhc.program.needed import list_columns, needed_function
-from nhc.program.watch import known_values, look_out
+from nhc.program.planning.planner import Planner
+from nhc.program.runs.beats import find_beats
+from nhc.program.runs.clock import find_stops
+from nhc.program.runs.hold import make_hold
+from nhc.program.runs.leaps import find_leaps
+from nhc.program.runs.needed import list_columns, needed_function
+from nhc.program.runs.watch import known_values, look_out
 from nhc.records import record
 
 

@@ -34,10 +34,10 @@ from nhc.program.ir import (
     Store,
     Sweep,
 )
-from nhc.program.named_nodes import choose_names, find_constants, find_shared, find_turned
-from nhc.program.naming import Namer
+from nhc.program.lowering.named_nodes import choose_names, find_constants, find_shared, find_turned
+from nhc.program.lowering.naming import Namer
+from nhc.program.lowering.powers import part_powers
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, SweepPlan
-from nhc.program.powers import part_powers
 
 _MANY = 150  # lets beyond which results are stored as soon as they are known
 _ONE = Fraction(1)
