@@ -165,7 +165,7 @@ def _report(error: Exception) -> Exit:
         say("error: the exact test found no point for this system: too many nested roots, or singular everywhere")
         say("  = help: give a square root a coordinate of its own with a `holonomic:` equation, or write its square")
         return Exit.NUMERICAL
-    from nhc.simulate.compile import CacheError, CompileError
+    from nhc.simulate.c.compile import CacheError, CompileError
 
     if isinstance(error, CompileError):  # runs go on in Python; what charts and studies measure is compiled
         what = (

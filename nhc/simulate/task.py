@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from nhc.program.ir import Stop
-from nhc.program.runs.stepping import MOST_STEPS
+from nhc.program.runs.limits import MOST_STEPS
 from nhc.records import record
 
 DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED, STALLED = range(9)

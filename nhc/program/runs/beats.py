@@ -4,7 +4,7 @@ The stages of such a step see a few phases of it, and so does the estimate of it
 are.  Where the state hardly feels a force, steps are that long; those that meet lucky phases are taken, and where they span whole
 periods the next ones meet the same phases, so that errors add up.  But how fast a function of time goes is known before the run,
 and a step of many radians can ask what it passes over (``templates/c/methods/beats.c.jinja``, and step for step the same
-:mod:`nhc.simulate.methods.beating`).
+:mod:`nhc.simulate.stepping.beating`).
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ Adaptive steps see a force by its values at their stages.  Between two places wh
 the road, a thin wall or a body far away lies between the stages: the estimate of the error knows nothing of it.  The *argument* of
 such a function is a slow function of time even where the function is not: ((x - 50)/w)^2 under an exponential, |x - 50| - w under a
 maximum.  So a step is as long as the arguments at its ends and within it allow (``templates/c/methods/leaps.c.jinja``, and step for
-step the same :mod:`nhc.simulate.methods.leaping`): one that would pass by their special value, zero, is tried again with a quarter
+step the same :mod:`nhc.simulate.stepping.leaping`): one that would pass by their special value, zero, is tried again with a quarter
 of its length.
 """
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nhc.program.runs.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.records import record
 
 Row = tuple[float, ...]

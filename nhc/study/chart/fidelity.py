@@ -17,7 +17,7 @@ from nhc.mechanics.scenes import start_of
 from nhc.program.scene_model import SceneModel, count_operations_of, scene_model
 from nhc.records import record
 from nhc.simulate.auto import choose_method
-from nhc.simulate.compile import find_compiler
+from nhc.simulate.c.compile import find_compiler
 from nhc.simulate.opening import find_need, find_scene
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of

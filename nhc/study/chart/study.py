@@ -11,7 +11,7 @@ from nhc.language import decode
 from nhc.language.spec import Scene
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
-from nhc.simulate.compile import CompileError, find_compiler
+from nhc.simulate.c.compile import CompileError, find_compiler
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.methods import STRUCTURE as SCHEMES

@@ -21,18 +21,18 @@ from nhc.mechanics.scenes import Start
 from nhc.mechanics.turning import mass_matrix
 from nhc.program.build import build_functions
 from nhc.program.planning.planner import Planner
+from nhc.program.runs.limits import LEAST_TOLERANCE, SAFETY
 from nhc.program.runs.needed import Column, needed_function, reactions_of
-from nhc.program.runs.stepping import LEAST_TOLERANCE, SAFETY
 from nhc.program.runs.structure import structure_of
-from nhc.simulate.compile import CompileError, build, tell_why
-from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.c.compile import CompileError, build, tell_why
+from nhc.simulate.c.compiled import CompiledModel
+from nhc.simulate.c.source import write_natural, write_source
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.run import list_times
-from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import DONE, ModelError, Outcome, Task
 from nhc.study.units import Matrix, cleaned, sizes_of, trials
 

@@ -6,7 +6,7 @@ import math
 import sys
 from collections.abc import Callable
 
-from nhc.program.runs.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods.step import NoSolution, Step, Vector
 
 _PART = 2.0**-40

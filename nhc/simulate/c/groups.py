@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from nhc.records import record
-from nhc.simulate.kernel import Kernel
+from nhc.simulate.c.kernel import Kernel
 from nhc.simulate.methods.tableau import Explicit, Row
 
 FOUR = 4  # doubles of a pack

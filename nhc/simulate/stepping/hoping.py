@@ -5,7 +5,7 @@ The same in C: ``templates/c/methods/hopes.c.jinja``.
 
 from __future__ import annotations
 
-from nhc.program.runs.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods.explicit import find_errors
 from nhc.simulate.methods.step import Step
 from nhc.simulate.methods.tableau import Explicit, Tableau

@@ -17,8 +17,8 @@ from nhc.emit.names import Scope
 from nhc.emit.statements import collect_refs, drop_unused, fill_stores, iterate_refs, split_hoisted
 from nhc.program.ir import Call, Expr, Function, Guard, Let, Load, Program, Solve, Statement, Store
 from nhc.records import record
-from nhc.simulate.angles import TURNED, Turn, gather_angles, name_turned
-from nhc.simulate.layers import Split, split_layers
+from nhc.simulate.c.angles import TURNED, Turn, gather_angles, name_turned
+from nhc.simulate.c.layers import Split, split_layers
 
 ONE, PACK, LANES = "one", "pack", "lanes"
 _MAPPED = ("fabs", "sqrt", "exp", "log", "pow", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh")

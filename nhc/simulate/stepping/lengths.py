@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from nhc.program.runs.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods.step import Step
 from nhc.simulate.methods.tableau import Explicit, Tableau
 

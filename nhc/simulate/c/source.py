@@ -9,15 +9,15 @@ from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
 from nhc.program.ir import Beats, Function, Load, Program
 from nhc.program.runs.hold import SINGULAR_HOLD, TORN_HOLD
-from nhc.program.runs.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.program.runs.watch import WEAK
 from nhc.records import record
-from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
-from nhc.simulate.kernel import Kernel, print_kernel
+from nhc.simulate.c.groups import FOUR, Waiting, count_slots, plan_waiting
+from nhc.simulate.c.kernel import Kernel, print_kernel
 from nhc.simulate.methods.natural import Scheme
 from nhc.simulate.methods.step import ASIDE
 from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
-from nhc.simulate.methods.watching import LOW, MOST_HALVINGS
+from nhc.simulate.stepping.watching import LOW, MOST_HALVINGS
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 

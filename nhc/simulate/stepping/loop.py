@@ -9,18 +9,18 @@ from copy import copy
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
-from nhc.program.runs.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods import collocation, explicit
-from nhc.simulate.methods.beating import Beating, find_turn
-from nhc.simulate.methods.holding import Held, hold_end
-from nhc.simulate.methods.hoping import count_on_hopes, find_hollow, go_back, look_on
-from nhc.simulate.methods.leaping import Placed, find_most
-from nhc.simulate.methods.lengths import find_growth, guess_length, limit_growth
-from nhc.simulate.methods.rounding import is_faint, reconsider
 from nhc.simulate.methods.step import NoSolution, Step
-from nhc.simulate.methods.stops import cross, foresee, next_bound
 from nhc.simulate.methods.tableau import Explicit, Tableau
-from nhc.simulate.methods.watching import (
+from nhc.simulate.stepping.beating import Beating, find_turn
+from nhc.simulate.stepping.holding import Held, hold_end
+from nhc.simulate.stepping.hoping import count_on_hopes, find_hollow, go_back, look_on
+from nhc.simulate.stepping.leaping import Placed, find_most
+from nhc.simulate.stepping.lengths import find_growth, guess_length, limit_growth
+from nhc.simulate.stepping.rounding import is_faint, reconsider
+from nhc.simulate.stepping.stops import cross, foresee, next_bound
+from nhc.simulate.stepping.watching import (
     MOST_HALVINGS,
     Watching,
     approaches,
