@@ -1,14 +1,16 @@
-"""Products taken apart: the part made of parameters as a monomial, and the rest."""
+"""Sums and products taken apart: terms, factors and their powers, the part made of parameters as a monomial."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 
-from nhc.algebra.graph import MUL, NEG, NUM, POW, Graph, Node
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
+from nhc.algebra.nodes import Rational
 from nhc.records import fresh, record
 
 _ONE = Fraction(1)
+_FEW_FACTORS = 8
 
 
 @record
@@ -37,6 +39,53 @@ def common(monomials: Sequence[Monomial]) -> Monomial:
     number = abs(first.number)
     shared = number if all(abs(m.number) == number for m in monomials) else _ONE
     return Monomial(shared, {base: n for base, n in powers.items() if n > 0})
+
+
+def list_terms(graph: Graph, node: Node, whole: Collection[Node] = ()) -> list[Node]:
+    """The terms of a sum with their signs, from left to right; sums in ``whole`` are terms themselves, and zero has none."""
+    g, found = graph, list[Node]()
+    stack = [(node, False)]
+    while stack:
+        top, negative = stack.pop()
+        if g.op[top] == NEG:
+            stack.append((g.a[top], not negative))
+        elif g.op[top] == ADD and not (whole and (g.neg(top) if negative else top) in whole):
+            stack += [(g.b[top], negative), (g.a[top], negative)]
+        elif top != g.zero:
+            found.append(g.neg(top) if negative else top)
+    return found
+
+
+def list_factors(graph: Graph, node: Node) -> list[Node]:
+    """The factors of a product from left to right, -1 for its sign at the end; of many, the last ones stay together."""
+    g, found, stack, negative = graph, list[Node](), [node], False
+    while stack:
+        top = stack.pop()
+        if g.op[top] == NEG:
+            negative = not negative
+            stack.append(g.a[top])
+        elif g.op[top] == MUL and len(found) + len(stack) < _FEW_FACTORS:
+            stack += [g.b[top], g.a[top]]
+        else:
+            found.append(top)
+    return [*found, g.number(-1)] if negative else found
+
+
+def split_powers(graph: Graph, term: Node) -> tuple[Rational, dict[Node, int]]:
+    """A product as its number and the powers of its factors, from left to right; sums are factors, also under powers."""
+    number: Rational = 1
+    powers, stack = dict[Node, int](), [term]
+    while stack:
+        coefficient, core = graph.split_coefficient(stack.pop())
+        number *= coefficient
+        if core == graph.one:
+            continue
+        if graph.op[core] == MUL:
+            stack += [graph.b[core], graph.a[core]]
+        else:
+            base, n = (graph.a[core], graph.b[core]) if graph.op[core] == POW else (core, 1)
+            powers[base] = powers.get(base, 0) + n
+    return number, powers
 
 
 def split_parameters(graph: Graph, node: Node, mask: int) -> tuple[Monomial, Node]:

@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.algebra.calculus import list_terms
 from nhc.algebra.graph import NEG, Node
-from nhc.algebra.monomials import split_parameters
+from nhc.algebra.monomials import list_terms, split_parameters
 from nhc.mechanics.trees.chain import Chain
 
 

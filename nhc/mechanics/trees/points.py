@@ -10,10 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import permutations
 
-from nhc.algebra.calculus import list_terms, reachable
+from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, NEG, Node
-from nhc.algebra.monomials import split_parameters
-from nhc.mechanics.directions import list_factors
+from nhc.algebra.monomials import list_factors, list_terms, split_parameters
 from nhc.mechanics.moving.signatures import Signature
 from nhc.mechanics.trees.frames import ROOT, ZERO, Frame, Frames
 from nhc.mechanics.turns import Vector, add_vectors, scale_vector
