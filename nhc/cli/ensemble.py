@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from nhc.simulate.run import Settings
 
 SHOWN = 20
-_TABLE = "name a CSV table with a header of names, or `-` for standard input"
 """Failures that are told one by one."""
+_TABLE = "name a CSV table with a header of names, or `-` for standard input"
 
 
 def check_options(method: str, step: float, until: str, project: bool, target: Path | None) -> None:
