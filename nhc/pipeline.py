@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from nhc.study.chart.fidelity import Comparison
     from nhc.study.chart.grid import Grid
     from nhc.study.chart.study import Show
-    from nhc.study.motion import Findings, Request
+    from nhc.study.linearization.motion import Findings, Request
     from nhc.study.simplify.ladder import Ladder
     from nhc.study.simplify.search import Show as ShowTrial
     from nhc.study.stability.laboratory import Laboratory, Question
@@ -273,9 +273,9 @@ def linearize(source: Source, request: Request, options: Options = DEFAULT) -> F
 
     Raises:
         SpecError: the spec or the request has errors.
-        nhc.study.steady.NotSteady: no steady motion is found.
+        nhc.study.linearization.steady.NotSteady: no steady motion is found.
     """
-    from nhc.study.motion import linearise, linearise_whole
+    from nhc.study.linearization.motion import linearise, linearise_whole
 
     made = model(source, options)
     study = linearise if options.formulation else linearise_whole
@@ -287,7 +287,7 @@ def stability(source: Source, question: Question, options: Options = DEFAULT) ->
 
     Raises:
         SpecError: the spec or the question has errors.
-        nhc.simulate.opening.RunError: no such scene.
+        nhc.simulate.requests.RunError: no such scene.
     """
     from nhc.mechanics.about import scene_about
     from nhc.study.stability.laboratory import examine, examine_whole
@@ -304,7 +304,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
 
     Raises:
         SpecError: the spec has errors.
-        nhc.simulate.opening.RunError: no such scene or quantity.
+        nhc.simulate.requests.RunError: no such scene or quantity.
         nhc.study.chart.reference.NoReference: no method comes to the end of the scene.
     """
     from nhc.study.chart.study import chart as make

@@ -167,7 +167,7 @@ def _report(error: Exception) -> Exit:
         say("error: the exact test found no point for this system: too many nested roots, or singular everywhere")
         say("  = help: give a square root a coordinate of its own with a `holonomic:` equation, or write its square")
         return Exit.NUMERICAL
-    from nhc.simulate.opening import RunError
+    from nhc.simulate.requests import RunError
 
     if isinstance(error, RunError):
         return _fail(Failure(str(error), error.help))

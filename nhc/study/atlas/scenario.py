@@ -25,7 +25,7 @@ from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.task import Outcome, Task
 from nhc.simulate.workshop import Model, load
-from nhc.study.units import Matrix
+from nhc.study.linearization.units import Matrix
 
 
 @record

@@ -34,7 +34,7 @@ from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE, ModelError, Outcome, Task
-from nhc.study.units import Matrix, cleaned, sizes_of, trials
+from nhc.study.linearization.units import Matrix, cleaned, sizes_of, trials
 
 ROWS = 201
 MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, (20_000, 500)
@@ -151,7 +151,7 @@ class Bench:
 
     @cached_property
     def sizes(self) -> Matrix:
-        """The size of each component of the state in the scene; see :func:`nhc.study.units.sizes_of`."""
+        """The size of each component of the state in the scene; see :func:`nhc.study.linearization.units.sizes_of`."""
         found = [np.abs(slopes) for k in range(0, ROWS, ROWS // 8) if (slopes := self._slopes_at(k)) is not None]
         slopes = np.max(found, axis=0) if found else np.zeros((len(self.job.y),) * 2)
         return sizes_of(np.max(np.abs(self.reference), axis=0), slopes, self.duration, self.equations.system.n)

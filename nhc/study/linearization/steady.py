@@ -11,11 +11,11 @@ import numpy as np
 
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import sampled_rows
-from nhc.study.equations import all_but, bound, equations, exact_equations, turned
-from nhc.study.field import RANK, SINGULAR, Hold, SteadyModel
-from nhc.study.roots import newton_step, refined, undecided
-from nhc.study.turns import Turn, combined
-from nhc.study.units import Matrix, Vector, beside, is_steady, trials
+from nhc.study.linearization.equations import all_but, bound, equations, exact_equations, turned
+from nhc.study.linearization.field import RANK, SINGULAR, Hold, SteadyModel
+from nhc.study.linearization.roots import newton_step, refined, undecided
+from nhc.study.linearization.turns import Turn, combined
+from nhc.study.linearization.units import Matrix, Vector, beside, is_steady, trials
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
 _WEAKEST = 1e-13  # singular values below this part of the largest one are rounding
@@ -55,7 +55,7 @@ class Steady:
     """A steady motion: the state, the largest rate that is left of what should stand still, the steps taken.
 
     ``turning`` is the turn that goes with it, made of ``turns``.  ``residual`` is in the
-    units of :mod:`nhc.study.units`.  ``others`` are states of which it may as well be one, as far as digits tell.
+    units of :mod:`nhc.study.linearization.units`.  ``others`` are states of which it may as well be one, as far as digits tell.
     """
 
     y: tuple[float, ...]

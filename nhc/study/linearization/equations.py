@@ -11,10 +11,10 @@ import numpy as np
 from nhc.algebra.calculus import gradient, reachable
 from nhc.algebra.evaluate import Mpmath, evaluate_into
 from nhc.algebra.graph import Node
-from nhc.study.field import RANK, Hold, SteadyModel
-from nhc.study.roots import Equations
-from nhc.study.turns import Turn, combined
-from nhc.study.units import Matrix, Vector, normal
+from nhc.study.linearization.field import RANK, Hold, SteadyModel
+from nhc.study.linearization.roots import Equations
+from nhc.study.linearization.turns import Turn, combined
+from nhc.study.linearization.units import Matrix, Vector, normal
 
 
 def turned(model: SteadyModel, turns: Sequence[Turn], y: Vector) -> tuple[list[float], SteadyModel]:

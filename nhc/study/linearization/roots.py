@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from nhc.study.units import Matrix, Vector
+from nhc.study.linearization.units import Matrix, Vector
 
 Equations = Callable[[Sequence[Any]], tuple[Sequence[Any], Sequence[Sequence[Any]]]]
 """Values, and their slopes as rows, at a place in mpmath's numbers."""
@@ -55,8 +55,8 @@ def undecided(matrix: Matrix, others: Sequence[Matrix]) -> int:
 def refined(equations: Equations, inside: Matrix, y: Vector) -> Vector | None:
     """The root near y, in its affine space along the rows of ``inside``, to the last digit of a double; None if there is none.
 
-    Levenberg's steps as in :mod:`nhc.study.steady`, in many digits.  At a root of multiplicity m each is 1 - 1/m of the
-    one before, and m times such a step is right up to its square (Ralston and Rabinowitz 1978, 8.6).
+    Levenberg's steps as in :mod:`nhc.study.linearization.steady`, in many digits.  At a root of multiplicity m each is 1 - 1/m
+    of the one before, and m times such a step is right up to its square (Ralston and Rabinowitz 1978, 8.6).
     """
     import mpmath
 

@@ -17,9 +17,9 @@ from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.linearize import HiddenLeaf
 from nhc.mechanics.properties.symmetry import Generator
 from nhc.records import record
-from nhc.study.tape import Tapes
-from nhc.study.turns import Turn, turn_of
-from nhc.study.units import Matrix, Units, Vector, beside, choose_units, cleaned, trials
+from nhc.study.linearization.tape import Tapes
+from nhc.study.linearization.turns import Turn, turn_of
+from nhc.study.linearization.units import Matrix, Units, Vector, beside, choose_units, cleaned, trials
 
 RANK = 1e-9
 """Singular values below this part of the largest one count as zero."""
@@ -265,7 +265,7 @@ class SteadyModel:
             return right[:found] if found == n - leaf.dimension else None
         return right[found:] if found == leaf.dimension else None
 
-    # --- units of the model's own: see nhc.study.units ---
+    # --- units of the model's own: see nhc.study.linearization.units ---
 
     def in_units(self, y: Sequence[float]) -> SteadyModel:
         """The model in units in which its numbers at y (in the spec's) are near one; itself where they are.

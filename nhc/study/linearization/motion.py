@@ -37,12 +37,12 @@ from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.simulate.switching import SOUND
-from nhc.study.asked import SNAP, describe_lost, has_halted, keep_speeds
-from nhc.study.field import Hold, SteadyModel
-from nhc.study.linearize import Linearisation, linearise_at
-from nhc.study.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
-from nhc.study.sweep import Branch, Sweep, sweep
-from nhc.study.tape import Tapes
+from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_speeds
+from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.linearize import Linearisation, linearise_at
+from nhc.study.linearization.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
+from nhc.study.linearization.sweep import Branch, Sweep, sweep
+from nhc.study.linearization.tape import Tapes
 
 Found = TypeVar("Found")
 

@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from nhc.records import record
-from nhc.study.field import Hold, SteadyModel
-from nhc.study.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
-from nhc.study.steady import NotSteady, find_steady
+from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
+from nhc.study.linearization.steady import NotSteady, find_steady
 
 _BISECTIONS = 60
 _ZERO = "an eigenvalue passes zero"

@@ -14,11 +14,11 @@ from dataclasses import replace
 import numpy as np
 
 from nhc.records import record
-from nhc.study.field import RANK, SteadyModel
-from nhc.study.roots import undecided
-from nhc.study.steady import Steady, find_steady
-from nhc.study.turns import Turn
-from nhc.study.units import Matrix, balance
+from nhc.study.linearization.field import RANK, SteadyModel
+from nhc.study.linearization.roots import undecided
+from nhc.study.linearization.steady import Steady, find_steady
+from nhc.study.linearization.turns import Turn
+from nhc.study.linearization.units import Matrix, balance
 
 ROUNDING = 1e-13
 """By how much, relative to its size, the matrix may be off."""
@@ -34,7 +34,7 @@ class Linearisation:
     """``full`` is the Jacobian over ``rest``, without entries that are rounding; ``basis`` (rows over ``rest``) spans the
     admissible perturbations.  ``matrix`` is the Jacobian on it; ``core`` is that without the ``zeros`` null directions (rows of
     ``null`` over ``rest``), of which ``family`` are directions of a family of steady motions; these two are in units of their own
-    (:mod:`nhc.study.units`), with ``tick`` for that of time.  ``notes`` say what could not be told.
+    (:mod:`nhc.study.linearization.units`), with ``tick`` for that of time.  ``notes`` say what could not be told.
     """
 
     steady: Steady

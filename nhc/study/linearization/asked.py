@@ -13,8 +13,8 @@ from nhc.language.spec import Initial, Scene
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.linearize import quantity
 from nhc.mechanics.turning import moving
-from nhc.study.field import Hold, SteadyModel
-from nhc.study.steady import NotSteady, Steady, find_steady
+from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.steady import NotSteady, Steady, find_steady
 
 SNAP = 1e-11
 """What differs by no more, relative to its size, is the same."""

@@ -11,7 +11,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.properties.symmetry import Generator
-from nhc.study.units import Matrix, Vector
+from nhc.study.linearization.units import Matrix, Vector
 
 AXIS = 1e-9
 """Of the way of a turn over a state of the usual size: what goes less lies on its axis."""
