@@ -19,7 +19,7 @@ from nhc.mechanics.system import System
 from nhc.mechanics.turning import moving
 from nhc.program.ir import Argument, Function, Origin, Quantity
 from nhc.program.lowering.lower import lower_function
-from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
+from nhc.program.plan import Entry, FunctionPlan, GuardPlan, SolvePlan, Target
 from nhc.program.planning.mass_route import mass_route
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
@@ -256,12 +256,13 @@ class PlannerBase:
         name: str,
         about: str,
         equation: str,
-        size: int,
-        nodes: Sequence[tuple[Node, str, str]],
+        entries: Sequence[Entry],
         guards: tuple[GuardPlan, ...] = (),
         solves: tuple[SolvePlan, ...] = (),
+        *,
+        size: int | None = None,
     ) -> FunctionPlan:
-        """A function of (t, y, p) that writes ``nodes`` (value, about, place) into its output array."""
+        """A function of (t, y, p) that writes ``entries`` into its output array, whose ``size`` is theirs if not given."""
         output = {
             "rhs": "dydt",
             "velocities": "qdot",
@@ -270,21 +271,9 @@ class PlannerBase:
             "jacobian": "J",
             "outputs": "out",
         }[name]
-        targets = tuple(
-            Target(k, node, about_, Origin(equation, place)) for k, (node, about_, place) in enumerate(nodes)
-        )
-        return FunctionPlan(
-            name,
-            about,
-            equation,
-            (T_ARGUMENT, self.y, self.p),
-            Argument(output, size),
-            self.state_loads,
-            targets,
-            None,
-            guards,
-            solves,
-        )
+        targets = tuple(Target(k, e.node, e.about, Origin(equation, e.place)) for k, e in enumerate(entries))
+        inputs, written = (T_ARGUMENT, self.y, self.p), Argument(output, len(targets) if size is None else size)
+        return FunctionPlan(name, about, equation, inputs, written, self.state_loads, targets, None, guards, solves)
 
     def lower_out(
         self,

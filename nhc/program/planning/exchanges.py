@@ -19,7 +19,7 @@ from nhc.mechanics.frame import form_value, total_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.turning import from_base, moving
 from nhc.program.ir import Function
-from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, SweepPlan, Target
+from nhc.program.plan import Entry, FunctionPlan, GuardPlan, SolvePlan, SweepPlan, Target
 from nhc.program.planning.base import SINGULAR_FRAME
 from nhc.program.planning.planner import Planner
 from nhc.program.planning.scene import ScenePlanner
@@ -100,9 +100,9 @@ class ExchangePlanner(Planner):
 
     def accelerations(self) -> FunctionPlan:
         names = [f"{name}''" for name in self.system.q_names]
-        nodes = [(a, name, "") for a, name in zip(self.accelerated, names, strict=True)]
+        entries = [Entry(a, name) for a, name in zip(self.accelerated, names, strict=True)]
         about, number = "all accelerations q'' on the motion", self.equations.number
-        return self._with_solves(self.plan("accelerations", about, number, self.system.n, nodes))
+        return self._with_solves(self.plan("accelerations", about, number, entries))
 
     def reactions(self) -> FunctionPlan:
         return self._with_solves(super().reactions())
@@ -114,8 +114,8 @@ class ExchangePlanner(Planner):
         if not isinstance(self.base, ScenePlanner):
             return self._with_solves(super().outputs())
         names = [column.name for column in self.base.reduction.outputs]
-        nodes = [(node, name, "") for node, name in zip(self.needed_nodes(names), names, strict=True)]
-        return self._with_solves(self.plan("outputs", "what the scene needs", "", len(nodes), nodes))
+        entries = [Entry(node, name) for node, name in zip(self.needed_nodes(names), names, strict=True)]
+        return self._with_solves(self.plan("outputs", "what the scene needs", "", entries))
 
     def needed_nodes(self, names: Sequence[str]) -> list[Node]:
         """The columns of a scene by their names."""
@@ -147,7 +147,7 @@ class ExchangePlanner(Planner):
         )
         sweeps = (self._sweep_velocities(inverse), self._sweep_rates(rates, weights, inverse))
         about = "Jacobian matrix of rhs, d rhs_i / d y_j"
-        plan = self.plan("jacobian", about, self.equations.number, size * size, (), (), solves)
+        plan = self.plan("jacobian", about, self.equations.number, (), (), solves, size=size * size)
         return replace(plan, sweeps=tuple(sweep for sweep in sweeps if sweep.targets))
 
     def _sweep_velocities(self, inverse: Sequence[Sequence[Node]]) -> SweepPlan:

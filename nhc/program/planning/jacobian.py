@@ -13,7 +13,7 @@ from dataclasses import replace
 from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.shorten import shorten
-from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target
+from nhc.program.plan import Entry, FunctionPlan, SolvePlan, SweepPlan, Target
 from nhc.program.planning.base import PlannerBase
 from nhc.program.planning.mass_route import Solver
 from nhc.records import record
@@ -49,10 +49,10 @@ def plan_jacobian(planner: PlannerBase) -> FunctionPlan:
         "jacobian",
         "Jacobian matrix of rhs, d rhs_i / d y_j",
         planner.equations.number,
-        size * size,
-        [(node, "", "") for row in rows for node in row],
+        [Entry(node) for row in rows for node in row],
         planner.frame_guards() + planner.mass_guards,
         slopes.solves,
+        size=size * size,
     )
     targets = tuple(target for target in plan.targets if target.node != g.zero)
     return replace(plan, targets=targets, sweeps=(*swept, *slopes.sweeps))

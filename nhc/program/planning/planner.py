@@ -14,7 +14,7 @@ from nhc.mechanics.formulate import accelerations, reaction_ways
 from nhc.mechanics.frame import form_value, kept_forms
 from nhc.mechanics.system import Form
 from nhc.program.ir import Argument, Origin
-from nhc.program.plan import FunctionPlan, Target
+from nhc.program.plan import Entry, FunctionPlan, Target
 from nhc.program.planning.base import T_ARGUMENT, PlannerBase
 from nhc.program.planning.jacobian import plan_jacobian
 from nhc.program.planning.rewrite import rewrite
@@ -40,36 +40,28 @@ class Planner(PlannerBase):
         system, motion = self.system, self.equations.motion
         rates = self.known(motion.rates)
         names, q_names = self.kept_names(), system.q_names
-        nodes = [(motion.velocities[i], f"{q_names[i]}'", "") for i in self.kept_q]
-        nodes += [(rates[k], f"{names[k]}'", system.places["T"]) for k in self.kept_w]
+        entries = [Entry(motion.velocities[i], f"{q_names[i]}'") for i in self.kept_q]
+        entries += [Entry(rates[k], f"{names[k]}'", system.places["T"]) for k in self.kept_w]
         return self.plan(
             "rhs",
             "right-hand side dy/dt = f(t, y; p)",
             self.equations.number,
-            self.y.size,
-            nodes,
+            entries,
             self.frame_guards() + self.mass_guards,
             self.solves,
         )
 
     def velocities(self) -> FunctionPlan:
         system = self.system
-        nodes = [(v, f"{name}'", "") for v, name in zip(self.equations.motion.velocities, system.q_names, strict=True)]
-        return self.plan(
-            "velocities", "all velocities q' from the state", "I.2.4", system.n, nodes, self.frame_guards()
-        )
+        pairs = zip(self.equations.motion.velocities, system.q_names, strict=True)
+        entries = [Entry(v, f"{name}'") for v, name in pairs]
+        return self.plan("velocities", "all velocities q' from the state", "I.2.4", entries, self.frame_guards())
 
     def accelerations(self) -> FunctionPlan:
         system = self.system
         values = self.after_rates("accelerations", accelerations(self.equations))
-        nodes = [(a, f"{name}''", "") for a, name in zip(values, system.q_names, strict=True)]
-        return self.take_rates(
-            "accelerations",
-            "all accelerations q'' on the motion",
-            self.equations.number,
-            system.n,
-            nodes,
-        )
+        entries = [Entry(a, f"{name}''") for a, name in zip(values, system.q_names, strict=True)]
+        return self.take_rates("accelerations", "all accelerations q'' on the motion", self.equations.number, entries)
 
     def reactions(self) -> FunctionPlan:
         if self.equations.multipliers:
@@ -82,11 +74,11 @@ class Planner(PlannerBase):
 
     def _reactions(self, values: Sequence[Node]) -> FunctionPlan:
         system = self.system
-        nodes = [
-            (value, f"reaction of {form.name}: Q_i gains lambda_{k + 1} a_{k + 1}i", form.place)
+        entries = [
+            Entry(value, f"reaction of {form.name}: Q_i gains lambda_{k + 1} a_{k + 1}i", form.place)
             for k, (value, form) in enumerate(zip(values, system.constraints, strict=True))
         ]
-        return self.take_rates("reactions", "reactions lambda of the constraints", "I.4.1", system.l, nodes)
+        return self.take_rates("reactions", "reactions lambda of the constraints", "I.4.1", entries)
 
     # --- what follows from the rates ------------------------------------------------------------------------
 
@@ -103,12 +95,10 @@ class Planner(PlannerBase):
         """The nodes of a function shortened, with the rates put in unless they come from ``rhs``."""
         return shorten(self.graph, list(nodes) if self.calls_rhs(name) else self.known(nodes))
 
-    def take_rates(
-        self, name: str, about: str, equation: str, size: int, nodes: Sequence[tuple[Node, str, str]]
-    ) -> FunctionPlan:
-        """The plan of a function of nodes from :meth:`after_rates`."""
+    def take_rates(self, name: str, about: str, equation: str, entries: Sequence[Entry]) -> FunctionPlan:
+        """The plan of a function of entries from :meth:`after_rates`."""
         guards = self.frame_guards() + self.mass_guards
-        plan = self.plan(name, about, equation, size, nodes, guards, self.solves)
+        plan = self.plan(name, about, equation, entries, guards, self.solves)
         if not self.calls_rhs(name):
             return plan
         first, names = len(self.kept_q), self.kept_names()
@@ -119,11 +109,11 @@ class Planner(PlannerBase):
 
     def outputs(self) -> FunctionPlan:
         values = self.on_motion([node for _, node in self.system.outputs])
-        nodes = [
-            (node, name, self.system.places.get(name, ""))
+        entries = [
+            Entry(node, name, self.system.places.get(name, ""))
             for (name, _), node in zip(self.system.outputs, values, strict=True)
         ]
-        return self.plan("outputs", "the spec's outputs", "", len(nodes), nodes, self.frame_guards())
+        return self.plan("outputs", "the spec's outputs", "", entries, self.frame_guards())
 
     def energy(self) -> FunctionPlan:
         value = self.on_motion([self.system.energy])[0]

@@ -17,7 +17,7 @@ from nhc.mechanics.motion import Motion
 from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.ir import Quantity
-from nhc.program.plan import FunctionPlan
+from nhc.program.plan import Entry, FunctionPlan
 from nhc.program.planning.planner import Planner
 
 
@@ -147,9 +147,7 @@ class ScenePlanner(Planner):
         nodes = self.needed_nodes()
         rates = self.graph.mask((*self.equations.motion.rates, *self.equations.multipliers))
         moving = any(self.graph.depends(node, rates) for node, _ in columns)
-        written = [(node, name, "") for node, (_, name) in zip(nodes, columns, strict=True)]
+        written = [Entry(node, name) for node, (_, name) in zip(nodes, columns, strict=True)]
         plain = all(node in self.state_loads for node in nodes)  # then there is nothing that can be singular
         guards = () if plain else self.frame_guards() + (self.mass_guards if moving else ())
-        return self.plan(
-            "outputs", "what the scene needs", "", len(written), written, guards, self.solves if moving else ()
-        )
+        return self.plan("outputs", "what the scene needs", "", written, guards, self.solves if moving else ())
