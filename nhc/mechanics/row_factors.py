@@ -10,7 +10,7 @@ from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
-from nhc.algebra.monomials import split_powers
+from nhc.algebra.parts import split_powers
 from nhc.mechanics.directions import along_direction
 from nhc.records import record
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.monomials import list_terms
+from nhc.algebra.parts import list_terms
 from nhc.algebra.polynomial import normalise
 
 _MOST_TERMS = 4

@@ -12,8 +12,8 @@ from itertools import combinations
 from nhc.algebra.calculus import reachable, rebuild
 from nhc.algebra.expand import Monomial, Polynomial
 from nhc.algebra.graph import ADD, NEG, Graph, Node
-from nhc.algebra.monomials import list_terms, split_powers
 from nhc.algebra.nodes import Rational
+from nhc.algebra.parts import list_terms, split_powers
 
 _OTHER = {"sin": "cos", "cos": "sin"}
 _MOST = 60  # terms of a sum that are looked at

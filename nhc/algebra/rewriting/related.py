@@ -12,8 +12,8 @@ from fractions import Fraction
 
 from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.monomials import list_terms
 from nhc.algebra.nodes import Rational
+from nhc.algebra.parts import list_terms
 from nhc.algebra.rewriting.angles import Pair, add_angles
 
 Angle = tuple[tuple[Node, Rational], ...]

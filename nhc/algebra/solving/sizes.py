@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.monomials import list_factors
+from nhc.algebra.parts import list_factors
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rewriting.shorten import shorten
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations
 
 from nhc.algebra.graph import NEG, SYM, Graph, Node
-from nhc.algebra.monomials import list_terms
+from nhc.algebra.parts import list_terms
 from nhc.mechanics.directions import Sided, along_direction
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving.axes import Setting

@@ -18,7 +18,7 @@ from itertools import permutations
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.monomials import list_factors, list_terms
+from nhc.algebra.parts import list_factors, list_terms
 from nhc.mechanics.moving.signatures import Signature, Signatures
 from nhc.mechanics.trees.rates import Rates
 from nhc.mechanics.turns import Vector, add_vectors, cross, scale_vector

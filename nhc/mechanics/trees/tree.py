@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.monomials import sum_products
+from nhc.algebra.parts import sum_products
 from nhc.mechanics.trees.chain import Chain
 from nhc.mechanics.trees.order import choose_order
 from nhc.mechanics.trees.recursion import Terms, Weights

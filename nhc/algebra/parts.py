@@ -1,4 +1,4 @@
-"""Sums and products taken apart: terms, factors and their powers, the part made of parameters as a monomial."""
+"""Sums and products taken apart: terms, factors and their powers, the factor made of parameters."""
 
 from __future__ import annotations
 
@@ -14,31 +14,31 @@ _FEW_FACTORS = 8
 
 
 @record
-class Monomial:
+class Factor:
     """``number`` times the product of nodes to integer powers."""
 
     number: Fraction = _ONE
     powers: Mapping[Node, int] = fresh(factory=dict)
 
     def node(self, graph: Graph) -> Node:
-        """The monomial as a node; equal monomials are one node."""
+        """The factor as a node; equal factors are one node."""
         product = graph.product([graph.power(base, n) for base, n in sorted(self.powers.items()) if n])
         return graph.mul(graph.number(self.number), product)
 
-    def divisible_by(self, other: Monomial, times: int = 1) -> bool:
+    def divisible_by(self, other: Factor, times: int = 1) -> bool:
         """Whether no symbol stands in a denominator after division by ``other ** times`` that did not before."""
         return all(self.powers.get(base, 0) >= n * times for base, n in other.powers.items() if n > 0)
 
 
-def common(monomials: Sequence[Monomial]) -> Monomial:
+def common(factors: Sequence[Factor]) -> Factor:
     """The largest product of positive powers in all of them, with their number where they share it."""
-    if not monomials:
-        return Monomial()
-    first = monomials[0]
-    powers = {base: min(m.powers.get(base, 0) for m in monomials) for base in first.powers}
+    if not factors:
+        return Factor()
+    first = factors[0]
+    powers = {base: min(m.powers.get(base, 0) for m in factors) for base in first.powers}
     number = abs(first.number)
-    shared = number if all(abs(m.number) == number for m in monomials) else _ONE
-    return Monomial(shared, {base: n for base, n in powers.items() if n > 0})
+    shared = number if all(abs(m.number) == number for m in factors) else _ONE
+    return Factor(shared, {base: n for base, n in powers.items() if n > 0})
 
 
 def list_terms(graph: Graph, node: Node, whole: Collection[Node] = ()) -> list[Node]:
@@ -88,8 +88,8 @@ def split_powers(graph: Graph, term: Node) -> tuple[Rational, dict[Node, int]]:
     return number, powers
 
 
-def split_parameters(graph: Graph, node: Node, mask: int) -> tuple[Monomial, Node]:
-    """(positive monomial of what consists of the symbols of ``mask``, all other factors with the sign)."""
+def split_parameters(graph: Graph, node: Node, mask: int) -> tuple[Factor, Node]:
+    """(positive factor of what consists of the symbols of ``mask``, all other factors with the sign)."""
     number, powers = _ONE, dict[Node, int]()
     rest: list[Node] = []
     stack = [(node, 1)]
@@ -110,13 +110,13 @@ def split_parameters(graph: Graph, node: Node, mask: int) -> tuple[Monomial, Nod
         else:
             rest.append(graph.power(part, n))
     product = graph.product(sorted(rest))
-    return Monomial(abs(number), powers), graph.neg(product) if number < 0 else product
+    return Factor(abs(number), powers), graph.neg(product) if number < 0 else product
 
 
 def tidy(graph: Graph, node: Node, mask: int) -> Node:
     """The product with its parameters gathered in one factor."""
-    monomial, rest = split_parameters(graph, node, mask)
-    return graph.mul(monomial.node(graph), rest)
+    factor, rest = split_parameters(graph, node, mask)
+    return graph.mul(factor.node(graph), rest)
 
 
 def sum_products(graph: Graph, terms: Iterable[Node], mask: int) -> Node:
