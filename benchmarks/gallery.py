@@ -18,7 +18,7 @@ from benchmarks.systems import GALLERY
 from nhc.language import read
 from nhc.mechanics.values import parameter_value
 from nhc.pipeline import Model, Options, emit, model
-from nhc.program.build import Planner
+from nhc.program.planning.planner import Planner
 
 _STATES = 8
 _NEAR = 1e-9  # what nhc and the peer may differ by

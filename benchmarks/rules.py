@@ -18,9 +18,9 @@ from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
-from nhc.program.build import CALLED
 from nhc.program.ir import Program
 from nhc.program.model import build_program
+from nhc.program.planning.planner import CALLED
 
 PAGE = ROOT / "docs" / "rewriting.md"
 SYSTEMS = (

@@ -25,8 +25,8 @@ from benchmarks.systems import spec as write_spec
 from benchmarks.table import PAGE, Row, describe_machine, print_section
 from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
-from nhc.simulate.compile import build
-from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.c.compile import build
+from nhc.simulate.c.compiled import CompiledModel
 from nhc.simulate.ensemble import load_lanes
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job

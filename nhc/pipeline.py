@@ -26,10 +26,11 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import check_scene_name, start_of
 from nhc.mechanics.system import System
-from nhc.program.build import FUNCTIONS, Planner
+from nhc.program.build import FUNCTIONS
 from nhc.program.ir import Program
 from nhc.program.model import build_program
-from nhc.program.starting import warn_as_given, warn_negative, warn_undetermined
+from nhc.program.planning.planner import Planner
+from nhc.program.runs.starting import warn_as_given, warn_negative, warn_undetermined
 from nhc.records import record
 from nhc.stamp import stamp
 
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
     from nhc.study.chart.fidelity import Comparison
     from nhc.study.chart.grid import Grid
     from nhc.study.chart.study import Show
-    from nhc.study.motion import Findings, Request
+    from nhc.study.linearization.motion import Findings, Request
     from nhc.study.simplify.ladder import Ladder
     from nhc.study.simplify.search import Show as ShowTrial
     from nhc.study.stability.laboratory import Laboratory, Question
@@ -272,9 +273,9 @@ def linearize(source: Source, request: Request, options: Options = DEFAULT) -> F
 
     Raises:
         SpecError: the spec or the request has errors.
-        nhc.study.steady.NotSteady: no steady motion is found.
+        nhc.study.linearization.steady.NotSteady: no steady motion is found.
     """
-    from nhc.study.motion import linearise, linearise_whole
+    from nhc.study.linearization.motion import linearise, linearise_whole
 
     made = model(source, options)
     study = linearise if options.formulation else linearise_whole
@@ -286,7 +287,7 @@ def stability(source: Source, question: Question, options: Options = DEFAULT) ->
 
     Raises:
         SpecError: the spec or the question has errors.
-        nhc.simulate.opening.RunError: no such scene.
+        nhc.simulate.requests.RunError: no such scene.
     """
     from nhc.mechanics.about import scene_about
     from nhc.study.stability.laboratory import examine, examine_whole
@@ -303,7 +304,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
 
     Raises:
         SpecError: the spec has errors.
-        nhc.simulate.opening.RunError: no such scene or quantity.
+        nhc.simulate.requests.RunError: no such scene or quantity.
         nhc.study.chart.reference.NoReference: no method comes to the end of the scene.
     """
     from nhc.study.chart.study import chart as make

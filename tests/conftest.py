@@ -16,8 +16,8 @@ import numpy
 import pytest
 
 from nhc.cli.entry import RARE_COLLECTION
-from nhc.simulate import compile as compiling
 from nhc.simulate import workshop
+from nhc.simulate.c import compile as compiling
 from tests.support import QUICK, UNOPTIMISED
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -17,7 +17,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.system import Form
 from nhc.pipeline import Model
-from nhc.program.build import Planner
+from nhc.program.planning.planner import Planner
 
 
 class _Symbols:

@@ -5,7 +5,7 @@ All passes loop over node numbers (children come before parents), so deep expres
 
 from __future__ import annotations
 
-from collections.abc import Collection, Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from fractions import Fraction
 
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, SYM, Graph, Node
@@ -329,18 +329,3 @@ def count(graph: Graph, roots: Sequence[Node]) -> int:
         elif kids[node] and kind != NEG:
             total += 1
     return total
-
-
-def list_terms(graph: Graph, node: Node, whole: Collection[Node] = ()) -> list[Node]:
-    """The terms of a sum with their signs, from left to right; sums in ``whole`` are terms themselves, and zero has none."""
-    g, found = graph, list[Node]()
-    stack = [(node, False)]
-    while stack:
-        top, negative = stack.pop()
-        if g.op[top] == NEG:
-            stack.append((g.a[top], not negative))
-        elif g.op[top] == ADD and not (whole and (g.neg(top) if negative else top) in whole):
-            stack += [(g.b[top], negative), (g.a[top], negative)]
-        elif top != g.zero:
-            found.append(g.neg(top) if negative else top)
-    return found

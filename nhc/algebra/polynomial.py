@@ -15,6 +15,7 @@ from math import gcd, lcm
 from nhc.algebra.calculus import count, reachable
 from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge, is_length
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.terms import add_term
 
 ONE: Monomial = ()
 Terms = list[tuple[Monomial, Coefficient]]
@@ -32,13 +33,12 @@ def polynomial(graph: Graph, node: Node, limit: int = 300, circle: bool = True) 
     return Expander(graph, limit, circle).expand([node])[0]
 
 
-def _put(p: Polynomial, m: Monomial, c: Coefficient) -> None:
-    """Add a term in place."""
-    c += p.get(m, 0)
-    if c:
-        p[m] = c
-    else:
-        p.pop(m, None)
+def argument_terms(graph: Graph, argument: Node) -> Polynomial:
+    """An angle or exponent as a polynomial; it is one term where that would be long."""
+    try:
+        return polynomial(graph, argument, limit=60, circle=False)
+    except TooLarge:
+        return {((argument, 1),): Fraction(1)}
 
 
 def _merge(m1: Monomial, m2: Monomial) -> Monomial:
@@ -83,11 +83,11 @@ def _swap_sines(graph: Graph, p: Polynomial) -> Polynomial | None:
         for monomial, c in p.items():
             e = next((k for f, k in monomial if f == sine), 0)
             if e < 2:
-                _put(result, monomial, c)
+                add_term(result, monomial, c)
                 continue
             rest = tuple((f, k - 2 if f == sine else k) for f, k in monomial if f != sine or k > 2)
-            _put(result, rest, c)
-            _put(result, _merge(rest, ((cosine, 2),)), -c)
+            add_term(result, rest, c)
+            add_term(result, _merge(rest, ((cosine, 2),)), -c)
         if len(result) < len(p):
             return result
     return None

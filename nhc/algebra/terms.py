@@ -12,8 +12,12 @@ _Key = TypeVar("_Key")
 
 
 def put(into: dict[_Key, Polynomial], key: _Key, monomial: Monomial, c: Coefficient) -> None:
+    """Add a term to one of several polynomials, in place."""
+    add_term(into.setdefault(key, {}), monomial, c)
+
+
+def add_term(p: Polynomial, monomial: Monomial, c: Coefficient) -> None:
     """Add a term in place."""
-    p = into.setdefault(key, {})
     c += p.get(monomial, 0)
     if c:
         p[monomial] = c

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.cli.options import FINEST_TOLERANCE, FORMULATIONS, json_option, list_examples, specs_argument
+from nhc.cli.progress import rewrite_line
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
 
@@ -148,7 +148,6 @@ def command(
     sources = [open_spec(spec) for spec in specs]
     finest = open_spec(against) if against else None
     from nhc import pipeline
-    from nhc.simulate.opening import RunError
     from nhc.study.chart.grid import Grid
     from nhc.study.chart.reference import NoReference
 
@@ -159,8 +158,6 @@ def command(
             return Exit.DONE
         for source in sources:
             _deliver(pipeline.chart(source, grid, _show), target, as_json, force)
-    except RunError as error:
-        raise Failure(str(error), error.help) from error
     except NoReference as error:
         raise Failure(str(error), ["`nhc run` says where the scene fails"], exit=Exit.NUMERICAL) from error
     return Exit.DONE
@@ -168,9 +165,7 @@ def command(
 
 def _show(part: float, what: str) -> None:
     """Progress, on a terminal only."""
-    if sys.stderr.isatty():
-        sys.stderr.write(f"\r{100 * part:3.0f} %  {what:40}" if part < 1 else "\r" + " " * 50 + "\r")
-        sys.stderr.flush()
+    rewrite_line(f"{100 * part:3.0f} %  {what}" if part < 1 else "")
 
 
 def _check_target(output: str | None, count: int, as_json: bool) -> Path | None:

@@ -86,7 +86,7 @@ def _folders() -> list[Row]:
 
 def _runs() -> list[Row]:
     """The compiler that ``nhc run`` takes, with its flags, and the folder of what is kept with its size."""
-    from nhc.simulate.compile import CompileError, find_compiler, lane_flags, machine_flags, try_out
+    from nhc.simulate.c.compile import CompileError, find_compiler, lane_flags, machine_flags, try_out
 
     compiler = find_compiler()
     flags = " ".join(machine_flags()) or "no flags for this processor"
@@ -130,7 +130,7 @@ def _measure(folder: Path) -> tuple[int, int, int]:
 
 def _tool(name: str, purpose: str) -> Row:
     """Find a program and the first line in which it names its version; ``CC`` takes the place of ``cc``."""
-    from nhc.simulate.compile import find_compiler
+    from nhc.simulate.c.compile import find_compiler
 
     named = os.environ.get("CC") if name == "cc" else None
     path = shutil.which(name)

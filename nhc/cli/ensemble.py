@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from nhc.simulate.run import Settings
 
 SHOWN = 20
-_TABLE = "name a CSV table with a header of names, or `-` for standard input"
 """Failures that are told one by one."""
+_TABLE = "name a CSV table with a header of names, or `-` for standard input"
 
 
 def check_options(method: str, step: float, until: str, project: bool, target: Path | None) -> None:
@@ -49,7 +49,8 @@ def run_starts(
     """Read the table, integrate every start, write one CSV."""
     from nhc.language import decode
     from nhc.simulate.ensemble import run_ensemble
-    from nhc.simulate.opening import RunError, find_scene, open_scene
+    from nhc.simulate.opening import open_scene
+    from nhc.simulate.requests import RunError, find_scene
     from nhc.simulate.starts import extreme_scenes, list_starts, read_starts
 
     text = _read_table(table)

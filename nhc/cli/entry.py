@@ -124,8 +124,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         say(_describe_usage_error(error, sys.argv[1:] if arguments is None else arguments))
         return Exit.USAGE
     except Failure as failure:
-        say(str(failure))
-        return failure.exit
+        return _fail(failure)
     except ModuleNotFoundError as error:
         package = OPTIONAL.get((error.name or "").partition(".")[0])
         if package is None:
@@ -147,6 +146,11 @@ def _describe_usage_error(error: click.ClickException, arguments: Sequence[str])
     return f"error: {words[:1].lower()}{words[1:]}\n  = help: `{path} -h` shows what it takes"
 
 
+def _fail(failure: Failure) -> Exit:
+    say(str(failure))
+    return failure.exit
+
+
 def _report(error: Exception) -> Exit:
     """Turn any other exception into text: the errors of a spec with their places, a defect of nhc in one line."""
     from nhc.diagnostics import SpecError, render_text
@@ -158,14 +162,16 @@ def _report(error: Exception) -> Exit:
     from nhc.emit.options import EmitError
 
     if isinstance(error, EmitError):
-        failure = Failure(str(error), [error.help], "E0504")
-        say(str(failure))
-        return failure.exit
+        return _fail(Failure(str(error), [error.help], "E0504"))
     if isinstance(error, Unlucky):
         say("error: the exact test found no point for this system: too many nested roots, or singular everywhere")
         say("  = help: give a square root a coordinate of its own with a `holonomic:` equation, or write its square")
         return Exit.NUMERICAL
-    from nhc.simulate.compile import CacheError, CompileError
+    from nhc.simulate.requests import RunError
+
+    if isinstance(error, RunError):
+        return _fail(Failure(str(error), error.help))
+    from nhc.simulate.c.compile import CacheError, CompileError
 
     if isinstance(error, CompileError):  # runs go on in Python; what charts and studies measure is compiled
         what = (

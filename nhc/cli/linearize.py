@@ -23,9 +23,9 @@ from nhc.cli.terminal import Exit, Failure, put, put_json
 from nhc.diagnostics import quote, several
 
 if TYPE_CHECKING:
-    from nhc.study.linearize import Mode
-    from nhc.study.motion import Findings
-    from nhc.study.sweep import Sweep
+    from nhc.study.linearization.linearize import Mode
+    from nhc.study.linearization.motion import Findings
+    from nhc.study.linearization.sweep import Sweep
 
 
 _OTHERS = (
@@ -70,8 +70,8 @@ def command(
     source = open_spec(spec)
     about = about or take_first_scene(source, "to start from", "give values, such as `--about x=0`")
     from nhc.pipeline import Options, linearize
-    from nhc.study.motion import Request
-    from nhc.study.steady import NotSteady
+    from nhc.study.linearization.motion import Request
+    from nhc.study.linearization.steady import NotSteady
 
     try:
         request = Request(about, settings, holds, sweep)
@@ -94,8 +94,8 @@ def command(
 
 def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
     """The findings as a tree: numbers in full, the state by names."""
-    from nhc.study.linearize import eigenvalues, verdict
-    from nhc.study.turns import list_rates
+    from nhc.study.linearization.linearize import eigenvalues, verdict
+    from nhc.study.linearization.turns import list_rates
 
     flow, made = found.flow, found.linearisation
     names = [flow.names[i] for i in made.rest]
@@ -134,7 +134,7 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
 
 
 def _motion_lines(found: Findings) -> list[str]:
-    from nhc.study.turns import list_rates
+    from nhc.study.linearization.turns import list_rates
 
     flow, steady = found.flow, found.linearisation.steady
     kind = "equilibrium" if steady.equilibrium else "steady motion"
@@ -180,7 +180,7 @@ def _matrix_lines(found: Findings) -> list[str]:
 
 
 def _eigenvalue_lines(found: Findings, notes: Sequence[str]) -> list[str]:
-    from nhc.study.linearize import modes, verdict
+    from nhc.study.linearization.linearize import modes, verdict
 
     made = found.linearisation
     left_out = len(made.rest) - len(made.basis) - made.turns
@@ -233,7 +233,7 @@ def _clean(mode: Mode) -> float:
 
 
 def _sweep_lines(name: str, swept: Sweep) -> list[str]:
-    from nhc.study.linearize import modes
+    from nhc.study.linearization.linearize import modes
 
     lines = [f"along {name}: number of growing and of all eigenvalues, the largest real part"]
     for value, point in zip(swept.values, swept.points, strict=True):

@@ -33,7 +33,7 @@ def check_steps(step: float, start: float, end: float) -> None:
     Raises:
         click.UsageError: they are.
     """
-    from nhc.program.stepping import MOST_STEPS
+    from nhc.program.runs.limits import MOST_STEPS
 
     if step > (1.0 + 1e-9) * abs(end - start):
         raise click.UsageError(f"`--step {step!r}` is longer than this scene, which takes {abs(end - start):.6g}")

@@ -13,6 +13,7 @@ from nhc.cli.options import FINEST_TOLERANCE, check_steps, formulation_option, l
 from nhc.cli.progress import Progress
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
+from nhc.cli.write import refuse_existing, write_bytes
 
 if TYPE_CHECKING:
     from nhc.simulate.prepare import Job
@@ -130,29 +131,26 @@ def command(
         method = DEFAULT if method == "auto" else method
         check_options(method, step, until, project, target)
     source = open_spec(spec)
-    from nhc.simulate.opening import RunError, open_scene
+    from nhc.simulate.opening import open_scene
     from nhc.simulate.run import POINTS, Settings
 
     settings = Settings(method, tolerance, step, points or (2 if ensemble else POINTS), not interpreted)
     if ensemble:
         return run_starts(source, ensemble, scene, formulation or "", needs, not drift, settings, target)
     page = target is not None and target.suffix == ".html"
-    try:
-        job = open_scene(
-            source,
-            scene,
-            formulation or "",
-            needs=needs,
-            until=until,
-            method=method,
-            hold=not drift,
-            project=project,
-            checks=page,
-            draw=page,
-            stay=stay,
-        )
-    except RunError as error:
-        raise Failure(str(error), error.help) from error
+    job = open_scene(
+        source,
+        scene,
+        formulation or "",
+        needs=needs,
+        until=until,
+        method=method,
+        hold=not drift,
+        project=project,
+        checks=page,
+        draw=page,
+        stay=stay,
+    )
     if not scene:
         say(f"taking the scene `{job.scene.name}`")
     check_steps(step, *job.time)
@@ -181,8 +179,6 @@ def _integrate(job: Job, settings: Settings) -> Trajectory:
 
 def _check_target(output: str | None, force: bool) -> Path | None:
     """The file to be written; None for stdout."""
-    from nhc.cli.write import is_stream
-
     if output in (None, "-"):
         return None
     assert output is not None
@@ -191,8 +187,7 @@ def _check_target(output: str | None, force: bool) -> Path | None:
         raise click.UsageError(f"`{output}` should end in {', '.join(KINDS)}")
     if path.is_dir():
         raise Failure(f"`{output}` is a folder", ["name a file after `-o`"])
-    if path.exists() and not (force or is_stream(path)):
-        raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)
+    refuse_existing(output, force)
     return path
 
 
@@ -216,8 +211,6 @@ def _deliver(found: Trajectory, target: Path | None) -> None:
     if target is None:
         put(csv_text(found))
         return
-    from nhc.cli.write import write_bytes
-
     write_bytes(target, make_file(found, target.suffix))
     outcome = found.outcome
     how = "C" if found.compiled else "Python"
@@ -240,8 +233,6 @@ def _report(found: Trajectory, target: Path | None) -> int:
             + ("nothing was written" if target is None else f"{len(found.times)} rows are kept")
         )
     if target is not None and found.ended == "stopped":
-        from nhc.cli.write import write_bytes
-
         write_bytes(target.with_name(f"{target.stem}.partial{target.suffix}"), make_file(found, target.suffix))
     if found.ended == "stopped":
         return Exit.INTERRUPTED

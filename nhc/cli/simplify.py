@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import sys
-import time
+from collections.abc import Callable
 from pathlib import Path
 
 import click
 
-from nhc.cli.progress import Progress
+from nhc.cli.progress import Clock, rewrite_line
 from nhc.cli.terminal import Exit, Failure, put, put_json, say
 from nhc.language import Source
 
@@ -52,17 +52,14 @@ def approximate(
     from nhc.cli.write import refuse_to_overwrite, write_files
     from nhc.report.ladder import ladder_data, print_ladder, reduced_spec
     from nhc.report.ladder_picture import draw_ladder, make_ladder_page
-    from nhc.simulate.opening import RunError
     from nhc.study.simplify.measure import NotMeasured
 
     try:
-        ladder = pipeline.simplify(source, tolerance, pipeline.Options(formulation=formulation, scene=scene), _Shown())
-    except RunError as error:
-        raise Failure(str(error), error.help) from error
+        ladder = pipeline.simplify(source, tolerance, pipeline.Options(formulation=formulation, scene=scene), _show())
     except NotMeasured as error:
         raise Failure(str(error), error.help, exit=Exit.NUMERICAL) from error
     finally:
-        _clear()
+        rewrite_line("")
     texts = {Path(output): reduced_spec(ladder)} if output is not None and output != "-" else {}
     if chart is not None:
         texts[Path(chart)] = (draw_ladder if chart.endswith(".svg") else make_ladder_page)(ladder)
@@ -82,22 +79,13 @@ def approximate(
     return Exit.DONE
 
 
-class _Shown:
-    """Progress: a line that changes on a terminal; elsewhere one after half a minute, after one, two, four and so on."""
+def _show() -> Callable[[int, str], None]:
+    """Progress: a line that changes on a terminal; elsewhere one whenever the clock strikes."""
+    clock = Clock()
 
-    def __init__(self) -> None:
-        self.began, self.due = time.monotonic(), Progress.QUIET
+    def show(runs: int, about: str) -> None:
+        rewrite_line(f"{runs}: without {about}")
+        if not sys.stderr.isatty() and clock.strikes():
+            say(f"after {clock.passed:.0f} s {runs} models are measured")
 
-    def __call__(self, runs: int, about: str) -> None:
-        passed = time.monotonic() - self.began
-        if sys.stderr.isatty():
-            sys.stderr.write(f"\r{f'{runs}: without {about}'[:78]:78}")
-            sys.stderr.flush()
-        elif passed >= self.due:
-            self.due *= 2
-            say(f"after {passed:.0f} s {runs} models are measured")
-
-
-def _clear() -> None:
-    if sys.stderr.isatty():
-        sys.stderr.write("\r" + " " * 78 + "\r")
+    return show

@@ -19,6 +19,7 @@ from nhc.cli.options import (
 )
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json, say
+from nhc.cli.write import refuse_existing
 
 if TYPE_CHECKING:
     from nhc.study.stability.laboratory import Laboratory, Question
@@ -93,14 +94,10 @@ def command(
     target = _check_target(output, force)
     source = open_spec(spec)
     from nhc.pipeline import Options, stability
-    from nhc.simulate.opening import RunError
     from nhc.study.stability.laboratory import Question
 
     question = Question(scene, about, settings, holds, sweep, lengths)
-    try:
-        found = stability(source, question, Options(formulation=formulation or ""))
-    except RunError as error:
-        raise Failure(str(error), error.help) from error
+    found = stability(source, question, Options(formulation=formulation or ""))
     _deliver(found, question, target, as_json)
     if found.failed:
         advice = [f"`nhc run` {found.conduct[-1]}"] if found.stopped else []
@@ -126,15 +123,12 @@ def _run_atlas(slow: bool, as_json: bool) -> int:
 
 
 def _check_target(output: str | None, force: bool) -> Path | None:
-    from nhc.cli.write import is_stream
-
     if output is None:
         return None
     path = Path(output)
     if path.suffix != ".html":
         raise click.UsageError(f"`{output}` should end in .html")
-    if path.exists() and not (force or is_stream(path)):
-        raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)
+    refuse_existing(output, force)
     return path
 
 

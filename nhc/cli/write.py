@@ -37,6 +37,13 @@ def is_stream(path: Path) -> bool:
     return path.exists() and not (path.is_file() or path.is_dir())
 
 
+def refuse_existing(output: str, force: bool) -> None:
+    """Raise ``Failure`` where there is a file already: before a run, whose result it would be a pity to lose."""
+    path = Path(output)
+    if path.exists() and not (force or is_stream(path)):
+        raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)
+
+
 def place_files(files: Mapping[str, str], output: str | None) -> dict[Path, str]:
     """Decide where ``files`` (name -> text) go: into the folder ``output``, by default the current one.
 

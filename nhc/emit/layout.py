@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 _ENOUGH = 0.45
@@ -26,6 +26,18 @@ class Piece(NamedTuple):
     width: float
     breaks: int = 0
     opens: str = ""
+
+
+def add_term(found: list[Piece], negative: bool, term: Sequence[Piece], width: Callable[[str], float]) -> None:
+    """Put a term of a sum behind those that are there; a line may end before its sign."""
+    if len(term) > 1 and term[0].text == "-":  # a minus inside a product that the sum did not see
+        negative, term = not negative, term[1:]
+    if found:
+        sign = " - " if negative else " + "
+        found.append(Piece(sign, width(sign), 1))
+    elif negative:
+        found.append(Piece("-", width("-")))
+    found += term
 
 
 def nest(pieces: Iterable[Piece]) -> list[Piece]:

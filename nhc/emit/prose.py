@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 import textwrap
 import unicodedata
-from collections.abc import Iterable
 
-from nhc.program.ir import Origin, Quantity
+from nhc.program.ir import Origin
 
 PUNCTUATION = {
     "\u2010": "-", "\u2011": "-", "\u2012": "-", "\u2013": "-", "\u2014": "-", "\u2212": "-",
@@ -54,18 +53,3 @@ def wrap(text: str, width: int, hanging: str = "") -> list[str]:
 def show_origin(origin: Origin) -> str:
     """``(I.2.15) chaplygin_sleigh.yaml:14:4``, or nothing."""
     return f"({origin.equation}) {origin.place}".rstrip() if origin.equation else origin.place
-
-
-OPERATIONS = "Operations of one call (+-: sums and differences; calls: sin, cos, ...):"
-"""The line above the counts of :func:`print_counts`."""
-
-
-def title_constraints(constraints: Iterable[Quantity]) -> str:
-    """The line above the constraints' names."""
-    units = any(quantity.unit for quantity in constraints)
-    return f"Constraints{', with the units of their reactions' if units else ''}:"
-
-
-def print_counts(adds: int, multiplications: int, divisions: int, calls: int) -> str:
-    """The operation counts of one function, as a header prints them."""
-    return f"{adds} +-, {multiplications} *, {divisions} /, {calls} calls"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from nhc.diagnostics import quote
@@ -30,7 +30,6 @@ _NAME = "^[A-Za-z_\\u0080-\\uffff][A-Za-z0-9_\\u0080-\\uffff]*$"
 _TARGET = "^[A-Za-z_\\u0080-\\uffff][A-Za-z0-9_\\u0080-\\uffff]*['\\u2032]?$"
 _FILLED = {"type": "string", "minLength": 1}
 _VALUE = {"anyOf": [{"type": "number"}, _FILLED]}
-_EXPRESSION = _VALUE
 
 
 def _named(value: dict[str, Any], pattern: str = _NAME) -> dict[str, Any]:
@@ -64,83 +63,71 @@ def _object(keys: Sequence[Key]) -> dict[str, Any]:
 
 
 def _shape(key: Key) -> dict[str, Any]:
-    match key.kind:
-        case "version":
-            return {"const": VERSION}
-        case "system":
-            return {"type": "string", "pattern": f"^{SYSTEM_PATTERN}$"}
-        case "text":
-            return {"type": ["string", "number", "boolean"]}
-        case "unit":
-            return {"anyOf": [_FILLED, {"const": 1}]}
-        case "texts":
-            return {"anyOf": [_FILLED, _listed(_FILLED)]}
-        case "choice":
-            return {"enum": list(key.choices)}
-        case "expression" | "number":
-            return _VALUE
-        case "expressions" | "numbers":
-            return _named(_VALUE)
-        case "start":
-            return _named({"anyOf": [_VALUE, _numbers(4, 4), _object(START_KEYS), _object(NEAR_KEYS)]}, _TARGET)
-        case "rotations":
-            names = {**_listed({"type": "string", "pattern": _NAME}), "minItems": 1, "uniqueItems": True}
-            return {"anyOf": [names, {**_named(_object(ROTATION_KEYS)), "minProperties": 1}]}
-        case "three" | "four":
-            count = 3 if key.kind == "three" else 4
-            return {**_listed({"type": "string", "pattern": _NAME}), "minItems": count, "maxItems": count}
-        case "name":
-            return {"type": "string", "pattern": _NAME}
-        case "bodies" | "points":
-            return {**_named(_object(BODY_KEYS if key.kind == "bodies" else POINT_KEYS)), "minProperties": 1}
-        case "turns":
-            turns = {"type": "object", "minProperties": 1, "maxProperties": 1, "additionalProperties": False}
-            return _listed({**turns, "properties": {axis: _VALUE for axis in "xyz"}})
-        case "inertia":
-            return {"anyOf": [_VALUE, _numbers(3, 3), _object(INERTIA_KEYS)]}
-        case "order":
-            return {"type": "string", "pattern": "^[xyz]{3}$"}
-        case "equations":
-            return _listed(_EQUATION)
-        case "names":
-            return _listed({"type": "string", "pattern": _TARGET})
-        case "interval":
-            return _numbers(2, 2)
-        case "coordinates":
-            names = {**_listed({"type": "string", "pattern": _NAME}), "minItems": 1, "uniqueItems": True}
-            return {"anyOf": [names, {**_named(_object(COORDINATE_KEYS)), "minProperties": 1}]}
-        case "parameters":
-            names = {**_listed({"type": "string", "pattern": _NAME}), "uniqueItems": True}
-            return {"anyOf": [names, _named({"anyOf": [_VALUE, _object(PARAMETER_KEYS)]})]}
-        case "scenes":
-            return _named(_object(SCENE_KEYS))
-        case _:
-            return _drawn_shape(key)
+    return {"enum": list(key.choices)} if key.kind == "choice" else SHAPES[key.kind]()
 
 
-def _drawn_shape(key: Key) -> dict[str, Any]:
-    match key.kind:
-        case "flag":
-            return {"type": "boolean"}
-        case "place":
-            return _numbers(2, 3)
-        case "places":
-            return {**_listed(_numbers(2, 3)), "minItems": 2}
-        case "spot":
-            return _numbers(2, 2)
-        case "vector":
-            return _numbers(3, 3)
-        case "polygon":
-            return {**_listed(_numbers(2, 3)), "minItems": 3}  # three numbers on a body in space
-        case "circle":
-            return _object(CIRCLE_KEYS)
-        case "body":
-            return {**_object(DRAWN_BODY_KEYS), "required": ["shape"]}  # `at` and `angle` where it is not on a body
-        case "figures":
-            one = {"oneOf": [{"required": [kind]} for kind in FIGURES]}
-            return _listed({**_object(DRAW_KEYS), **one})
-        case _:
-            raise ValueError(key.kind)
+def _names(least: int, most: int) -> dict[str, Any]:
+    return {**_listed({"type": "string", "pattern": _NAME}), "minItems": least, "maxItems": most}
+
+
+def _names_or(keyed: dict[str, Any], least: int = 1) -> dict[str, Any]:
+    """A list of names, or each of them with more about it."""
+    size = {"minItems": 1} if least else {}
+    names = {**_listed({"type": "string", "pattern": _NAME}), **size, "uniqueItems": True}
+    return {"anyOf": [names, {**keyed, "minProperties": 1} if least else keyed]}
+
+
+def _places(least: int) -> dict[str, Any]:
+    return {**_listed(_numbers(2, 3)), "minItems": least}
+
+
+def _turns() -> dict[str, Any]:
+    turn = {"type": "object", "minProperties": 1, "maxProperties": 1, "additionalProperties": False}
+    return _listed({**turn, "properties": {axis: _VALUE for axis in "xyz"}})
+
+
+def _figures() -> dict[str, Any]:
+    one = {"oneOf": [{"required": [kind]} for kind in FIGURES]}
+    return _listed({**_object(DRAW_KEYS), **one})
+
+
+SHAPES: dict[str, Callable[[], dict[str, Any]]] = {
+    "version": lambda: {"const": VERSION},
+    "system": lambda: {"type": "string", "pattern": f"^{SYSTEM_PATTERN}$"},
+    "text": lambda: {"type": ["string", "number", "boolean"]},
+    "texts": lambda: {"anyOf": [_FILLED, _listed(_FILLED)]},
+    "flag": lambda: {"type": "boolean"},
+    "unit": lambda: {"anyOf": [_FILLED, {"const": 1}]},
+    "name": lambda: {"type": "string", "pattern": _NAME},
+    "names": lambda: _listed({"type": "string", "pattern": _TARGET}),
+    "three": lambda: _names(3, 3),
+    "four": lambda: _names(4, 4),
+    "order": lambda: {"type": "string", "pattern": "^[xyz]{3}$"},
+    "number": lambda: _VALUE,
+    "numbers": lambda: _named(_VALUE),
+    "interval": lambda: _numbers(2, 2),
+    "expression": lambda: _VALUE,
+    "expressions": lambda: _named(_VALUE),
+    "equations": lambda: _listed(_EQUATION),
+    "coordinates": lambda: _names_or(_named(_object(COORDINATE_KEYS))),
+    "rotations": lambda: _names_or(_named(_object(ROTATION_KEYS))),
+    "parameters": lambda: _names_or(_named({"anyOf": [_VALUE, _object(PARAMETER_KEYS)]}), least=0),
+    "bodies": lambda: {**_named(_object(BODY_KEYS)), "minProperties": 1},
+    "points": lambda: {**_named(_object(POINT_KEYS)), "minProperties": 1},
+    "turns": _turns,
+    "inertia": lambda: {"anyOf": [_VALUE, _numbers(3, 3), _object(INERTIA_KEYS)]},
+    "scenes": lambda: _named(_object(SCENE_KEYS)),
+    "start": lambda: _named({"anyOf": [_VALUE, _numbers(4, 4), _object(START_KEYS), _object(NEAR_KEYS)]}, _TARGET),
+    "figures": _figures,
+    "body": lambda: {**_object(DRAWN_BODY_KEYS), "required": ["shape"]},  # `at` and `angle` where it is not on a body
+    "circle": lambda: _object(CIRCLE_KEYS),
+    "polygon": lambda: _places(3),  # of three numbers on a body in space
+    "places": lambda: _places(2),
+    "place": lambda: _numbers(2, 3),
+    "spot": lambda: _numbers(2, 2),
+    "vector": lambda: _numbers(3, 3),
+}
+"""By the kind of a key, what its value may be; the values of a ``choice`` stand with the key."""
 
 
 def _spec() -> dict[str, Any]:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from nhc.algebra.calculus import list_terms
-from nhc.algebra.graph import MUL, NEG, Graph, Node
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.parts import list_factors, list_terms
 from nhc.mechanics.turns import Path, Turn
 from nhc.records import record
-
-_FEW_FACTORS = 8
 
 
 @record
@@ -59,18 +57,3 @@ def _read_direction(graph: Graph, row: Node) -> Sided | None:
         rest = g.sum([t for i, t in enumerate(terms) if i not in (k, j)])
         return Sided(angle, g.product(with_cos), g.product(with_sin), scale, rest)
     return None
-
-
-def list_factors(graph: Graph, term: Node) -> list[Node]:
-    """The factors of a short product, a sign among the others."""
-    g, found, stack, negative = graph, list[Node](), [term], False
-    while stack:
-        node = stack.pop()
-        if g.op[node] == NEG:
-            negative = not negative
-            stack.append(g.a[node])
-        elif g.op[node] == MUL and len(found) + len(stack) < _FEW_FACTORS:
-            stack += [g.b[node], g.a[node]]
-        else:
-            found.append(node)
-    return [*found, g.number(-1)] if negative else found

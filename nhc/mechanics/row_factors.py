@@ -10,6 +10,7 @@ from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.parts import split_powers
 from nhc.mechanics.directions import along_direction
 from nhc.records import record
 
@@ -133,19 +134,8 @@ def _is_component(graph: Graph, row: Node, velocities: Collection[Node]) -> bool
 
 
 def _powers(graph: Graph, term: Node, sign: int = 1) -> Product:
-    """A product as a number and powers of its factors, sums being factors."""
-    g, found, stack = graph, dict[Node, int](), [term]
-    number = Fraction(sign)
-    while stack:
-        node = stack.pop()
-        coefficient, core = g.split_coefficient(node)
-        number *= Fraction(coefficient)
-        if core != g.one and g.op[core] == MUL:
-            stack += [g.b[core], g.a[core]]
-        elif core != g.one:
-            base, n = (g.a[core], g.b[core]) if g.op[core] == POW else (core, 1)
-            found[base] = found.get(base, 0) + n
-    return number, found
+    number, powers = split_powers(graph, term)
+    return Fraction(sign * number), powers
 
 
 def _product(graph: Graph, powers: dict[Node, int]) -> Node:

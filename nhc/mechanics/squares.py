@@ -21,7 +21,7 @@ from nhc.algebra.calculus import count, derivative, reachable, substitute, tange
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.expand import Coefficient, Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, Node
-from nhc.algebra.monomials import split_parameters
+from nhc.algebra.parts import split_parameters
 from nhc.algebra.polynomial import polynomial, to_node
 from nhc.algebra.terms import divide, put, root
 from nhc.mechanics.system import System

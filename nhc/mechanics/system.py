@@ -129,6 +129,11 @@ class System:
     def q_names(self) -> tuple[str, ...]:
         return tuple(self.symbol_name(node) for node in self.q)
 
+    @property
+    def angular(self) -> frozenset[str]:
+        """The names of the rotations' angular velocities, which are quasi-velocities as those of the spec are."""
+        return frozenset(name for rotation in self.spec.rotations for name in rotation.velocities)
+
     def symbol_name(self, node: Node) -> str:
         symbol = self.graph.symbol_of(node)
         assert symbol is not None

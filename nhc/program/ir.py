@@ -265,7 +265,7 @@ class Lookout:
 
 @record
 class Leaps:
-    """What a step must not leap over (:mod:`nhc.program.leaps`): ``function`` gives arguments.
+    """What a step must not leap over (:mod:`nhc.program.runs.leaps`): ``function`` gives arguments.
 
     ``parts``, of each: the part of it by which it may change in a step towards zero, and by how much it always may; (0, 0): it has
     a corner at zero.
@@ -277,8 +277,8 @@ class Leaps:
 
 @record
 class Beats:
-    """How fast what is periodic in time goes (:mod:`nhc.program.beats`): ``function`` gives rates, which are ``steady`` where they
-    do not depend on the time.
+    """How fast what is periodic in time goes (:mod:`nhc.program.runs.beats`): ``function`` gives rates, which are ``steady``
+    where they do not depend on the time.
     """
 
     function: Function

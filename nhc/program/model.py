@@ -12,9 +12,10 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.scenes import kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value
-from nhc.program.build import Planner, build_functions
+from nhc.program.build import build_functions
 from nhc.program.ir import Program, Quantity, SceneData, Stop
-from nhc.program.starting import warn_of_coframe
+from nhc.program.planning.planner import Planner
+from nhc.program.runs.starting import warn_of_coframe
 
 
 def build_program(
@@ -38,7 +39,7 @@ def build_program(
     chosen = next((s for s in starts if s.name == scene), None)
     driving = None
     if driver:
-        from nhc.program.driving import make_driving  # here, for what drivers need takes a fifth of all imports
+        from nhc.program.runs.driving import make_driving  # here, for what drivers need takes a fifth of all imports
 
         driving = make_driving(planner, starts)
     return Program(
@@ -87,7 +88,7 @@ def _scene(system: System, planner: Planner, scene: Scene, asked: str, driver: b
     need = tuple(entry.name for entry in scene.need)
     stops: tuple[Stop, ...] = ()
     if driver:
-        from nhc.program.driving import stops_of
+        from nhc.program.runs.driving import stops_of
 
         stops = stops_of(system, start)
     return SceneData(scene.name, scene.about, y, start.p, start.time, need, float(scene.tolerance), stops)

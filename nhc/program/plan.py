@@ -22,6 +22,15 @@ class Target:
 
 
 @record
+class Entry:
+    """A value that a function writes, what it is, and its place in the spec."""
+
+    node: Node
+    about: str = ""
+    place: str = ""
+
+
+@record
 class GuardPlan:
     """``|value|`` must exceed ``tolerance * scale``."""
 

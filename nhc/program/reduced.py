@@ -7,19 +7,17 @@ from dataclasses import replace
 
 from nhc.mechanics.reduction.reduce import keep_everything
 from nhc.mechanics.scenes import kept_velocities
-from nhc.program.beats import find_beats
-from nhc.program.build import lower_otherwise, rewrite
-from nhc.program.clock import find_stops
-from nhc.program.hold import make_hold, must_hold
+from nhc.program.build import build_function
 from nhc.program.ir import Function, Program, Quantity, SceneData
-from nhc.program.leaps import find_leaps
-from nhc.program.lower import lower_function
 from nhc.program.model import build_program
-from nhc.program.plan import FunctionPlan
+from nhc.program.planning.scene import ScenePlanner
+from nhc.program.runs.beats import find_beats
+from nhc.program.runs.clock import find_stops
+from nhc.program.runs.hold import make_hold, must_hold
+from nhc.program.runs.leaps import find_leaps
+from nhc.program.runs.starting import warn_of_coframe
+from nhc.program.runs.watch import known_values, look_out
 from nhc.program.scene_model import SceneModel
-from nhc.program.scene_planner import ScenePlanner
-from nhc.program.starting import warn_of_coframe
-from nhc.program.watch import known_values, look_out
 
 SCENE_FUNCTIONS = ("rhs", "state", "jacobian", "outputs")
 
@@ -53,7 +51,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         state=tuple(quantities[i] for i in made.kept),
         parameters=(*full.parameters, *constants),
         outputs=tuple(Quantity(c.name, c.unit, c.about) for c in columns),
-        functions=lower_functions(planner, only),
+        functions=build_scene_functions(planner, only),
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),
         warnings=warn_of_coframe(planner, (model.scene,)),
@@ -72,17 +70,11 @@ def keep_all(model: SceneModel) -> SceneModel:
     return replace(model, reduction=whole, planner=ScenePlanner(made.equations, made.formulation, reduction=whole))
 
 
-def lower_functions(planner: ScenePlanner, only: Sequence[str]) -> tuple[Function, ...]:
+def build_scene_functions(planner: ScenePlanner, only: Sequence[str]) -> tuple[Function, ...]:
     """The functions asked for; all of them where none is named, or one that a scene's model does not have."""
-    found = []
     known = all(name in SCENE_FUNCTIONS for name in only)  # what is asked for and not there is the emitter's to refuse
-    for name in SCENE_FUNCTIONS:
-        if only and known and name not in only:
-            continue
-        plan: FunctionPlan = getattr(planner, name)()
-        made = lower_function(planner.graph, rewrite(planner, plan), planner.parameters)
-        found.append(replace(made, otherwise=lower_otherwise(planner, plan)))
-    return tuple(found)
+    wanted = [name for name in SCENE_FUNCTIONS if not only or not known or name in only]
+    return tuple(build_function(planner, getattr(planner, name)()) for name in wanted)
 
 
 def _notes(model: SceneModel) -> list[str]:

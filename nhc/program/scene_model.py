@@ -22,10 +22,11 @@ from nhc.mechanics.reduction.scene_frames import list_formulations, momentum_for
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import Form, System
-from nhc.program.build import Planner, rewrite
 from nhc.program.ir import Function
-from nhc.program.lower import lower_function
-from nhc.program.scene_planner import ScenePlanner
+from nhc.program.lowering.lower import lower_function
+from nhc.program.planning.planner import Planner
+from nhc.program.planning.rewrite import rewrite
+from nhc.program.planning.scene import ScenePlanner
 from nhc.records import record
 
 ENTRY, DIVISION, CALL = 80, 8, 20

@@ -8,7 +8,7 @@ from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.svg import Axis, Chart, Series, draw, time_axis
-from nhc.study.linearize import eigenvalues
+from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.stability.laboratory import Laboratory
 from nhc.study.stability.table import sections, time_of, with_unit
 from nhc.version import __version__

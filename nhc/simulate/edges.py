@@ -15,7 +15,7 @@ from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import NEG, Graph, Node
 from nhc.algebra.show import to_text
-from nhc.program.watch import Event
+from nhc.program.runs.watch import Event
 
 _LEAST = 1000
 """2 to the minus this is as good as the zero at which a logarithm is infinite."""

@@ -6,15 +6,15 @@ import time
 from collections.abc import Sequence
 
 from nhc.mechanics.scenes import Start
-from nhc.program.stepping import LEAST_TOLERANCE, SAFETY
+from nhc.program.runs.limits import LEAST_TOLERANCE, SAFETY
 from nhc.records import record
-from nhc.simulate.compile import CompileError, build, lane_flags
-from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.c.compile import CompileError, build, lane_flags
+from nhc.simulate.c.compiled import CompiledModel
+from nhc.simulate.c.source import write_source
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.prepare import Job, move_start
 from nhc.simulate.run import Settings, Trajectory, collect, list_times, tell_finest
-from nhc.simulate.source import write_source
 from nhc.simulate.task import STOPPED, News, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 from nhc.simulate.workshop import Model, load

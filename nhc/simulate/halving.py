@@ -11,7 +11,7 @@ from itertools import pairwise
 from math import ceil, inf, log
 from typing import Protocol
 
-from nhc.program.stepping import LEAST_TOLERANCE
+from nhc.program.runs.limits import LEAST_TOLERANCE
 from nhc.records import record
 from nhc.simulate.task import STOPPED, Outcome, Task
 

@@ -10,10 +10,10 @@ from types import ModuleType
 from typing import Any
 
 from nhc.emit import EmitOptions, render
-from nhc.program.hold import SINGULAR_HOLD
 from nhc.program.ir import Program
+from nhc.program.runs.hold import SINGULAR_HOLD
 from nhc.simulate.methods import RUNGE_KUTTA
-from nhc.simulate.methods.loop import integrate
+from nhc.simulate.stepping.loop import integrate
 from nhc.simulate.task import ModelError, News, Outcome, Task
 
 

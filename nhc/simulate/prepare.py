@@ -12,16 +12,17 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.drawing import Sketch
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System
-from nhc.program.beats import find_beats
-from nhc.program.build import Planner, build_functions
-from nhc.program.clock import find_stops
-from nhc.program.hold import TORN_HOLD, hold_functions, tell_torn
+from nhc.program.build import build_functions
 from nhc.program.ir import Beats, Function, Leaps, Program, Stop
-from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program
-from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch
-from nhc.program.structure import Structure, structure_of
-from nhc.program.watch import Event, Watch, watch_function
+from nhc.program.planning.planner import Planner
+from nhc.program.runs.beats import find_beats
+from nhc.program.runs.clock import find_stops
+from nhc.program.runs.hold import TORN_HOLD, hold_functions, tell_torn
+from nhc.program.runs.leaps import find_leaps
+from nhc.program.runs.needed import Column, list_checks, list_columns, needed_function, planned_sketch
+from nhc.program.runs.structure import Structure, structure_of
+from nhc.program.runs.watch import Event, Watch, watch_function
 from nhc.records import record
 from nhc.simulate.stepping_over import Jumping, find_jumping
 
@@ -54,9 +55,10 @@ class Job:
     ``y``, ``p``, ``time``: the start's state, parameters, and first and last time, in the spec's units; ``symbols``: the state's
     entries in the system's graph.  ``columns`` are what the user needs, ``checks`` energy and residuals after them, ``sketch`` what
     is drawn; ``needed`` of the program computes all, in this order.  ``meanings``: of the model's status codes; ``watch``: what
-    each watched value means; ``holds``: see :func:`nhc.program.hold.hold_functions`; ``stops``: see :mod:`nhc.program.clock`;
-    ``jumping``: see :mod:`nhc.simulate.stepping_over`.  ``kept``: the velocities of the state, or None where the state was reduced
-    for this start alone.  ``recipe``: how the job is made again in another formulation; None where it cannot be.
+    each watched value means; ``holds``: see :func:`nhc.program.runs.hold.hold_functions`; ``stops``: see
+    :mod:`nhc.program.runs.clock`; ``jumping``: see :mod:`nhc.simulate.stepping_over`.  ``kept``: the velocities of the state, or
+    None where the state was reduced for this start alone.  ``recipe``: how the job is made again in another formulation; None
+    where it cannot be.
     """
 
     program: Program

@@ -8,17 +8,17 @@ from nhc.algebra.calculus import count
 from nhc.emit.statements import list_statuses
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
-from nhc.program.beats import find_beats
-from nhc.program.clock import find_stops
-from nhc.program.exchanges import ExchangePlanner
-from nhc.program.leaps import find_leaps
 from nhc.program.model import build_program
-from nhc.program.needed import Column, list_energy, needed_function
-from nhc.program.reduced import lower_functions
+from nhc.program.planning.exchanges import ExchangePlanner
+from nhc.program.planning.scene import ScenePlanner
+from nhc.program.reduced import build_scene_functions
+from nhc.program.runs.beats import find_beats
+from nhc.program.runs.clock import find_stops
+from nhc.program.runs.leaps import find_leaps
+from nhc.program.runs.needed import Column, list_energy, needed_function
+from nhc.program.runs.structure import Structure
+from nhc.program.runs.watch import watch_function
 from nhc.program.scene_model import reduce_one
-from nhc.program.scene_planner import ScenePlanner
-from nhc.program.structure import Structure
-from nhc.program.watch import watch_function
 from nhc.simulate.prepare import Job, Recipe
 from nhc.simulate.stepping_over import find_jumping
 
@@ -61,7 +61,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
     known = {x: (v, v) for x, v in zip(system.p, start.p, strict=True)}
     watch, watched = watch_function(planner, None, weak, known)
     leaps, beats = find_leaps(planner, known), find_beats(planner)
-    functions = lower_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
+    functions = build_scene_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (
         needed_function(planner, [*columns, *checks], _exchanged(planner) if not checks else ()),
         *(() if watch is None else (watch,)),

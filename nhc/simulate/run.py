@@ -7,7 +7,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.program.stepping import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
+from nhc.program.runs.limits import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
 from nhc.records import record
 from nhc.simulate.halving import REFERENCE, find_step
 from nhc.simulate.methods import is_adaptive

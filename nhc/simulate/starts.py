@@ -16,7 +16,7 @@ from nhc.language.spec import Initial, Override, Scene, Spec
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.simulate.opening import RunError
+from nhc.simulate.requests import RunError
 
 _CELLS = "each row has one number for each name; an empty cell takes the scene's value"
 

@@ -12,7 +12,7 @@ from nhc.algebra.show import to_text
 from nhc.mechanics.properties.constancy import has_jumps
 from nhc.mechanics.system import System
 from nhc.mechanics.turning import moving
-from nhc.program.planner import PlannerBase
+from nhc.program.planning.base import PlannerBase
 from nhc.records import record
 
 _LONGEST = 60

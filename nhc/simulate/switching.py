@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from nhc.mechanics.choosing.conditioning import Choice, conditioning, find_better, is_mass_sound, name_of
-from nhc.program.planner import SINGULAR_FRAME
+from nhc.program.planning.base import SINGULAR_FRAME
 from nhc.records import record
 from nhc.simulate.carrying import carry, carry_sizes, is_same, make_job, place_of
 from nhc.simulate.interpreted import InterpretedModel

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from nhc.program.ir import Stop
-from nhc.program.stepping import MOST_STEPS
+from nhc.program.runs.limits import MOST_STEPS
 from nhc.records import record
 
 DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED, STALLED = range(9)
@@ -16,8 +16,8 @@ DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED, STALL
 class Task:
     """``times``: the rows wanted, from the start to the end.  ``tolerance``: relative to each component's size so far;
     ``step``: fixed steps of at most that length, where positive.  ``stops``: where adaptive steps have to end
-    (:mod:`nhc.program.clock`), in the order of the run.  ``sizes``: the largest magnitudes of the state's entries before the start,
-    where the task goes on with another one's run.
+    (:mod:`nhc.program.runs.clock`), in the order of the run.  ``sizes``: the largest magnitudes of the state's entries before the
+    start, where the task goes on with another one's run.
     """
 
     p: Sequence[float]

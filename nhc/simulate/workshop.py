@@ -11,15 +11,15 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass, field, replace
 
-from nhc.simulate.compile import HASTY_FLAGS, CompileError, build, loop_flags, tell_why
-from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.c.compile import HASTY_FLAGS, CompileError, build, loop_flags, tell_why
+from nhc.simulate.c.compiled import CompiledModel
+from nhc.simulate.c.source import write_natural, write_source
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
-from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import TOO_MANY, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 

@@ -9,7 +9,7 @@ import pytest
 
 from nhc.cli import main
 from nhc.cli.doctor import EXTRAS, REQUIRED
-from nhc.simulate import compile as compiling
+from nhc.simulate.c import compile as compiling
 from tests.conftest import Compile
 
 

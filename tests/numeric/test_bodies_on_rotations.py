@@ -14,8 +14,8 @@ from nhc.mechanics.trees.bodies import read_bodies
 from nhc.mechanics.trees.chain import find_chain
 from nhc.mechanics.trees.tree import Elimination
 from nhc.pipeline import Model, model
-from nhc.program.build import Planner
 from nhc.program.plan import factor, solve_factored
+from nhc.program.planning.planner import Planner
 from tests.numeric.test_chains import residuals
 
 AXES = "xyz"

@@ -16,9 +16,9 @@ from nhc.mechanics.trees.choice import tree_of
 from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.pipeline import Model, Options, emit, model, reduce_scene
-from nhc.program.build import Planner
-from nhc.program.held_tree import held_tree
 from nhc.program.plan import factor, solve_factored
+from nhc.program.planning.held_tree import held_tree
+from nhc.program.planning.planner import Planner
 from tests.support import error, python_model
 
 

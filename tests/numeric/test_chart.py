@@ -18,8 +18,8 @@ from scipy.integrate import solve_ivp
 from nhc.cli.entry import main
 from nhc.language import Source, read
 from nhc.report.chart_file import make_file
-from nhc.simulate import compile as compiling
 from nhc.simulate.auto import choose_method
+from nhc.simulate.c import compile as compiling
 from nhc.simulate.opening import open_scene
 from nhc.simulate.task import Task
 from nhc.simulate.workshop import load

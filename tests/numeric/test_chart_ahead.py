@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from nhc.language import read
-from nhc.simulate import compile as compiling
+from nhc.simulate.c import compile as compiling
 from nhc.study.chart import study
 from nhc.study.chart.ahead import compile_ahead
 from nhc.study.chart.grid import Grid
@@ -43,7 +43,7 @@ def test_nothing_is_compiled_once_the_reference_is_run(monkeypatch: pytest.Monke
 
 
 def test_what_does_not_compile_is_met_where_it_is_needed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    from nhc.simulate.compile import CompileError
+    from nhc.simulate.c.compile import CompileError
     from nhc.simulate.opening import open_scene
     from nhc.study.chart.model import compile_chart
 

@@ -16,7 +16,7 @@ from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, emit
-from nhc.program.clock import find_stops
+from nhc.program.runs.clock import find_stops
 from nhc.simulate.ensemble import run_ensemble
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run

@@ -21,8 +21,8 @@ from nhc.mechanics.detour import find_detour
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, emit
-from nhc.program.build import Planner
 from nhc.program.model import build_program
+from nhc.program.planning.planner import Planner
 from tests.support import compile_c, doubles, python_model, spec_path
 
 CRAFT = """nhc: 1

@@ -11,7 +11,7 @@ import pytest
 
 from nhc.cli.entry import main
 from nhc.language import Source, decode, read
-from nhc.program.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.simulate.ensemble import Ensemble, run_ensemble
 from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.opening import open_scene

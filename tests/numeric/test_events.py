@@ -8,9 +8,9 @@ from itertools import product
 import pytest
 
 from nhc.language import Source
-from nhc.simulate.methods.watching import may_dip
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
+from nhc.simulate.stepping.watching import may_dip
 
 TEXT = """nhc: 1
 system: circle

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-import nhc.program.jacobian as routes
+import nhc.program.planning.jacobian as routes
 from benchmarks.models import source
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Source
@@ -19,7 +19,7 @@ from nhc.language import read
 from nhc.pipeline import Options, program
 from nhc.program.ir import Evaluate, Program, Store, Sweep
 from nhc.program.plan import SweepPlan
-from nhc.program.planner import PlannerBase
+from nhc.program.planning.base import PlannerBase
 from tests.numeric.test_bodies_on_rotations import Mixed
 from tests.numeric.test_chains import ball_joints, links, spherical
 from tests.numeric.test_spatial_chains import Tree
@@ -173,11 +173,11 @@ def _differences(rhs: Callable[[float, list[float]], list[float]], t: float, y: 
 
 
 def test_a_long_model_calls_its_rhs_for_accelerations_and_reactions(monkeypatch: pytest.MonkeyPatch) -> None:
-    import nhc.program.build as build
+    from nhc.program.planning import planner
 
     made = {}
     for limit in (0, 10**9):
-        monkeypatch.setattr(build, "CALLED", limit)
+        monkeypatch.setattr(planner, "CALLED", limit)
         made[limit] = program(source("trailers3"), Options())
     calling = {f.name for f in made[0].functions if any(isinstance(s, Evaluate) for s in f.body)}
     assert calling == {"accelerations", "reactions"}

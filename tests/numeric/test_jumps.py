@@ -16,10 +16,10 @@ from nhc.mechanics.properties.facts import describe
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.pipeline import Options, check, reduce_scene
-from nhc.program.stepping import Limits
-from nhc.simulate.methods import loop
+from nhc.program.runs.limits import Limits
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
+from nhc.simulate.stepping import loop
 
 pytestmark = pytest.mark.usefixtures("optimised_models")
 HEAD = "nhc: 1\nsystem: jump\ncoordinates: [x, y]\nparameters: {k: 0.5, e: 1e-3}\n"

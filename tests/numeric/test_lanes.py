@@ -12,14 +12,14 @@ import pytest
 
 from nhc.diagnostics import Source
 from nhc.language import read
-from nhc.simulate.compile import build, lane_flags, loop_flags
-from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.c.compile import build, lane_flags, loop_flags
+from nhc.simulate.c.compiled import CompiledModel
+from nhc.simulate.c.source import write_source
 from nhc.simulate.ensemble import load_lanes
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.methods.tableau import Explicit
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
-from nhc.simulate.source import write_source
 from nhc.simulate.task import DONE, STOPPED, UNDERFLOW, Outcome, Task
 from tests.support import COMPILER, STRICT, spec_path
 

@@ -10,15 +10,15 @@ from nhc.diagnostics import Source
 from nhc.emit.statements import drop_unused, fill_stores, split_hoisted
 from nhc.language import read
 from nhc.program.ir import Guard, Let, Load, Number, Ref, Store
-from nhc.simulate.compile import build, lane_flags, loop_flags
-from nhc.simulate.compiled import CompiledModel
-from nhc.simulate.layers import Split, split_layers
+from nhc.simulate.c.compile import build, lane_flags, loop_flags
+from nhc.simulate.c.compiled import CompiledModel
+from nhc.simulate.c.layers import Split, split_layers
+from nhc.simulate.c.source import write_source
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.methods.tableau import Explicit
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, run
-from nhc.simulate.source import write_source
 from nhc.simulate.task import DONE, Outcome, Task
 from tests.support import spec_path
 

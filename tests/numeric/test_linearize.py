@@ -23,12 +23,12 @@ from nhc.language import decode, read
 from nhc.mechanics.about import scene_about
 from nhc.mechanics.values import constant_value
 from nhc.pipeline import Options, linearize, model
-from nhc.study.field import Hold, SteadyModel
-from nhc.study.linearize import eigenvalues, verdict
-from nhc.study.motion import Findings, Request, named_quantity, steady_model
+from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.linearize import eigenvalues, verdict
+from nhc.study.linearization.motion import Findings, Request, named_quantity, steady_model
+from nhc.study.linearization.steady import NotSteady, find_steady
+from nhc.study.linearization.tape import Tape
 from nhc.study.stability.motions import Search, steady_motion
-from nhc.study.steady import NotSteady, find_steady
-from nhc.study.tape import Tape
 from tests.support import hide_numpy, spec_path
 
 

@@ -17,8 +17,8 @@ from nhc.language import read
 from nhc.pipeline import Options, emit, linearize, stability
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
-from nhc.study.linearize import eigenvalues
-from nhc.study.motion import Findings, Request
+from nhc.study.linearization.linearize import eigenvalues
+from nhc.study.linearization.motion import Findings, Request
 from nhc.study.stability.laboratory import Question
 from tests.support import python_model, spec_path
 

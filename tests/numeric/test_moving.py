@@ -28,8 +28,9 @@ from nhc.mechanics.system import System
 from nhc.mechanics.turning import moving
 from nhc.mechanics.turns import Turn, add_spin, change_axes, cross
 from nhc.pipeline import Options, emit
-from nhc.program.build import Planner, build_functions
+from nhc.program.build import build_functions
 from nhc.program.model import build_program
+from nhc.program.planning.planner import Planner
 from tests.support import ROOT, python_model, spec_path
 from tests.trees import planar_tree, robot_arm, spatial_pair
 

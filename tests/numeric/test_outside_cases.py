@@ -20,8 +20,8 @@ from scipy.integrate import solve_ivp
 from nhc.diagnostics import SpecError
 from nhc.language import Source, read
 from nhc.pipeline import Options, emit, linearize
-from nhc.study.linearize import eigenvalues
-from nhc.study.motion import Request
+from nhc.study.linearization.linearize import eigenvalues
+from nhc.study.linearization.motion import Request
 from tests.support import emitted_python, formulations, python_model, reference, spec_path
 
 # --- SymPy's rolling disc: yaw q1, lean q2, spin q3; x, y is the point of contact ------------------------------

@@ -18,7 +18,7 @@ from nhc.diagnostics import Source
 from nhc.pipeline import Options, emit, program
 from nhc.program.contents import list_expressions, walk
 from nhc.program.ir import Call, Power
-from nhc.program.powers import HIGHEST, chain
+from nhc.program.lowering.powers import HIGHEST, chain
 from tests.support import python_model
 
 ATOMS = """\

@@ -13,12 +13,13 @@ import pytest
 from nhc.diagnostics import Source
 from nhc.language import read
 from nhc.pipeline import Options, emit
-from nhc.simulate.compile import build, loop_flags
-from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.c.compile import build, loop_flags
+from nhc.simulate.c.compiled import CompiledModel
+from nhc.simulate.c.source import write_source
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, is_adaptive
-from nhc.simulate.opening import RunError, open_scene
+from nhc.simulate.opening import open_scene
+from nhc.simulate.requests import RunError
 from nhc.simulate.run import Settings, run
-from nhc.simulate.source import write_source
 from nhc.simulate.task import DONE, Task
 from nhc.simulate.workshop import load
 from tests.support import COMPILER, compile_c, spec_path

@@ -22,14 +22,15 @@ from nhc.cli.entry import main
 from nhc.language import Source, read
 from nhc.report.page import list_charts
 from nhc.report.trajectory import npz_bytes
-from nhc.simulate import compile as compiling
-from nhc.simulate.compile import CacheError, CompileError, build, cache_folder
+from nhc.simulate.c import compile as compiling
+from nhc.simulate.c.compile import CacheError, CompileError, build, cache_folder
+from nhc.simulate.c.source import write_natural, write_source
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, STRUCTURE, is_adaptive
-from nhc.simulate.opening import RunError, open_scene
+from nhc.simulate.opening import open_scene
 from nhc.simulate.peers import SCIPY
 from nhc.simulate.prepare import Job
+from nhc.simulate.requests import RunError
 from nhc.simulate.run import Settings, Trajectory, run
-from nhc.simulate.source import write_natural, write_source
 from tests.conftest import Compile
 from tests.support import COMPILER, STRICT, formulations, interrupt, reference, spec_path
 

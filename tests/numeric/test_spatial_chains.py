@@ -13,7 +13,7 @@ from nhc.algebra.calculus import count
 from nhc.algebra.exact.modular import are_equal
 from nhc.diagnostics import Source
 from nhc.pipeline import Options, emit, model, program
-from nhc.program.build import Planner
+from nhc.program.planning.planner import Planner
 from tests.numeric.test_chains import dense, made, residuals
 from tests.support import error, python_model
 from tests.trees import hinges, joints

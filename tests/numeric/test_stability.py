@@ -16,7 +16,7 @@ from nhc.language import read
 from nhc.pipeline import Options, stability
 from nhc.report.stability import list_charts
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA
-from nhc.study.linearize import eigenvalues
+from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.stability.drift import Drift, accumulate
 from nhc.study.stability.laboratory import Laboratory, Question
 from nhc.study.stability.sensitivity import fit

@@ -17,11 +17,11 @@ from nhc.algebra.graph import Graph
 from nhc.cli import main
 from nhc.language import Source, read
 from nhc.pipeline import Options, linearize
-from nhc.study.field import SteadyModel
-from nhc.study.linearize import eigenvalues, verdict
-from nhc.study.motion import Findings, Request
-from nhc.study.steady import NotSteady
-from nhc.study.turns import list_rates
+from nhc.study.linearization.field import SteadyModel
+from nhc.study.linearization.linearize import eigenvalues, verdict
+from nhc.study.linearization.motion import Findings, Request
+from nhc.study.linearization.steady import NotSteady
+from nhc.study.linearization.turns import list_rates
 from tests.numeric.test_linearize import IN_A_CYLINDER, matches
 from tests.support import spec_path
 

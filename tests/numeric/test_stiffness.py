@@ -9,7 +9,7 @@ import pytest
 
 from nhc.cli.entry import main
 from nhc.language import Source, read
-from nhc.program.stepping import MANY_STEPS
+from nhc.program.runs.limits import MANY_STEPS
 from nhc.simulate.opening import open_scene
 from nhc.simulate.pacing import Pace
 from nhc.simulate.run import Settings, Trajectory, run

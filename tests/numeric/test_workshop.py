@@ -9,8 +9,8 @@ import pytest
 
 from nhc.language import read
 from nhc.simulate import workshop
-from nhc.simulate.compile import HASTY_FLAGS, CompileError
-from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.c.compile import HASTY_FLAGS, CompileError
+from nhc.simulate.c.compiled import CompiledModel
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, list_times, run

@@ -18,7 +18,7 @@ from nhc.program.ir import (
     Section,
     Store,
 )
-from nhc.program.lower import lower_function
+from nhc.program.lowering.lower import lower_function
 from nhc.program.plan import FunctionPlan, Target
 from tests.ir_values import value
 from tests.property.expressions import NAMES, QUIET, Tree, build, rational_trees, smooth_trees

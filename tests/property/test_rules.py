@@ -21,7 +21,7 @@ from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
-from nhc.program.build import Planner
+from nhc.program.planning.planner import Planner
 from tests.property.expressions import NAMES as SYMBOLS
 from tests.property.expressions import QUIET, Tree, build, rational_trees
 from tests.property.test_algebra import Fractions, X, Y, Z, num, points, values_at

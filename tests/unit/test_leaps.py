@@ -9,8 +9,8 @@ from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
-from nhc.program.build import Planner
-from nhc.program.leaps import find_leaps
+from nhc.program.planning.planner import Planner
+from nhc.program.runs.leaps import find_leaps
 
 
 def parts_of(force: str, low: float, high: float) -> tuple[tuple[float, float], ...]:

@@ -11,9 +11,9 @@ from nhc.cli.run import METHODS as OFFERED
 from nhc.simulate.interpreted import InterpretedModel, load_text
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.methods.linear import solve
-from nhc.simulate.methods.loop import integrate
 from nhc.simulate.methods.tableau import Collocation, Explicit
 from nhc.simulate.peers import PEERS
+from nhc.simulate.stepping.loop import integrate
 from nhc.simulate.task import CROSSED, DONE, EVENT, NO_SOLUTION, SINGULAR, STOPPED, TOO_MANY, UNDERFLOW, News, Task
 
 EXPLICIT = [m for m in RUNGE_KUTTA.values() if isinstance(m, Explicit)]

@@ -15,9 +15,9 @@ from math import lcm
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.exact.field import INVERSE
-from nhc.algebra.expand import Monomial, Polynomial, TooLarge
+from nhc.algebra.expand import Monomial, Polynomial
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, SYM, Graph, Node
-from nhc.algebra.polynomial import polynomial
+from nhc.algebra.polynomial import argument_terms
 
 _WAVES = ("sin", "cos")
 _EXPONENTIALS = ("exp", "sinh", "cosh", "tanh")
@@ -199,11 +199,7 @@ class Degrees:
             if not family:
                 continue
             argument = self.graph.a[node]
-            try:
-                terms = polynomial(self.graph, argument, limit=60, circle=False)
-            except TooLarge:
-                terms = {((argument, 1),): Fraction(1)}
-            self._arguments[argument] = terms
+            terms = self._arguments[argument] = argument_terms(self.graph, argument)
             for monomial, c in terms.items():
                 found[(family, monomial)] = lcm(found.get((family, monomial), 1), c.denominator)
         return found

@@ -24,15 +24,14 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
-from fractions import Fraction
 from math import lcm
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import sign_of_constant
 from nhc.algebra.exact.residues import FULL_TURN, PRIMES, circle_point, part_of_turn, square_root, turn
-from nhc.algebra.expand import Monomial, Polynomial, TooLarge
+from nhc.algebra.expand import Monomial, Polynomial
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
-from nhc.algebra.polynomial import ONE, leading_size, polynomial
+from nhc.algebra.polynomial import ONE, argument_terms, leading_size
 
 _HALF_TURN = FULL_TURN // 2
 _PERIODIC = ("sin", "cos")
@@ -157,14 +156,9 @@ class FieldPoint:
 
     def _argument(self, node: Node) -> Polynomial:
         known = self._arguments.get(node)
-        if known is None and self.graph.op[node] == SYM:
-            known = self._arguments[node] = {((node, 1),): 1}
-        elif known is None:
-            try:
-                known = polynomial(self.graph, node, limit=60, circle=False)
-            except TooLarge:
-                known = {((node, 1),): Fraction(1)}
-            self._arguments[node] = known
+        if known is None:
+            alone = self.graph.op[node] == SYM
+            known = self._arguments[node] = {((node, 1),): 1} if alone else argument_terms(self.graph, node)
         return known
 
     def _value(self, node: Node) -> int:

@@ -165,9 +165,9 @@ class Jets:
         Raises:
             Unlucky: the point is a pole.
         """
-        p, values, parts = self.prime, self.values, self.box.parts
+        values, count = self.values, len(self.box.parts)
         for node in self.plan.still:
-            for i in range(len(parts)):
+            for i in range(count):
                 self.series[node][i].append(0 if k or i else values[node])
         for node in self.packed.keys() - {node for _, node, _, _ in self.plan.moving}:
             self.packed[node].append(self.box.pack([c[k] for c in self.series[node]]))
@@ -177,29 +177,33 @@ class Jets:
         if not k:
             for _, node, made, *_ in self._work:
                 made[0].append(values[node])
-        for whole in range(0 if k else 1, len(parts)):
-            pairs = parts[whole]
-            for kind, node, made, a, x, y in self._work:
-                if kind == MUL:
-                    new = 0
-                    for i, j in pairs:
-                        new += sum(map(mul, x[i], y[j][k::-1]))
-                elif kind == ADD:
-                    new = x[whole][k] + y[whole][k]
-                elif kind == _SCALE:
-                    new = values[a] * y[whole][k]
-                elif kind == _KEEP:
-                    new = x[whole][k]
-                elif kind == NEG:
-                    new = -x[whole][k]
-                elif kind == POW:
-                    new = self._power(made, x, self.plan.graph.b[node], whole, k)
-                else:
-                    new = self._function(node, whole, k)
-                made[whole].append(new % p)
+        for whole in range(0 if k else 1, count):
+            self._extend_one(k, whole)
         for node, numbers in self.packed.items():
             if not numbers:
                 numbers.append(self.box.pack([c[k] for c in self.series[node]]))
+
+    def _extend_one(self, k: int, whole: int) -> None:
+        """The coefficients of s^k times one monomial of the box."""
+        p, values, pairs = self.prime, self.values, self.box.parts[whole]
+        for kind, node, made, a, x, y in self._work:
+            if kind == MUL:
+                new = 0
+                for i, j in pairs:
+                    new += sum(map(mul, x[i], y[j][k::-1]))
+            elif kind == ADD:
+                new = x[whole][k] + y[whole][k]
+            elif kind == _SCALE:
+                new = values[a] * y[whole][k]
+            elif kind == _KEEP:
+                new = x[whole][k]
+            elif kind == NEG:
+                new = -x[whole][k]
+            elif kind == POW:
+                new = self._power(made, x, self.plan.graph.b[node], whole, k)
+            else:
+                new = self._function(node, whole, k)
+            made[whole].append(new % p)
 
     def _extend_packed(self, k: int) -> None:
         """The same for k > 0, all monomials at once."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from nhc.algebra.calculus import count, list_terms, reachable, substitute
+from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.parts import list_terms
 from nhc.algebra.polynomial import normalise
 
 _MOST_TERMS = 4

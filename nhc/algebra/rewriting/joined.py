@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
 
-from nhc.algebra.calculus import list_terms, reachable, rebuild
+from nhc.algebra.calculus import reachable, rebuild
 from nhc.algebra.expand import Monomial, Polynomial
-from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.graph import ADD, NEG, Graph, Node
 from nhc.algebra.nodes import Rational
+from nhc.algebra.parts import list_terms, split_powers
 
 _OTHER = {"sin": "cos", "cos": "sin"}
 _MOST = 60  # terms of a sum that are looked at
@@ -61,19 +62,7 @@ def _join_sum(graph: Graph, node: Node) -> Node:
 
 def split_factors(graph: Graph, term: Node) -> tuple[Rational, Monomial]:
     """A product as its number and the powers of its factors."""
-    coefficient, core = graph.split_coefficient(term)
-    powers: dict[Node, int] = {}
-    stack = [core]
-    while stack:
-        part = stack.pop()
-        if graph.op[part] == MUL:
-            stack += graph.children(part)
-            continue
-        k, part = graph.split_coefficient(part)
-        coefficient *= k
-        base, exponent = (graph.a[part], graph.b[part]) if graph.op[part] == POW else (part, 1)
-        if base != graph.one:
-            powers[base] = powers.get(base, 0) + exponent
+    coefficient, powers = split_powers(graph, term)
     return coefficient, tuple(sorted(powers.items()))
 
 

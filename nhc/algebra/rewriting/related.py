@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import list_terms, reachable, substitute
+from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.nodes import Rational
+from nhc.algebra.parts import list_terms
 from nhc.algebra.rewriting.angles import Pair, add_angles
 
 Angle = tuple[tuple[Node, Rational], ...]

@@ -59,7 +59,7 @@ RULES = (
     Rule(
         "trees",
         "accelerations of chains and trees are solved from the leaves to the root, not by L D L^T",
-        "program/mass_route.py",
+        "program/planning/mass_route.py",
     ),
     Rule(
         "detours",
@@ -104,12 +104,12 @@ RULES = (
     Rule(
         "shared powers",
         "x^12 is computed as (x^6)^2, x^6 as (x^3)^2, shared with other powers; 1/x^2 and 1/x^3 are powers of 1/x",
-        "program/powers.py",
+        "program/lowering/powers.py",
     ),
     Rule(
         "shared reciprocals",
         "several quotients by d become products with 1/d, which is computed once, in advance if d consists of parameters",
-        "program/lower.py",
+        "program/lowering/lower.py",
     ),
 )
 NAMES = frozenset(rule.name for rule in RULES)

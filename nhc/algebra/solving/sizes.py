@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
+from nhc.algebra.parts import list_factors
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rewriting.shorten import shorten
 
 _FEW_TERMS = 12
-_FEW_FACTORS = 8
 
 
 def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
@@ -75,14 +75,7 @@ def size_of(graph: Graph, root: Node) -> Node:
 
 def _unit_component(graph: Graph, node: Node) -> list[Node] | None:
     """The other factors of a product that holds x and 1/sqrt(x^2 + ...)."""
-    g = graph
-    factors, stack = list[Node](), [node]
-    while stack:
-        top = stack.pop()
-        if g.op[top] == MUL and len(factors) + len(stack) < _FEW_FACTORS:
-            stack += [g.b[top], g.a[top]]
-        else:
-            factors.append(top)
+    g, factors = graph, list_factors(graph, node)
     for length in factors:
         if g.op[length] != POW or g.b[length] != -1 or g.op[g.a[length]] != "sqrt":
             continue

@@ -9,7 +9,7 @@ from nhc.emit.c.finish import choose_finish
 from nhc.emit.c.lanes import Each, LanesPrinter
 from nhc.emit.c.lines import ANY, wrap_code
 from nhc.emit.c.names import make_scope
-from nhc.emit.c.parts import cut, find_crossing, list_fetched, list_names, print_in_turn
+from nhc.emit.c.parts import cut, find_carried, list_fetched, list_names, print_in_turn
 from nhc.emit.c.rolled.lines import KEPT, Body, Leave, Line, Loop, Put, may_roll
 from nhc.emit.c.rolled.printing import TURN
 from nhc.emit.statements import collect_refs, drop_unused, fill_stores, split_hoisted
@@ -88,9 +88,8 @@ class BatchPrinter:
         self.scope.bind_all(self.rolled.bound if self.rolled else ())
         self.parts = cut(lines, LONGEST, USUAL)
         placed, first = (self.rolled.places, self.rolled.size) if self.rolled else ({}, 0)
-        crossing = find_crossing(self.parts, placed)
-        self.carried = dict(placed) | {name: (first + place,) for name, place in crossing.items()}
-        self.size = first + len(crossing)
+        self.carried = find_carried(self.parts, placed, first)
+        self.size = first + len(self.carried) - len(placed)
         self.each: dict[str, Each] = {}
 
     def print(self) -> Batch:

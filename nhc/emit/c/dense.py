@@ -9,7 +9,7 @@ from nhc.emit.c.literals import NAN, print_comment, print_double
 from nhc.emit.c.names import print_singular
 from nhc.emit.statements import ZERO
 from nhc.program.ir import Expr, Solve
-from nhc.program.written_out import WrittenOut, write_out
+from nhc.program.lowering.written_out import WrittenOut, write_out
 
 FEW = 8  # entries of zero that are stored one by one
 

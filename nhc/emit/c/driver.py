@@ -6,7 +6,7 @@ from nhc.emit.c.literals import print_comment, print_float, print_string
 from nhc.emit.options import EmitError
 from nhc.emit.statements import Status, list_statuses
 from nhc.program.ir import Program, SceneData
-from nhc.program.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.records import record
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__

@@ -9,7 +9,7 @@ from nhc.emit.c.large import list_all
 from nhc.emit.c.lines import wrap_code
 from nhc.emit.c.names import print_singular
 from nhc.program.ir import Function, Solve
-from nhc.program.planner import SINGULAR_FRAME
+from nhc.program.planning.base import SINGULAR_FRAME
 from nhc.records import record
 
 ORDERED, EXCHANGED = "ordered", "exchanged"

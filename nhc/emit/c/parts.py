@@ -99,6 +99,14 @@ def find_crossing(parts: Iterable[Iterable[Line]], placed: Collection[str] = ())
     }
 
 
+def find_carried(
+    parts: Iterable[Iterable[Line]], places: Mapping[str, tuple[int, ...]], size: int
+) -> dict[str, tuple[int, ...]]:
+    """The places in the array that parts hand on: those given, which end at ``size``, and behind them those of what crosses."""
+    crossing = find_crossing(parts, places)
+    return dict(places) | {name: (size + place,) for name, place in crossing.items()}
+
+
 def find_tail(straight: Sequence[Statement]) -> int:
     """Where a dense solve begins after which only stores come: they take its unknowns from where it leaves them."""
     solves = [place for place, statement in enumerate(straight) if isinstance(statement, Solve)]
@@ -133,8 +141,7 @@ def lay_out_rolled(function: Function, main: Body, turned: Sequence[Body | None]
     """The same where there are loops: what these need has its places already."""
     parts = cut(main.lines, *choose_lengths(function))
     others = [body.lines if body else (sweep,) for body, sweep in zip(turned, sweeps, strict=True)]
-    crossing = find_crossing((*parts, *others), main.places)
-    kept = dict(main.places) | {name: (main.size + place,) for name, place in crossing.items()}
+    kept = find_carried((*parts, *others), main.places, main.size)
     bound = (*main.bound, *(name for body in turned if body for name in body.bound))
     return Layout(parts, kept, True, {}, 0, tuple(turned), bound)
 

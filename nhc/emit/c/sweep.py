@@ -11,7 +11,7 @@ from nhc.emit.c.literals import print_comment
 from nhc.emit.c.parts import (
     choose_lengths,
     cut,
-    find_crossing,
+    find_carried,
     find_sources,
     list_fetched,
     list_names,
@@ -37,11 +37,9 @@ class SweepPrinter:
         self.name = f"{printer.prefix}_{function.name}_sweep{number}"
         self.width = f"{printer.prefix.upper()}_LANES"
         self.parts = cut(rolled.lines if rolled else sweep.body, *choose_lengths(function))
-        placed = rolled.places if rolled else {}
-        first = rolled.size if rolled else 0
-        crossing = find_crossing(self.parts, placed)
-        self.carried = dict(placed) | {name: (first + place,) for name, place in crossing.items()}
-        self.size = first + len(crossing)
+        placed, first = (rolled.places, rolled.size) if rolled else ({}, 0)
+        self.carried = find_carried(self.parts, placed, first)
+        self.size = first + len(self.carried) - len(placed)
         entries = [entry for part in self.parts for line in part for entry in list_entries(line)]
         self.places = {entry: k for k, entry in enumerate(entries)}
 

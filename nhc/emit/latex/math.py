@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from nhc.emit.latex.names import PLAIN, Names
 from nhc.emit.latex.width import estimate
-from nhc.emit.layout import LAST, Piece, hold, nest, total
+from nhc.emit.layout import LAST, Piece, add_term, hold, nest, total
 from nhc.emit.terms import Product, flatten_product, flatten_sum, is_sum, is_unit, list_terms, split_number
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import RANK_STEP, Mark, Side, Symbol
@@ -39,8 +39,8 @@ class LatexMath:
     def pieces(self, expression: Expr) -> list[Piece]:
         """The terms of a sum with their signs, breakable before each sign."""
         found: list[Piece] = []
-        for k, (negative, term) in enumerate(flatten_sum(expression)):
-            found += _signed(k == 0, negative, self._term(term))
+        for negative, term in flatten_sum(expression):
+            add_term(found, negative, self._term(term), estimate)
         return found
 
     def side(self, side: Side) -> list[Piece]:
@@ -48,7 +48,7 @@ class LatexMath:
         if not side:
             return [_piece("0")]
         found: list[Piece] = []
-        for k, (negative, term) in enumerate(list_terms(side)):
+        for negative, term in list_terms(side):
             basis = self._basis(term.factors)
             if len(term.factors) == 1 and not term.factors[0].prefix and not is_sum(term.coefficient):
                 body = self._with_mark(term.coefficient, term.factors[0])
@@ -60,7 +60,7 @@ class LatexMath:
                 body = [*_enclose(self.pieces(term.coefficient)), *_thin(basis)]
             else:
                 body = [*self._term(term.coefficient), *_thin(basis)]
-            found += _signed(k == 0, negative, body)
+            add_term(found, negative, body, estimate)
         return found
 
     def _basis(self, marks: Sequence[Mark]) -> list[Piece]:
@@ -190,11 +190,3 @@ def _enclose(pieces: list[Piece]) -> list[Piece]:
     big = any(r"\frac" in piece.text for piece in pieces)
     opening, closing = (r"\Bigl(", r"\Bigr)") if big else ("(", ")")
     return [_piece(opening), *nest(pieces), _piece(closing)]
-
-
-def _signed(first: bool, negative: bool, body: list[Piece]) -> list[Piece]:
-    if len(body) > 1 and body[0].text == "-":  # a minus inside a product that the sum did not see
-        negative, body = not negative, body[1:]
-    if first:
-        return [_piece("-"), *body] if negative else body
-    return [_piece(" - " if negative else " + ", 1), *body]

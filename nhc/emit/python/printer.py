@@ -19,7 +19,7 @@ from nhc.emit.statements import (
     place_guards,
 )
 from nhc.program.ir import Argument, Evaluate, Function, Load, Program, Quantity, Store, Sweep
-from nhc.program.planner import SINGULAR_FRAME
+from nhc.program.planning.base import SINGULAR_FRAME
 from nhc.records import record
 
 LONGEST_REASON = WIDTH - 8

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from nhc.emit.layout import Piece, hold, nest
+from nhc.emit.layout import Piece, add_term, hold, nest
 from nhc.emit.terms import flatten_product, flatten_sum, is_sum, is_unit, list_terms, split_number
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import OTHER, Mark, Side, Symbol
@@ -41,8 +41,8 @@ class TextMath:
     def pieces(self, expression: Expr) -> list[Piece]:
         """The terms of a sum with their signs, breakable before each sign."""
         found: list[Piece] = []
-        for k, (negative, term) in enumerate(flatten_sum(expression)):
-            found += _signed(k == 0, negative, self._term(term))
+        for negative, term in flatten_sum(expression):
+            add_term(found, negative, self._term(term), len)
         return found
 
     def side(self, side: Side) -> list[Piece]:
@@ -50,7 +50,7 @@ class TextMath:
         if not side:
             return [_piece("0")]
         found: list[Piece] = []
-        for k, (negative, term) in enumerate(list_terms(side)):
+        for negative, term in list_terms(side):
             basis = " ^ ".join(print_mark(mark) for mark in term.factors)
             if not term.factors:
                 body = self._term(term.coefficient)
@@ -65,7 +65,7 @@ class TextMath:
                     sign, body = body[: product.negative], body[product.negative :]
                     body = [*sign, _piece("("), *nest(body), _piece(")")]
                 body = [*body, _piece(f" {basis}")]
-            found += _signed(k == 0, negative, body)
+            add_term(found, negative, body, len)
         return found
 
     def _term(self, term: Expr) -> list[Piece]:
@@ -130,12 +130,3 @@ def _fraction(value: Fraction) -> str:
     above, below = split_number(abs(value))
     text = f"{'-' if value < 0 else ''}{above or '1'}{f'/{below}' if below else ''}"
     return text if value >= 0 and not below else f"({text})"
-
-
-def _signed(first: bool, negative: bool, body: list[Piece]) -> list[Piece]:
-    if len(body) > 1 and body[0].text == "-":  # a minus inside a product that the sum did not see
-        negative, body = not negative, body[1:]
-    if first:
-        return [_piece("-"), *body] if negative else body
-    sign = " - " if negative else " + "
-    return [Piece(sign, len(sign), 1), *body]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nhc.emit.prose import print_counts
+from nhc.emit.about import print_counts
 from nhc.program.ir import (
     Argument,
     Binary,
@@ -67,7 +67,7 @@ def _argument(argument: Argument) -> str:
 def _function(function: Function) -> list[str]:
     inputs = ", ".join(_argument(a) for a in function.inputs)
     output = _argument(function.output) if function.output is not None else "scalar"
-    counts = print_counts(function.adds, function.multiplications, function.divisions, function.calls)
+    counts = print_counts(function)
     number = f"  ({function.equation})" if function.equation else ""
     width = max((len(name) for s in function.body for name in _bound(s)), default=0)
     lines = [f"function {function.name}({inputs}) -> {output}{number}  # {function.about}; {counts}"]

@@ -131,8 +131,7 @@ def space(place: int = 0) -> Frame:
 def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turning, ledger: Ledger) -> Frame:
     """The frame of a body at ``at`` on the axes of ``on``; its origin, axes and angular velocity are defined by name."""
     here, span = name.span.start, name.span
-    offset = each(lambda k: pieces.dot(at, _row(on.axes, k), here))
-    origin = ledger.names(f"{name.value}_", AXES, pieces.plus(on.origin, offset, here), span)
+    origin = _spot(name, on, at, ledger)
     spin, last, heading = None, None, None
     if isinstance(turns, Turning):
         axes, omega, relative = _rotated(on, turns, here)
@@ -163,6 +162,13 @@ def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turni
         last,
         heading,
     )
+
+
+def _spot(name: Text, on: Frame, at: Triple, ledger: Ledger) -> Triple:
+    """The place in space of what stands at ``at`` on the axes of ``on``, its coordinates defined by name."""
+    here, span = name.span.start, name.span
+    offset = each(lambda k: pieces.dot(at, _row(on.axes, k), here))
+    return ledger.names(f"{name.value}_", AXES, pieces.plus(on.origin, offset, here), span)
 
 
 def _rotated(on: Frame, turns: Turning, place: int) -> tuple[Axes, Triple, Triple]:
@@ -235,8 +241,7 @@ def _turned(axes: Sequence[Triple], axis: int, angle: Piece, place: int) -> Axes
 def place_point(name: Text, on: Frame, of: Frame | None, at: Triple, ledger: Ledger) -> None:
     """Define the place of a point in space, and the velocity of the matter of ``of`` there, in space and on the axes of ``on``."""
     here, span = name.span.start, name.span
-    offset = each(lambda k: pieces.dot(at, _row(on.axes, k), here))
-    spot = ledger.names(f"{name.value}_", AXES, pieces.plus(on.origin, offset, here), span)
+    spot = _spot(name, on, at, ledger)
     if of is None:
         return
     turned = None

@@ -183,9 +183,8 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     Raises:
         nhc.algebra.dense.Singular: they are too many or no basis.
     """
-    g, wanted = system.graph, system.n - system.l
-    turning = {name for rotation in system.spec.rotations for name in rotation.velocities}
-    forms = [form for form in system.quasi if form.name not in turning]
+    g, wanted, angular = system.graph, system.n - system.l, system.angular
+    forms = [form for form in system.quasi if form.name not in angular]
     if len(forms) > wanted:
         raise Singular
     if len(forms) == wanted:
@@ -197,7 +196,7 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
         best = _least_weak_turning(system, forms)
     else:
         best = _least_weak(system, forms, wanted)
-    return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in turning)
+    return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in angular)
 
 
 def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[Form, ...]:

@@ -9,8 +9,7 @@ from nhc.mechanics.system import Form, System
 
 def list_faults(system: System) -> list[str]:
     """One sentence for each fault of the spec's quasi-velocities, in their order; that they are too many comes last."""
-    turning = {name for rotation in system.spec.rotations for name in rotation.velocities}
-    given = [form for form in system.quasi if form.name not in turning]
+    given = [form for form in system.quasi if form.name not in system.angular]
     found: list[str] = []
     basis: list[Form] = []
     for form in given:

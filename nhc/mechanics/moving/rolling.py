@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
-from nhc.algebra.calculus import list_terms, reachable, substitute
+from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.parts import list_terms
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.straight import straighten
 from nhc.mechanics.moving.vectors import Chained

@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations
 
-from nhc.algebra.calculus import list_terms
 from nhc.algebra.graph import NEG, SYM, Graph, Node
+from nhc.algebra.parts import list_terms
 from nhc.mechanics.directions import Sided, along_direction
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving.axes import Setting

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import gradient, list_terms, reachable, substitute
+from nhc.algebra.calculus import gradient, reachable, substitute
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.parts import list_factors, list_terms
 from nhc.algebra.rewriting.digits import normalise_kept
-from nhc.mechanics.directions import list_factors
 from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
 from nhc.records import fresh, identity_record, record, structure
 

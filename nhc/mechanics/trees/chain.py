@@ -14,7 +14,7 @@ from collections.abc import Collection, Sequence
 
 from nhc.algebra.calculus import gradient, pullback_gradient, reachable, substitute, tangent
 from nhc.algebra.graph import NEG, Graph, Node
-from nhc.algebra.monomials import split_parameters, tidy
+from nhc.algebra.parts import split_parameters, tidy
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
@@ -254,5 +254,5 @@ def _motion_of(
 
 def join(graph: Graph, x: Node, y: Node, parameters: int, w: Sequence[Node]) -> Node:
     """x y, with parameters and velocities multiplied first: what two components of a vector share is then one node."""
-    monomial, rest = split_parameters(graph, graph.mul(x, y), parameters | graph.mask(tuple(w)))
-    return graph.mul(monomial.node(graph), rest)
+    outer, rest = split_parameters(graph, graph.mul(x, y), parameters | graph.mask(tuple(w)))
+    return graph.mul(outer.node(graph), rest)

@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.algebra.calculus import list_terms
 from nhc.algebra.graph import NEG, Node
-from nhc.algebra.monomials import split_parameters
+from nhc.algebra.parts import list_terms, split_parameters
 from nhc.mechanics.trees.chain import Chain
 
 
@@ -41,14 +40,14 @@ def _lift(chain: Chain, force: list[Node], i: int, places: dict[Node, tuple[int,
     g = chain.graph
     kept = g.zero
     for term in list_terms(g, force[i]):
-        monomial, rest = split_parameters(g, term, chain.parameters)
+        outer, rest = split_parameters(g, term, chain.parameters)
         negative = g.op[rest] == NEG
         place = places.get(g.a[rest] if negative else rest)
         if place is None:
             kept = g.add(kept, term)
             continue
         j, sign = place
-        value = monomial.node(g)
+        value = outer.node(g)
         if negative == (sign > 0):
             value = g.neg(value)
         force[j] = g.add(force[j], value)

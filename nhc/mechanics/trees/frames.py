@@ -16,9 +16,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import permutations
 
-from nhc.algebra.calculus import gradient, list_terms
+from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Graph, Node
-from nhc.mechanics.directions import list_factors
+from nhc.algebra.parts import list_factors, list_terms
 from nhc.mechanics.moving.signatures import Signature, Signatures
 from nhc.mechanics.trees.rates import Rates
 from nhc.mechanics.turns import Vector, add_vectors, cross, scale_vector
@@ -159,6 +159,12 @@ class Frames:
                 raise
         return self._known[vector]
 
+    def _parent(self, vectors: Sequence[Vector], depth: int) -> Frame | None:
+        """The axes on which all the vectors are fixed; None where one of them is on none that are known."""
+        found = [(self._follow(vector, depth), vector) for vector in vectors]
+        parents = [(frame, vector) for frame, vector in found if frame is not None]
+        return self.common(parents) if len(parents) == len(found) else None
+
     def common(self, parts: Sequence[tuple[Frame, Vector]]) -> Frame | None:
         """The axes on which all of them are fixed."""
         deepest = max((frame for frame, _ in parts), key=lambda frame: frame.depth)
@@ -202,9 +208,7 @@ class Frames:
             across, along, still = zip(x, y, z, strict=True)
             if not self._is_turn(across, along, still):
                 continue
-            found = [(self._follow(v, depth), v) for v in (across, along, still) if any(v)]
-            parents = [(frame, v) for frame, v in found if frame is not None]
-            parent = self.common(parents) if len(parents) == len(found) else None
+            parent = self._parent([v for v in (across, along, still) if any(v)], depth)
             if parent is not None:
                 self.as_known(across)
                 self.as_known(along)
@@ -266,9 +270,7 @@ class Frames:
             axes = self._right_handed(axes)
             if axes is None:
                 continue
-            found = [(self._follow(v, depth), v) for v in axes]
-            parents = [(frame, v) for frame, v in found if frame is not None]
-            parent = self.common(parents) if len(parents) == len(found) else None
+            parent = self._parent(axes, depth)
             if parent is not None:
                 first, second, third = map(self.as_known, axes)
                 return self._body(parent, r, (first, second, third))

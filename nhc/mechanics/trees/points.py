@@ -10,10 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import permutations
 
-from nhc.algebra.calculus import list_terms, reachable
+from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, NEG, Node
-from nhc.algebra.monomials import split_parameters
-from nhc.mechanics.directions import list_factors
+from nhc.algebra.parts import list_factors, list_terms, split_parameters
 from nhc.mechanics.moving.signatures import Signature
 from nhc.mechanics.trees.frames import ROOT, ZERO, Frame, Frames
 from nhc.mechanics.turns import Vector, add_vectors, scale_vector
@@ -179,8 +178,8 @@ class Points:
         for axis, row in enumerate(rows):
             seen: dict[tuple[Node, Node], int] = {}
             for term in row:
-                monomial, rest = split_parameters(g, term, self._mask)
-                key = monomial.node(g), rest
+                outer, rest = split_parameters(g, term, self._mask)
+                key = outer.node(g), rest
                 copy = seen[key] = seen.get(key, -1) + 1  # what a turn leaves as it is stands for the body before, too
                 groups.setdefault((key[0], copy), [[], [], []])[axis].append(rest)
         arms: dict[int, list[Arm]] = {}
@@ -251,8 +250,8 @@ class Points:
             while stack:
                 top, factor = stack.pop()
                 for term in reversed(list_terms(g, top)):
-                    monomial, rest = split_parameters(g, term, self._mask)
-                    own = g.mul(factor, monomial.node(g))
+                    outer, rest = split_parameters(g, term, self._mask)
+                    own = g.mul(factor, outer.node(g))
                     if g.op[g.a[rest] if g.op[rest] == NEG else rest] == ADD:
                         stack.append((rest, own))
                     else:

@@ -11,7 +11,7 @@ from collections.abc import Container, Sequence
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, Graph, Node
-from nhc.algebra.monomials import Monomial, split_parameters, tidy
+from nhc.algebra.parts import Factor, split_parameters, tidy
 from nhc.records import fresh, structure
 
 Terms = dict[int, Node]
@@ -139,21 +139,21 @@ def _continue_single_terms(graph: Graph, made: Recursion, parameters: int) -> Re
     order = [*single, *(k for k in range(len(made.definitions)) if k not in single)]
     number = {rates + k: rates + place for place, k in enumerate(order)}
     terms = [{number.get(c, c): a for c, a in made.definitions[k].items()} for k in order]
-    starts: dict[Term, tuple[int, Monomial, bool]] = {}
+    starts: dict[Term, tuple[int, Factor, bool]] = {}
     for place in range(len(single)):
         ((i, a),) = terms[place].items()
-        monomial, rest = split_parameters(graph, a, parameters)
+        outer, rest = split_parameters(graph, a, parameters)
         negative = graph.op[rest] == NEG
-        starts.setdefault((i, graph.a[rest] if negative else rest), (rates + place, monomial, negative))
+        starts.setdefault((i, graph.a[rest] if negative else rest), (rates + place, outer, negative))
     for place in range(len(single), len(terms)) if starts else ():
         for i, a in list(terms[place].items()):
-            monomial, rest = split_parameters(graph, a, parameters)
+            outer, rest = split_parameters(graph, a, parameters)
             negative = graph.op[rest] == NEG
             start = starts.get((i, graph.a[rest] if negative else rest))
-            if start is None or start[0] in terms[place] or not monomial.divisible_by(start[1]):
+            if start is None or start[0] in terms[place] or not outer.divisible_by(start[1]):
                 continue
             j, divisor, turned = start
-            quotient = tidy(graph, graph.div(monomial.node(graph), divisor.node(graph)), parameters)
+            quotient = tidy(graph, graph.div(outer.node(graph), divisor.node(graph)), parameters)
             del terms[place][i]
             terms[place][j] = graph.neg(quotient) if negative != turned else quotient
     constants = [made.constants[k] for k in order]

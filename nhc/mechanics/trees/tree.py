@@ -12,10 +12,10 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.monomials import sum_products
+from nhc.algebra.parts import sum_products
 from nhc.mechanics.trees.chain import Chain
 from nhc.mechanics.trees.order import choose_order
-from nhc.mechanics.trees.recursion import Terms
+from nhc.mechanics.trees.recursion import Terms, Weights
 from nhc.mechanics.trees.rods import Rods
 from nhc.records import structure
 
@@ -180,19 +180,10 @@ class Elimination:
     @cached_property
     def rates(self) -> list[Node]:
         """The rates w' that the chain's own forces make."""
-        g, chain = self.graph, self.chain
-        drift = [g.zero] * chain.rates
-        for terms, turn, offset in zip(chain.definitions, chain.turn, chain.offset, strict=True):
-            carried = g.sum([g.mul(a, drift[c]) for c, a in terms.items()])
-            drift.append(g.add(g.add(carried, offset), turn))
-        pull = list(chain.force)
-        for (a, b), weight in chain.weights.items():
-            if self._gone[a] or self._gone[b]:
-                continue
-            pull[a] = g.sub(pull[a], g.mul(weight, drift[b]))
-            if a != b:
-                pull[b] = g.sub(pull[b], g.mul(weight, drift[a]))
-        return self._solve(pull, drift, moving=True)
+        chain, gone = self.chain, self._gone
+        drift = self._carry([self.graph.zero] * chain.rates)
+        kept = {(a, b): weight for (a, b), weight in chain.weights.items() if not (gone[a] or gone[b])}
+        return self._solve(self._pull(kept, drift), drift, moving=True)
 
     def solve(self, right: Sequence[Node]) -> list[Node]:
         """x with M x = right, M the mass matrix of the rates."""
@@ -206,19 +197,28 @@ class Elimination:
         and R. P. C. Paul, J. Dyn. Syst. Meas. Control 102 (1980) 69).
         """
         g, chain = self.graph, self.chain
-        rate = [g.mul(s, x) for s, x in zip(chain.scale, rates, strict=True)]
-        for terms, turn, offset in zip(chain.definitions, chain.turn, chain.offset, strict=True):
-            carried = g.sum([g.mul(a, rate[c]) for c, a in terms.items()])
-            rate.append(g.add(g.add(carried, offset), turn))
-        pull = list(chain.force)
-        for (a, b), weight in chain.weights.items():
-            pull[a] = g.sub(pull[a], g.mul(weight, rate[b]))
-            if a != b:
-                pull[b] = g.sub(pull[b], g.mul(weight, rate[a]))
+        pull = self._pull(chain.weights, self._carry([g.mul(s, x) for s, x in zip(chain.scale, rates, strict=True)]))
         for k, terms in reversed(list(enumerate(chain.definitions))):
             for c, a in terms.items():
                 pull[c] = g.add(pull[c], g.mul(a, pull[chain.rates + k]))
         return [g.mul(force, g.mul(s, chain.unit)) for force, s in zip(pull, chain.scale, strict=False)]
+
+    def _carry(self, rates: Sequence[Node]) -> list[Node]:
+        """The accelerations of all variables, those of the forms from the rates that they are made of."""
+        g, chain, found = self.graph, self.chain, list(rates)
+        for terms, turn, offset in zip(chain.definitions, chain.turn, chain.offset, strict=True):
+            carried = g.sum([g.mul(a, found[c]) for c, a in terms.items()])
+            found.append(g.add(g.add(carried, offset), turn))
+        return found
+
+    def _pull(self, weights: Weights, accelerations: Sequence[Node]) -> list[Node]:
+        """The forces without what these weights take at the accelerations, variable by variable."""
+        g, pull = self.graph, list(self.chain.force)
+        for (a, b), weight in weights.items():
+            pull[a] = g.sub(pull[a], g.mul(weight, accelerations[b]))
+            if a != b:
+                pull[b] = g.sub(pull[b], g.mul(weight, accelerations[a]))
+        return pull
 
     def _solve(self, pull: list[Node], drift: list[Node], *, moving: bool) -> list[Node]:
         g, chain = self.graph, self.chain

@@ -6,7 +6,7 @@ A unit is a product of parameters, chosen so that nothing is divided by a parame
 from __future__ import annotations
 
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.monomials import Monomial, common, split_parameters
+from nhc.algebra.parts import Factor, common, split_parameters
 from nhc.mechanics.trees.recursion import Recursion, Weights
 
 
@@ -24,7 +24,7 @@ def scales(g: Graph, recursion: Recursion, weights: Weights, mask: int) -> list[
     rates = recursion.rates
     masses = {key: split_parameters(g, h, mask)[0] for key, h in weights.items()}
     factors = _form_scales(g, recursion, masses, mask)
-    parts: list[list[Monomial]] = [[] for _ in range(rates)]
+    parts: list[list[Factor]] = [[] for _ in range(rates)]
     for k, terms in enumerate(recursion.definitions):
         own_unit = factors[rates + k].node(g)
         for c, a in terms.items():
@@ -37,19 +37,19 @@ def scales(g: Graph, recursion: Recursion, weights: Weights, mask: int) -> list[
     return [factor.node(g) for factor in factors]
 
 
-def _form_scales(g: Graph, recursion: Recursion, masses: dict[tuple[int, int], Monomial], mask: int) -> list[Monomial]:
+def _form_scales(g: Graph, recursion: Recursion, masses: dict[tuple[int, int], Factor], mask: int) -> list[Factor]:
     """What stands squared in the masses of forms that belong together and is a factor wherever others are made of them."""
-    factors = [Monomial()] * recursion.size
+    factors = [Factor()] * recursion.size
     users = _users(recursion)
     for group in sorted(_groups(g, recursion), reverse=True):
         inside = set(group)
         own = [masses[i, i] for i in group if (i, i) in masses]
-        parts = [Monomial(powers={base: n // 2 for base, n in mass.powers.items()}) for mass in own]
+        parts = [Factor(powers={base: n // 2 for base, n in mass.powers.items()}) for mass in own]
         for i in group:
             for j, a in users.get(i, ()):
                 if j not in inside:
                     parts.append(split_parameters(g, g.mul(a, factors[j].node(g)), mask)[0])
-        shared = Monomial(powers=common(parts).powers)
+        shared = Factor(powers=common(parts).powers)
         for i in group:
             factors[i] = shared
     return factors
@@ -75,8 +75,8 @@ def _groups(g: Graph, recursion: Recursion) -> list[list[int]]:
 def common_mass(g: Graph, recursion: Recursion, weights: Weights, mask: int) -> Node:
     """A parameter that most of the masses have in common, if without it some rate would move nothing."""
     rates = recursion.rates
-    found: list[Monomial | None] = [None] * recursion.size
-    masses: dict[int, list[Monomial]] = {}
+    found: list[Factor | None] = [None] * recursion.size
+    masses: dict[int, list[Factor]] = {}
     for (a, b), h in weights.items():
         for i in {a, b}:
             masses.setdefault(i, []).append(split_parameters(g, h, mask)[0])

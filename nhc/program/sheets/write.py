@@ -11,8 +11,8 @@ from collections.abc import Iterable, Sequence
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import NEG, SYM, Node
 from nhc.program.ir import Expr, Negate, Power, Ref
-from nhc.program.lower import Lowering
-from nhc.program.naming import identifier
+from nhc.program.lowering.lower import Lowering
+from nhc.program.lowering.naming import identifier
 from nhc.program.plan import FunctionPlan, Target
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
 from nhc.program.sheets.model import RANK_STEP, Item, Mark, Sheet, Statement, Symbol, Term

@@ -7,7 +7,7 @@ Equations I, 2nd ed. (1993), sec. II.5, II.6, II.10.
 
 from __future__ import annotations
 
-from nhc.program.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods.tableau import Explicit
 
 METHOD = Explicit(

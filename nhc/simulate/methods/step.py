@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from nhc.program.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 
 Vector = list[float]
 ASIDE = 1.0 / 1024
@@ -40,7 +40,7 @@ class Step:
     - ``noise``: what rounding may make of the slopes;
     - ``wrong``: the square of the last refused step's error; ``stuck``: how often in a row a shorter step did not lessen it;
     - ``spared``: of each entry, the part of the largest entry that its error may count relative to (empty: of none);
-    - ``push``, ``asked``: what clocks do to the slopes, and how often that was asked (:mod:`nhc.simulate.methods.beating`).
+    - ``push``, ``asked``: what clocks do to the slopes, and how often that was asked (:mod:`nhc.simulate.stepping.beating`).
     """
 
     model: Model

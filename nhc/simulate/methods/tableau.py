@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nhc.program.stepping import LIMITS
+from nhc.program.runs.limits import LIMITS
 from nhc.records import record
 
 Row = tuple[float, ...]
@@ -19,7 +19,7 @@ class Explicit:
     ...))))) with D the rows of ``dense``. ``exponent``: a step is scaled by error^(-1/exponent).
     ``trust``: the largest estimated error, relative to a refused step's end, with which that end still has the right size; beyond
     its stability a method ends anywhere.
-    ``turn``: radians of a clock in a step up to which an estimate tells what the clock does (:mod:`nhc.program.beats`).
+    ``turn``: radians of a clock in a step up to which an estimate tells what the clock does (:mod:`nhc.program.runs.beats`).
     """
 
     name: str

@@ -11,10 +11,10 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, open_runner, open_system
-from nhc.study.field import SteadyModel
-from nhc.study.linearize import eigenvalues, linearise_at
-from nhc.study.motion import steady_model
-from nhc.study.steady import find_steady
+from nhc.study.linearization.field import SteadyModel
+from nhc.study.linearization.linearize import eigenvalues, linearise_at
+from nhc.study.linearization.motion import steady_model
+from nhc.study.linearization.steady import find_steady
 
 END, NUDGE = 6.0, 1e-5
 GROWTH = {  # largest real part at each speed, by the published matrices (Meijaard, Papadopoulos, Ruina and Schwab 2007)

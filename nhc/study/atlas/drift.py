@@ -8,7 +8,7 @@ import numpy as np
 
 from nhc.simulate.task import DONE
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, grid, open_runner, open_system
-from nhc.study.units import Matrix
+from nhc.study.linearization.units import Matrix
 
 MOVED = (
     *(("contact_oscillator", 0.1, 1000.0), ("chaplygin_sleigh", 0.02, 100.0), ("rolling_disk", 0.005, 50.0)),

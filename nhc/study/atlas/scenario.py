@@ -17,7 +17,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
-from nhc.program.watch import Watch
+from nhc.program.runs.watch import Watch
 from nhc.records import record
 from nhc.resources import find_specs
 from nhc.simulate.methods import RUNGE_KUTTA
@@ -25,7 +25,7 @@ from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.task import Outcome, Task
 from nhc.simulate.workshop import Model, load
-from nhc.study.units import Matrix
+from nhc.study.linearization.units import Matrix
 
 
 @record

@@ -9,7 +9,7 @@ from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
-from nhc.simulate.compile import CompileError
+from nhc.simulate.c.compile import CompileError
 from nhc.simulate.prepare import Job
 from nhc.study.chart.model import compile_chart, compile_long, compile_natural
 from nhc.study.chart.reference import METHODS as REFERENCE_METHODS

@@ -10,7 +10,7 @@ from nhc.language.spec import Scene, Spec
 from nhc.language.units.derived import derive_units
 from nhc.language.units.dimensions import UnitError, base_words, parse_unit
 from nhc.mechanics.scenes import report_scene
-from nhc.simulate.opening import list_needs
+from nhc.simulate.requests import list_needs
 
 
 def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str], name: str) -> None:

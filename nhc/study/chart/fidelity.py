@@ -17,10 +17,10 @@ from nhc.mechanics.scenes import start_of
 from nhc.program.scene_model import SceneModel, count_operations_of, scene_model
 from nhc.records import record
 from nhc.simulate.auto import choose_method
-from nhc.simulate.compile import find_compiler
-from nhc.simulate.opening import find_need, find_scene
+from nhc.simulate.c.compile import find_compiler
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
+from nhc.simulate.requests import find_need, find_scene
 from nhc.simulate.run import list_times
 from nhc.study.chart.case import RESOLVED, Case, Machine, Reference, Result
 from nhc.study.chart.comparable import check_comparable
@@ -106,7 +106,7 @@ def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: 
 
     Raises:
         nhc.diagnostics.SpecError: a spec has errors, or lacks what the finest one's scene needs.
-        nhc.simulate.opening.RunError: the finest spec has no such scene or quantity.
+        nhc.simulate.requests.RunError: the finest spec has no such scene or quantity.
         nhc.study.chart.reference.NoReference: the finest model does not come to the end of the scene.
     """
     truth = decode(finest)

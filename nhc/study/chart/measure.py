@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from nhc.simulate.compile import CompileError, compiler_version, find_compiler, machine_flags
+from nhc.simulate.c.compile import CompileError, compiler_version, find_compiler, machine_flags
 from nhc.study.chart.case import Machine
 from nhc.version import __version__
 

@@ -8,11 +8,11 @@ from pathlib import Path
 
 from nhc.emit.environment import File, render_file
 from nhc.records import record
-from nhc.simulate.compile import build, loop_flags
-from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.c.compile import build, loop_flags
+from nhc.simulate.c.compiled import CompiledModel
+from nhc.simulate.c.source import size, write_natural, write_source
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.prepare import Job
-from nhc.simulate.source import size, write_natural, write_source
 from nhc.simulate.task import Task
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
@@ -34,7 +34,7 @@ def compile_chart(job: Job, methods: Sequence[str]) -> Path:
     """The library of a formulation with all methods.
 
     Raises:
-        nhc.simulate.compile.CompileError: no compiler.
+        nhc.simulate.c.compile.CompileError: no compiler.
     """
     name = job.program.system
     sources = write_source(job.program, [RUNGE_KUTTA[method] for method in methods], job.events, job.holds)
@@ -52,7 +52,7 @@ def compile_long(job: Job, methods: Sequence[str]) -> Path:
     """The library of the same in long double.
 
     Raises:
-        nhc.simulate.compile.CompileError: no compiler.
+        nhc.simulate.c.compile.CompileError: no compiler.
     """
     name = job.program.system
     functions = {function.name: function for function in job.program.functions}
@@ -73,7 +73,7 @@ def compile_natural(job: Job, method: str) -> Path:
     """The library of a structure-preserving method on a natural system.
 
     Raises:
-        nhc.simulate.compile.CompileError: no compiler.
+        nhc.simulate.c.compile.CompileError: no compiler.
     """
     name = job.program.system
     context: dict[str, object] = {

@@ -11,12 +11,12 @@ from nhc.language import decode
 from nhc.language.spec import Scene
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
-from nhc.simulate.compile import CompileError, find_compiler
+from nhc.simulate.c.compile import CompileError, find_compiler
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.methods import STRUCTURE as SCHEMES
-from nhc.simulate.opening import find_need, find_scene
 from nhc.simulate.prepare import Job
+from nhc.simulate.requests import find_need, find_scene
 from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
 from nhc.study.chart.ahead import compile_ahead
@@ -40,7 +40,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
 
     Raises:
         nhc.diagnostics.SpecError: the spec has errors.
-        nhc.simulate.opening.RunError: no such scene or quantity.
+        nhc.simulate.requests.RunError: no such scene or quantity.
         nhc.study.chart.reference.NoReference: there is nothing to compare with.
     """
     spec = decode(source)

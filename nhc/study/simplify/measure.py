@@ -12,8 +12,9 @@ from nhc.program.scene_model import count_operations_of
 from nhc.records import record
 from nhc.simulate.auto import choose_method
 from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.opening import RunError, open_scene
+from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
+from nhc.simulate.requests import RunError
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.task import TOO_MANY, Task
 from nhc.study.chart.measure import Rows, sizes_of, time_repeats
@@ -165,7 +166,7 @@ def meter_of(source: Source, scene: str, formulation: str, tolerance: float) -> 
 
     Raises:
         nhc.diagnostics.SpecError: the spec has errors.
-        nhc.simulate.opening.RunError: no such scene.
+        nhc.simulate.requests.RunError: no such scene.
         NotMeasured: a run fails, or the runs differ too much.
     """
     job, method = _open(source, scene, formulation, tolerance)

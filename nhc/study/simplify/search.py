@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.records import record
-from nhc.simulate.opening import find_scene
+from nhc.simulate.requests import find_scene
 from nhc.simulate.run import POINTS
 from nhc.study.chart.measure import describe_machine
 from nhc.study.simplify.abreast import measure_abreast
@@ -219,7 +219,7 @@ def simplify(
 
     Raises:
         nhc.diagnostics.SpecError: the spec has errors.
-        nhc.simulate.opening.RunError: no such scene.
+        nhc.simulate.requests.RunError: no such scene.
         NotMeasured: the full model's run is no reference.
     """
     draft = draft_of(source, find_scene(decode(source), scene))

@@ -19,21 +19,22 @@ from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.regular.undefined import are_defined
 from nhc.mechanics.scenes import Start
 from nhc.mechanics.turning import mass_matrix
-from nhc.program.build import Planner, build_functions
-from nhc.program.needed import Column, needed_function, reactions_of
-from nhc.program.stepping import LEAST_TOLERANCE, SAFETY
-from nhc.program.structure import structure_of
-from nhc.simulate.compile import CompileError, build, tell_why
-from nhc.simulate.compiled import CompiledModel
+from nhc.program.build import build_functions
+from nhc.program.planning.planner import Planner
+from nhc.program.runs.limits import LEAST_TOLERANCE, SAFETY
+from nhc.program.runs.needed import Column, needed_function, reactions_of
+from nhc.program.runs.structure import structure_of
+from nhc.simulate.c.compile import CompileError, build, tell_why
+from nhc.simulate.c.compiled import CompiledModel
+from nhc.simulate.c.source import write_natural, write_source
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.run import list_times
-from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import DONE, ModelError, Outcome, Task
-from nhc.study.units import Matrix, cleaned, sizes_of, trials
+from nhc.study.linearization.units import Matrix, cleaned, sizes_of, trials
 
 ROWS = 201
 MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, (20_000, 500)
@@ -150,7 +151,7 @@ class Bench:
 
     @cached_property
     def sizes(self) -> Matrix:
-        """The size of each component of the state in the scene; see :func:`nhc.study.units.sizes_of`."""
+        """The size of each component of the state in the scene; see :func:`nhc.study.linearization.units.sizes_of`."""
         found = [np.abs(slopes) for k in range(0, ROWS, ROWS // 8) if (slopes := self._slopes_at(k)) is not None]
         slopes = np.max(found, axis=0) if found else np.zeros((len(self.job.y),) * 2)
         return sizes_of(np.max(np.abs(self.reference), axis=0), slopes, self.duration, self.equations.system.n)

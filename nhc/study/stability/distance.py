@@ -15,9 +15,9 @@ from nhc.mechanics.choosing.choose import NotApplicable, dependent_of
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.records import record
-from nhc.study.field import scaled_least
+from nhc.study.linearization.field import scaled_least
+from nhc.study.linearization.units import Matrix
 from nhc.study.stability.bench import Bench
-from nhc.study.units import Matrix
 
 NEAR = 0.03
 """Below this a choice is called weak, as in :mod:`nhc.mechanics.regular.regularity`."""

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from nhc.records import record
 from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE, ModelError, Outcome
+from nhc.study.linearization.units import Matrix
 from nhc.study.stability.bench import Bench
-from nhc.study.units import Matrix
 
 LENGTHS = 10
 _ROWS, _FINER, _FINEST = 2001, 16001, 128001

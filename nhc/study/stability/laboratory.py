@@ -11,7 +11,7 @@ from nhc.mechanics.choosing.choose import Formulation, build
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import Start, start_of
 from nhc.records import record
-from nhc.simulate.opening import find_scene
+from nhc.simulate.requests import find_scene
 from nhc.study.stability.bench import Bench, open_bench
 from nhc.study.stability.conduct import conduct
 from nhc.study.stability.distance import NEAR, Distance, distances
@@ -78,7 +78,7 @@ def examine(equations: Equations, formulation: Formulation, question: Question) 
 
     Raises:
         nhc.diagnostics.SpecError: unknown names, or a start that violates the constraints.
-        nhc.simulate.opening.RunError: no such scene.
+        nhc.simulate.requests.RunError: no such scene.
     """
     system = equations.system
     scene = find_scene(system.spec, question.scene)
@@ -113,7 +113,7 @@ def examine_whole(equations: Equations, formulation: Formulation, question: Ques
 
     Raises:
         nhc.diagnostics.SpecError: unknown names, or a start that violates the constraints.
-        nhc.simulate.opening.RunError: no such scene.
+        nhc.simulate.requests.RunError: no such scene.
     """
     found = examine(equations, formulation, question)
     if not found.failed or found.stopped or formulation.frame is None:

@@ -19,11 +19,11 @@ from nhc.mechanics.linearize import reduced
 from nhc.mechanics.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.study.field import SINGULAR, Hold, SteadyModel
-from nhc.study.linearize import Linearisation, linearise_at
-from nhc.study.motion import branch_of, nearest_of, read_holds, steady_model
-from nhc.study.steady import Locked, NotSteady, SingularFrame, Steady, check_smooth, find_steady
-from nhc.study.sweep import Sweep, sweep
+from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
+from nhc.study.linearization.linearize import Linearisation, linearise_at
+from nhc.study.linearization.motion import branch_of, nearest_of, read_holds, steady_model
+from nhc.study.linearization.steady import Locked, NotSteady, SingularFrame, Steady, check_smooth, find_steady
+from nhc.study.linearization.sweep import Sweep, sweep
 
 SweepRange = tuple[str, float, float, int]
 

@@ -13,8 +13,8 @@ import numpy as np
 
 from nhc.records import record
 from nhc.simulate.task import DONE
+from nhc.study.linearization.units import Matrix
 from nhc.study.stability.bench import Bench
-from nhc.study.units import Matrix
 
 _SEGMENTS = 40
 _NUDGE = 3e-6  # of a component's size: central differences of a run at 1e-13 are good to about 1e-7

@@ -19,8 +19,8 @@ from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.outcomes import name_outcome
 from nhc.simulate.task import DONE
+from nhc.study.linearization.units import Matrix
 from nhc.study.stability.bench import Bench
-from nhc.study.units import Matrix
 
 GROWTH = 10.0
 _PLACES = 25  # Jacobians along the scene

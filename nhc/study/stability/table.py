@@ -6,14 +6,14 @@ import math
 from typing import Any
 
 from nhc.records import record
-from nhc.study.field import SINGULAR
-from nhc.study.linearize import Mode, eigenvalues, modes, verdict
+from nhc.study.linearization.field import SINGULAR
+from nhc.study.linearization.linearize import Mode, eigenvalues, modes, verdict
+from nhc.study.linearization.sweep import Sweep
 from nhc.study.stability.distance import NEAR, Distance
 from nhc.study.stability.drift import Drift, LongRun
 from nhc.study.stability.laboratory import STIFF, Laboratory
 from nhc.study.stability.motions import Motion
 from nhc.study.stability.sensitivity import Sensitivity
-from nhc.study.sweep import Sweep
 
 
 @record

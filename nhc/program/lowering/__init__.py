@@ -1,0 +1,1 @@
+"""From plans of nodes to the statements of the intermediate representation."""

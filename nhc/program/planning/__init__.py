@@ -1,0 +1,1 @@
+"""What each function of a model computes, as plans of nodes."""

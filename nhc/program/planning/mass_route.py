@@ -1,0 +1,145 @@
+"""How the rates are solved for: by the dense L D L^T, from the leaves of a tree to its root, or by way of angular velocities."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from nhc.algebra.calculus import substitute
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rewriting.shorten import shorten
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.detour import Detour, find_detour
+from nhc.mechanics.system import Form
+from nhc.mechanics.trees import FEW
+from nhc.program.plan import factor, solve_factored
+from nhc.records import fresh, structure
+
+if TYPE_CHECKING:
+    from nhc.mechanics.trees.tree import Elimination
+
+Pairs = list[tuple[Node, Node]]
+Solver = Callable[[Sequence[Node]], list[Node]]
+"""Of x with mass @ x = right, from ``right``."""
+Residual = Callable[[Sequence[Node]], list[Node]]
+"""Of force - mass @ rates, from the rates."""
+
+
+@structure
+class MassRoute:
+    """``values`` of the rates; (pivot, scale) pairs that must not vanish; ``solve``, where there is one.
+
+    ``short``: the values are so short that they are differentiated themselves.  ``residual``: along a tree, where one was read.
+    ``held``: pairs of the reactions' matrix of a held tree, which tell how many digits are left; ``turned``: of the coframe of a
+    detour, whose determinants stand squared in that of the mass matrix.  ``chained``: each pivot waits for the one before it.
+    """
+
+    values: list[Node]
+    pivots: Pairs
+    solve: Solver | None = None
+    short: bool = False
+    residual: Residual | None = None
+    chained: bool = False
+    held: Pairs = fresh(factory=list)
+    turned: Pairs = fresh(factory=list)
+
+
+def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]) -> MassRoute:
+    """The cheapest way; ``full`` are the equations before ``put_in`` was put into them: a tree is read from these.
+
+    ``kept`` are the forms whose values the velocities w are.
+    """
+    g, size, found = equations.system.graph, len(equations.motion.w), list[MassRoute]()
+    if full.tree is not None:
+        found.append(_along(equations, full.tree, put_in))
+    else:
+        dense = _dense(equations)
+        found.append(dense)
+        tree = _other_tree(full)
+        if tree is not None:
+            along = _along(equations, tree, put_in)
+            dense.residual = along.residual
+            found.append(along)
+        held = _along_held(full, put_in, kept, dense)
+        if held is not None:
+            found.append(held)
+    detour = find_detour(full)
+    if detour is not None:
+        found.append(_by(detour, equations, put_in))
+    if len(found) == 1:
+        return found[0]
+    from nhc.mechanics.trees.choice import CHAINED, work
+
+    return min(found, key=lambda way: work(g, way.values) + CHAINED * size * way.chained)
+
+
+def _along_held(
+    full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form], dense: MassRoute
+) -> MassRoute | None:
+    """By a tree that constraints hold, where there are few of them."""
+    g = full.system.graph
+    if not 0 < 2 * full.system.l <= len(full.motion.w) or len(full.motion.w) <= FEW:
+        return None
+    from nhc.program.planning.held_tree import held_tree
+
+    held = held_tree(full, kept)
+    if held is None:
+        return None
+    return MassRoute(
+        substitute(g, held.rates, put_in),
+        _in_pairs(g, held.pivots, put_in),
+        lambda right: substitute(g, held.solve(right), put_in),
+        residual=dense.residual,
+        chained=True,
+        held=_in_pairs(g, held.held, put_in),
+    )
+
+
+def _along(equations: Equations, tree: Elimination, put_in: Mapping[Node, Node]) -> MassRoute:
+    g = equations.system.graph
+
+    def put(nodes: Sequence[Node]) -> list[Node]:
+        return substitute(g, nodes, put_in)
+
+    return MassRoute(
+        put(tree.rates),
+        _in_pairs(g, tree.pivots, put_in),
+        lambda right: put(tree.solve(right)),
+        short=True,
+        residual=lambda rates: put(tree.residual(rates)),
+        chained=True,
+    )
+
+
+def _by(detour: Detour, equations: Equations, put_in: Mapping[Node, Node]) -> MassRoute:
+    g = equations.system.graph
+    inner = mass_route(detour.equations, detour.equations, {}, detour.frame.forms)
+    values = shorten(g, detour.accelerations(substitute(g, inner.values, detour.values)))
+    pivots = _in_pairs(g, _in_pairs(g, inner.pivots, detour.values), put_in)
+    turned = _in_pairs(g, detour.frame.guards, put_in)
+    return MassRoute(substitute(g, values, put_in), pivots, short=True, chained=inner.chained, turned=turned)
+
+
+def _in_pairs(g: Graph, pairs: Sequence[tuple[Node, Node]], put_in: Mapping[Node, Node]) -> Pairs:
+    flat = substitute(g, [node for pair in pairs for node in pair], put_in)
+    return list(zip(flat[::2], flat[1::2], strict=True))
+
+
+def _other_tree(equations: Equations) -> Elimination | None:
+    """A tree that was not surely worth it, or under constraints that leave many rates: it is held against the dense way."""
+    size, motion = len(equations.motion.w), equations.motion
+    if size < 2 or (size <= FEW and motion.velocities != motion.w):
+        return None
+    from nhc.mechanics.trees.choice import tree_of
+    from nhc.mechanics.whole_forms import whole_kinetic
+
+    kinetic = whole_kinetic(equations.system)
+    return tree_of(equations.system, motion, kinetic) if kinetic is not None else None
+
+
+def _dense(equations: Equations) -> MassRoute:
+    g = equations.system.graph
+    factors = factor(g, equations.mass, g.mask(equations.system.p))
+    values = shorten(g, solve_factored(g, factors, equations.force))
+    pivots = [(pivot, equations.mass[k][k]) for k, pivot in zip(factors.order, factors.pivots, strict=True)]
+    return MassRoute(values, pivots, lambda right: solve_factored(g, factors, right))

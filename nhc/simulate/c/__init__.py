@@ -1,0 +1,1 @@
+"""Runs in C: the source with the integrator inside it, compiled once, loaded and called."""

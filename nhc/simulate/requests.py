@@ -1,0 +1,61 @@
+"""What a run may be asked for: a scene of the spec, and quantities by name."""
+
+from __future__ import annotations
+
+from nhc.diagnostics import suggest
+from nhc.language import Spec
+from nhc.language.advice import advise_need
+from nhc.language.expressions.names import ENERGIES, fold_typed
+from nhc.language.spec import Scene
+from nhc.mechanics.scenes import check_scene_name
+
+
+class RunError(Exception):
+    """What was asked does not fit the spec; ``help`` says what would."""
+
+    def __init__(self, message: str, help: tuple[str, ...]) -> None:
+        super().__init__(message)
+        self.help = help
+
+
+def find_scene(spec: Spec, name: str) -> Scene:
+    """The scene of that name, or the first one.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec has scenes, and none of that name.
+        RunError: it has none at all.
+    """
+    if not spec.scenes:
+        advice = ("add one under `scenes:`, with `initial:` and `time: [start, end]`",)
+        raise RunError("this spec has no scene to run", advice)
+    if not name:
+        return spec.scenes[0]
+    check_scene_name(spec, name)
+    return next(scene for scene in spec.scenes if scene.name == name)
+
+
+def list_needs(spec: Spec) -> tuple[str, ...]:
+    """Everything that a run can be asked for, each name once: an output may be called `energy`."""
+    names = (
+        *(c.name for c in spec.coordinates),
+        *(f"{c.name}'" for c in spec.coordinates),
+        *(q.name for q in spec.quasi_velocities),
+        *(o.name for o in spec.outputs),
+        "energy",
+        *(("reactions",) if spec.constraints or spec.holonomic or spec.rotations else ()),
+    )
+    return tuple(dict.fromkeys(names))
+
+
+def find_need(spec: Spec, text: str) -> str:
+    """The needed name that a text means; ``xdot`` is ``x'`` while nothing else has that name."""
+    name, known = fold_typed(text), list_needs(spec)
+    if name in known:
+        return name
+    if name.endswith("dot") and f"{name[:-3]}'" in known:
+        return f"{name[:-3]}'"
+    if name == "reactions":
+        raise RunError("there are no reactions: this spec has no constraint", ("leave `reactions` out",))
+    shown = name in (*ENERGIES, *(d.name for d in spec.definitions)) or name.startswith("lambda_")
+    hint = advise_need(name) if shown else suggest(name, known, f"it can be {', '.join(known)}")
+    raise RunError(f"no quantity `{text}` in this spec", (hint,))

@@ -1,0 +1,347 @@
+"""The loop around a Runge-Kutta method in Python, step for step as ``templates/c/methods/loop.c.jinja`` has it."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Sequence
+from copy import copy
+from dataclasses import dataclass, field, replace
+from typing import Protocol
+
+from nhc.program.runs.limits import LIMITS
+from nhc.simulate.methods import collocation, explicit
+from nhc.simulate.methods.step import NoSolution, Step
+from nhc.simulate.methods.tableau import Explicit, Tableau
+from nhc.simulate.stepping.beating import Beating, find_turn
+from nhc.simulate.stepping.holding import Held, hold_end
+from nhc.simulate.stepping.hoping import count_on_hopes, find_hollow, go_back, look_on
+from nhc.simulate.stepping.leaping import Placed, find_most
+from nhc.simulate.stepping.lengths import find_growth, guess_length, limit_growth
+from nhc.simulate.stepping.rounding import is_faint, reconsider
+from nhc.simulate.stepping.stops import cross, foresee, next_bound
+from nhc.simulate.stepping.watching import (
+    MOST_HALVINGS,
+    Watching,
+    approaches,
+    find_change,
+    find_event,
+    keep_signs,
+    may_dip,
+    may_touch,
+)
+from nhc.simulate.task import (
+    CROSSED,
+    DONE,
+    EVENT,
+    NO_SOLUTION,
+    SINGULAR,
+    STALLED,
+    STOPPED,
+    TOO_MANY,
+    UNDERFLOW,
+    News,
+    Outcome,
+    Task,
+)
+
+_EPSILON = sys.float_info.epsilon
+_LEAST_ERROR = 1e-8  # explicit methods give the error's square
+
+
+class Watched(Placed, Beating, Held, Watching, Protocol):
+    """A model with values to watch."""
+
+    @property
+    def events(self) -> int: ...
+
+    @property
+    def watched(self) -> bool: ...
+
+    @property
+    def holds(self) -> Sequence[Sequence[str]]: ...
+
+
+@dataclass
+class _Run:
+    model: Watched
+    method: Tableau
+    task: Task
+    news: News
+    step: Step
+    states: list[list[float]]
+    steps: int = 0
+    rejected: int = 0
+    next: float = 0.0
+    growth: float = 0.0
+    former: float = _LEAST_ERROR
+    marked: int = 0
+    stalls: int = 0
+    stop: int = 0
+    most: float = math.inf
+    bound: float = 0.0
+    since: float = 0.0
+    back: _Run | None = None
+    before: list[float] = field(default_factory=list)
+    trend: list[float] = field(default_factory=list)
+    span: float = 0.0
+    halved: int = 0
+
+    def leave(self, kind: int, status: int = 0) -> Outcome:
+        s = self.step
+        return Outcome(
+            kind, status, s.t, list(s.y), s.h, self.steps, self.rejected, s.calls, s.jacobians, self.states, s.size
+        )
+
+
+def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcome:
+    """Fill the rows of a task; the outcome says how far it came."""
+    step = Step(model, task.p, task.times[0], list(task.y), 0.0 if task.step > 0 else task.tolerance)
+    step.size = [max(a, b) for a, b in zip(step.size, task.sizes or step.size, strict=True)]
+    run = _Run(model, method, task, news, step, [list(task.y)], since=task.times[0])
+    run.stop, run.bound = next_bound(task, step.t, 0)
+    try:
+        step.slope = step.rhs(step.t, step.y)
+        run.before = model.watch(step.t, step.y, task.p)
+        foresee(step, task)
+        run.growth = limit_growth(method)
+        run.former = 1.0  # no error came before
+        run.next = guess_length(step, method, task.times[-1] - task.times[0])
+        if model.dips < len(run.before):
+            run.trend = _find_trend(run)
+    except ArithmeticError as error:
+        return run.leave(SINGULAR, getattr(error, "status", 0))
+    while True:
+        try:
+            done = _advance(run)
+        except ArithmeticError as error:
+            done = run.leave(SINGULAR, getattr(error, "status", 0))
+        if not _goes_back(run, done) and done is not None:
+            return done
+
+
+def _remember(run: _Run) -> None:
+    """Before a step is taken that was held to sizes to come."""
+    s = run.step
+    if not any(s.coming):
+        return
+    if not s.hoping:
+        run.back = replace(run, step=copy(s), states=list(run.states), back=None)
+    count_on_hopes(s)
+
+
+def _goes_back(run: _Run, done: Outcome | None) -> bool:
+    """Whether sizes to come that steps were held to have not come by their time, or before the run ends (``done``): then it goes on
+    from the first of these steps.
+    """
+    s, back = run.step, run.back
+    if not s.hoping or back is None or (done is not None and done.kind == STOPPED):
+        return False
+    if not any(find_hollow(s)):
+        s.hoping = False
+        return False
+    if done is None and s.h * (s.until - s.t) > 0.0:
+        return False
+    go_back(s, back.step)
+    vars(run).update(vars(back) | {"step": s, "growth": 1.0, "former": 1.0, "next": abs(s.h)})
+    return True
+
+
+def _find_trend(run: _Run) -> list[float]:
+    """Before the first step: how fast the values go, by a thousandth of it along the slope; without an answer they may dip."""
+    s, task = run.step, run.task
+    h = 1e-3 * math.copysign(run.next, task.times[-1] - task.times[0])
+    try:
+        at = run.model.watch(s.t + h, [y + h * f for y, f in zip(s.y, s.slope, strict=True)], task.p)
+    except ArithmeticError:
+        at = [0.0] * len(run.before)
+    run.span = 1e3 * h
+    return [(b - a) / h for a, b in zip(run.before, at, strict=True)]
+
+
+def _plan(run: _Run) -> tuple[float, float] | None:
+    """(end of the next step, its length without sign); None where the step is too short to count."""
+    task, s = run.task, run.step
+    start, end = task.times[0], task.times[-1]
+    sign, rest = math.copysign(1.0, end - start), abs(run.bound - s.t)
+    if task.step > 0:
+        count = math.ceil(abs(end - start) / task.step - 1e-9)
+        last = run.steps + 1 >= count
+        reach = end if last else start + (end - start) * ((run.steps + 1) / count)
+        return reach, abs(reach - s.t)
+    run.next = min(run.next, abs(end - start))
+    last = run.next >= 0.999 * rest
+    h = rest if last else run.next
+    reach = run.bound if last else s.t + sign * h
+    return None if reach == s.t or (not last and h < 4 * _EPSILON * abs(s.t)) else (reach, h)
+
+
+def _is_stalled(run: _Run) -> bool:
+    """Whether the rest would take more steps than any run does, if they stay as short as the last: a motion slides along a jump."""
+    tried, s = run.steps + run.rejected, run.step
+    if run.task.step > 0 or tried - run.marked < LIMITS.stride:
+        return False
+    passed, run.marked, run.since = abs(s.t - run.since), tried, s.t
+    run.stalls = run.stalls + 1 if passed < LIMITS.few * abs(run.task.times[-1] - s.t) else 0
+    if run.stalls > 0:  # what stalls it may be next to nothing
+        s.spared = [1e-6] * len(s.y)
+    return run.stalls >= LIMITS.patience
+
+
+def _attempt(run: _Run, reach: float) -> tuple[float, int]:
+    """(error relative to what is allowed, outcome to leave with where it is no number)."""
+    s = run.step
+    try:
+        error = _measure_error(run)
+    except NoSolution:
+        return math.nan, NO_SOLUTION
+    except ArithmeticError as singular:
+        s.status = getattr(singular, "status", 0)
+        return math.nan, SINGULAR if s.status else UNDERFLOW
+    if not all(map(math.isfinite, s.reached)):
+        return math.nan, UNDERFLOW
+    if 0.0 <= error <= 1.0:
+        run.most = min(find_most(s, run.model, run.task), find_turn(s, run.model, run.task, run.method.turn))
+        if run.most == 0.0:
+            return math.nan, UNDERFLOW
+    if 0.0 <= error <= 1.0 and run.model.holds and not hold_end(s, run.model, reach, run.steps == 0):
+        return math.nan, SINGULAR
+    return error, UNDERFLOW
+
+
+def _measure_error(run: _Run) -> float:
+    """That of an attempt, with what rounding allows where it may be rounding that is too much."""
+    s, method, twice = run.step, run.method, run.growth == 1.0
+    error = explicit.attempt(s, method) if isinstance(method, Explicit) else collocation.attempt(s, method)
+    if not error > 1.0 or not (twice or is_faint(s)):
+        return error
+    if isinstance(method, Explicit):
+        return reconsider(s, error, twice, lambda: explicit.again(s, method))
+    return reconsider(s, error, twice, lambda: collocation.attempt(s, method))
+
+
+def _advance(run: _Run) -> Outcome | None:
+    """One step, accepted or not; an outcome where the run ends."""
+    task, s = run.task, run.step
+    duration = abs(task.times[-1] - task.times[0])
+    if run.news.stop:
+        return run.leave(STOPPED)
+    if run.steps + run.rejected >= task.most:
+        return run.leave(TOO_MANY)
+    if _is_stalled(run):
+        return run.leave(STALLED)
+    plan = _plan(run)
+    if plan is None:
+        return run.leave(UNDERFLOW)
+    reach, h = plan
+    s.h, s.status = reach - s.t, 0
+    error, reason = _attempt(run, reach)
+    if not 0.0 <= error <= 1.0:
+        run.rejected += 1
+        run.growth, s.first = 1.0, True
+        run.next = h * (max(find_growth(run.method, error, run.former, True), 0.333) if error > 1.0 else 0.25)
+        if task.step <= 0:
+            square = error if isinstance(run.method, Explicit) else error * error
+            s.learn_sizes(square if error > 1.0 else sys.float_info.max, run.method.trust)
+        if task.step > 0 or run.next < 4 * _EPSILON * max(abs(s.t), 1e-3 * duration):
+            return run.leave(reason, s.status)
+        return None
+    _remember(run)
+    if task.step <= 0:
+        growth = find_growth(run.method, error, run.former, False) if error > 0 else run.growth
+        run.next = min(h * min(run.growth, max(growth, 0.333)), run.most)
+        run.growth, run.former = limit_growth(run.method), max(error, _LEAST_ERROR)
+    return _accept(run, reach)
+
+
+def _accept(run: _Run, reach: float) -> Outcome | None:
+    task, s, model = run.task, run.step, run.model
+    if model.holds:
+        s.arrived = s.rhs(reach, s.reached)
+    cut, which = 2.0, -1
+    if model.watched:
+        before, after = run.before, model.watch(reach, s.reached, task.p)
+        if approaches(before, after, model.frames) and _halves(run):
+            return None
+        near = bool(run.trend) and may_dip(run.before, run.trend, after, s.h, run.span, model.dips)
+        near = near and may_touch(s, model, run.before, after)
+        if run.trend:
+            run.span, run.trend = s.h, [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
+        if model.events or near or find_change(run.before, after) >= 0:
+            cut, which = _find_event(run)
+            weak = model.frames[1] > 0 and which >= model.frames[0]
+            if weak and after[which] > 0.0 < before[which] and _halves(run):
+                run.before = before
+                return None
+        run.halved = 0
+        run.before = keep_signs(run.before, after)
+    _fill(run, cut)
+    run.steps += 1
+    if which >= 0:
+        s.y, s.t = _point(run, cut), s.t + cut * s.h
+        s.seen = [max(a, abs(b)) for a, b in zip(s.seen, s.y, strict=True)] if s.hoping else s.seen
+        return run.leave(EVENT if which < model.events else CROSSED, which)
+    if s.hoping:
+        look_on(s, run.method)
+    s.move(reach)
+    run.news.t = reach
+    if reach == task.times[-1]:
+        return run.leave(DONE)
+    return _pass_stop(run) if reach == run.bound else None
+
+
+def _halves(run: _Run) -> bool:
+    """Whether the step is not taken but halved, for it comes too near to a singular place or has gone over it."""
+    if run.task.step > 0 or run.halved >= MOST_HALVINGS:
+        return False
+    run.next = 0.5 * abs(run.step.h)
+    run.halved += 1
+    run.rejected += 1
+    return True
+
+
+def _pass_stop(run: _Run) -> Outcome | None:
+    """The run goes on behind a stop, where the slope may be another one; nothing moves at a jump."""
+    s, task = run.step, run.task
+    s.t, rows = cross(task, s.t, run.stop, len(run.states))
+    run.states += [list(s.y) for _ in range(rows)]
+    run.stop, run.bound = next_bound(task, s.t, run.stop)
+    if s.t == task.times[-1]:
+        return run.leave(DONE)
+    s.first = True
+    s.slope = s.rhs(s.t, s.y)
+    return None
+
+
+def _point(run: _Run, part: float) -> list[float]:
+    s = run.step
+    if s.shape is None:
+        module = explicit if isinstance(run.method, Explicit) else collocation
+        s.shape = module.shape(s, run.method)
+    return s.interpolate(part)
+
+
+def _fill(run: _Run, cut: float) -> None:
+    s, times = run.step, run.task.times
+    while len(run.states) < len(times):
+        part = (times[len(run.states)] - s.t) / s.h
+        if part > cut or part > 1.0 + 1e-12:
+            return
+        if part >= 1.0 - 1e-12:
+            run.states.append(list(s.reached))
+        else:
+            point = _point(run, part)
+            run.states.append(run.model.hold(times[len(run.states)], point, run.task.p) if run.model.holds else point)
+
+
+def _find_event(run: _Run) -> tuple[float, int]:
+    """(part of the step, index of the watched value) where one changes its sign; (2, -1) where none does."""
+    s, task = run.step, run.task
+
+    def look(part: float) -> list[float]:
+        y = s.reached if part == 1.0 else _point(run, part)
+        return run.model.watch(s.t + part * s.h, y, task.p)
+
+    _point(run, 0.5)  # makes the interpolant
+    cut, which, run.before = find_event(look, run.before, run.model.events, run.model.dips)
+    return cut, which

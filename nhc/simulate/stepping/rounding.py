@@ -1,0 +1,81 @@
+"""What rounding makes of slopes (``templates/c/methods/rounding.c.jinja`` in Python)."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable
+
+from nhc.program.runs.limits import LIMITS
+from nhc.simulate.methods.step import NoSolution, Step, Vector
+
+_PART = 2.0**-40
+_GOLDEN = 0.6180339887498949
+
+
+def measure_noise(s: Step, t: float, y: Vector, slope: Vector) -> None:
+    """What rounding may make of the slopes, sixteen times: how far the slope at (t, y), which is known, goes with the state.
+
+    Each entry moves by some 2^-40 of itself, there and back; the lesser of both counts, for a jump lies on one side.  And it moves
+    by what the slopes that went so make of it in a step of length h, for they are slopes of others.  Terms that cancel have
+    rounding that no small move of the state tells: it is what the sums of the slopes there and back differ by, of which each has a
+    way of its own; but not more than four times as far as the slope goes, for it may jump.
+    """
+    parts = [(_GOLDEN * (i + 1)) % 1.0 for i in range(len(y))]  # no two entries alike, for what they do must not cancel
+    parts = [-0.5 - part if part < 0.5 else part for part in parts]
+    moment, moved = _PART * abs(t), [0.0] * len(y)
+    sums = list[Vector]()
+    for share in (8.0, 9.0, 10.0):
+        ways = [0.1 * share * (_PART * x + s.h * m) * part for x, m, part in zip(y, moved, parts, strict=True)]
+        least, both = [math.inf] * len(y), [0.0] * len(y)
+        for sign in (1.0, -1.0):
+            try:
+                at = s.rhs(
+                    t + moment if s.h < 0.0 else t - moment, [x + sign * way for x, way in zip(y, ways, strict=True)]
+                )
+            except ArithmeticError:
+                at = slope
+            least = [min(a, abs(b - c)) for a, b, c in zip(least, at, slope, strict=True)]
+            both = [b - c + a for a, b, c in zip(both, at, slope, strict=True)]
+        moved = least
+        sums.append(both)
+    rounded = [min(max(each) - min(each), 4.0 * gone) for gone, *each in zip(moved, *sums, strict=True)]
+    usual = [16.0 / _PART * sys.float_info.epsilon * gone for gone in moved]
+    s.noise = [max(a, 16.0 * b) for a, b in zip(usual, rounded, strict=True)]
+
+
+def is_noisy(s: Step) -> bool:
+    """Whether rounding allows some entry more than its size does."""
+    rows = zip(s.size, s.noise, s.reached, strict=True)
+    return any(abs(s.h) * noise > s.tolerance * max(size, abs(end)) for size, noise, end in rows)
+
+
+def is_faint(s: Step) -> bool:
+    """Whether some entry is so small beside the largest that rounding alone may have made it; one that is exactly zero is right."""
+    sizes = [max(size, abs(end)) for size, end in zip(s.size, s.reached, strict=True)]
+    return min((size for size in sizes if size > 0.0), default=sys.float_info.max) < LIMITS.faint * max(
+        sizes, default=0.0
+    )
+
+
+def reconsider(s: Step, error: float, twice: bool, again: Callable[[], float]) -> float:
+    """The error of an attempt that failed after another one (``twice``), or with an entry that is next to nothing.
+
+    An entry that is zero but for rounding has errors beside its own size that no shorter step makes less.  What is asked where this
+    step ends is not believed of others, unless it is taken: it may end anywhere.
+
+    Raises:
+        NoSolution: an implicit step has none with what rounding allows.
+    """
+    former = s.noise
+    measure_noise(s, s.t + s.h, s.reached, s.arrived)
+    if twice:
+        s.spare()
+    try:
+        found = again() if s.spared or is_noisy(s) else error
+    except (ArithmeticError, NoSolution):
+        s.noise = former
+        raise
+    if not 0.0 <= found <= 1.0:
+        s.noise = former
+    return found

@@ -1,0 +1,1 @@
+"""Steady motions, found from a guess, and the equations linearised about them."""

@@ -1,0 +1,102 @@
+"""The velocities that a user gave to the motion that is asked about: which of them a steady motion keeps, and which have gone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+
+import numpy as np
+
+from nhc.algebra.calculus import substitute
+from nhc.algebra.graph import Node
+from nhc.language.spec import Initial, Scene
+from nhc.mechanics.flow import Flow
+from nhc.mechanics.linearize import quantity
+from nhc.mechanics.turning import moving
+from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.steady import NotSteady, Steady, find_steady
+
+SNAP = 1e-11
+"""What differs by no more, relative to its size, is the same."""
+_LOST = 0.1  # of the kinetic energy: a motion with less is not the one that was asked about
+_SLIGHT = 1e-3  # of the kinetic energy: a velocity of a scene with less is a disturbance
+_FARTHER = 2.0  # times the way to the nearest steady motion: where the velocities of a scene must not lead
+
+
+def keep_speeds(
+    model: SteadyModel, scene: Scene, guess: Sequence[float], nearest: Steady, holds: Sequence[Hold]
+) -> Steady:
+    """The member of the family of ``nearest`` that has the velocities that were asked for, one by one as far as there is one.
+
+    The search alone ends at the member nearest in the whole state, of which the user gave a part: at another speed.  What moves
+    most comes first.  A scene of the spec need not be near a steady motion: its own small velocities are disturbances that need
+    not stay, nor should its others lead far away.
+    """
+    declared = next((one.initial for one in model.flow.system.spec.scenes if one.name == scene.name), ())
+    asked = [(_share(model, guess, hold), entry in declared, hold) for entry, hold in _asked(model, scene, guess)]
+    far, best = _FARTHER * _way(model, guess, nearest), nearest
+    for share, loose, hold in sorted(asked, key=lambda one: -one[0]):
+        if loose and share <= _SLIGHT:
+            continue
+        kept = (*holds, hold)
+        if abs(model.value(best.y, hold.node) - hold.value) > SNAP * abs(hold.value):
+            try:
+                other = find_steady(model, best.y, kept)
+            except NotSteady:
+                continue
+            if loose and _way(model, guess, other) > far:
+                continue
+            best = other
+        holds = kept
+    return best
+
+
+def _way(model: SteadyModel, guess: Sequence[float], steady: Steady) -> float:
+    """How far a steady motion is from the guess, apart from cyclic coordinates, as the search sees it."""
+    with suppress(ArithmeticError):
+        model = model.in_units(guess)
+    way = np.array(model.inside(steady.y)) - np.array(model.inside(guess))
+    return float(np.linalg.norm(way[list(model.rest)]))
+
+
+def _share(model: SteadyModel, guess: Sequence[float], hold: Hold) -> float:
+    """The least kinetic energy with which a quantity, linear in the velocities, has its value, beside that of the guess."""
+    kept = model.flow.kept
+    slopes = model.slopes(guess, hold.node)[len(model.flow.y) - kept :]
+    yielding = float(slopes @ np.linalg.pinv(model.mass(guess)[:kept, :kept], hermitian=True) @ slopes)
+    whole = abs(model.value(guess, _kinetic(model.flow)))
+    return hold.value**2 / abs(2 * yielding * whole) if yielding * whole else 0.0
+
+
+def _kinetic(flow: Flow) -> Node:
+    """T over the state."""
+    return substitute(flow.graph, [flow.system.T], moving(flow.system, flow.velocities))[0]
+
+
+def _asked(model: SteadyModel, scene: Scene, guess: Sequence[float]) -> list[tuple[Initial, Hold]]:
+    """The velocities that were given, as they are in the guess; zeros are what nobody gives a thought."""
+    found = list[tuple[Initial, Hold]]()
+    for entry in scene.initial:
+        name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
+        node = None if entry.kind == "coordinate" else quantity(model.flow, name)
+        value = 0.0 if node is None else model.value(guess, node)
+        if node is not None and value:
+            found.append((entry, Hold(name, node, value)))
+    return found
+
+
+def has_halted(model: SteadyModel, guess: Sequence[float], y: Sequence[float]) -> bool:
+    """Whether most of the kinetic energy has gone: rest was nearer than what was meant."""
+    kinetic = _kinetic(model.flow)
+    return model.value(y, kinetic) < _LOST * model.value(guess, kinetic)
+
+
+def describe_lost(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> str:
+    """Which velocities that were asked for have gone, with what is left of them."""
+    lost = list[str]()
+    for _, asked in _asked(model, scene, guess):
+        after = model.value(y, asked.node)
+        if abs(after) < abs(asked.value) / 2:
+            now = after if abs(after) > SNAP * abs(asked.value) else 0
+            lost.append(f"{asked.name} = {asked.value:.6g} has become {now:.6g}")
+    return "; ".join(lost)

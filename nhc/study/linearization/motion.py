@@ -1,0 +1,312 @@
+"""From what a user asks about (a scene, pairs, holds, a sweep) to linearisations: what ``nhc linearize`` runs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from typing import TypeVar
+
+from nhc.algebra.dense import Singular
+from nhc.algebra.graph import Node
+from nhc.algebra.show import to_text
+from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
+from nhc.language.expressions.names import fold_typed
+from nhc.language.scope import names_in
+from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choosing.choose import Formulation, build
+from nhc.mechanics.choosing.conditioning import adapted_choices
+from nhc.mechanics.flow import Flow, flow_of
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.frame import coordinate_frame
+from nhc.mechanics.linearize import (
+    HiddenLeaf,
+    cyclic_of,
+    hidden_leaf,
+    is_autonomous,
+    quantity,
+    reduced,
+    symbolic_matrix,
+)
+from nhc.mechanics.properties.symmetry import symmetries_of
+from nhc.mechanics.regular.regularity import choose_dependent
+from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.system import System
+from nhc.mechanics.values import constant_value
+from nhc.records import record
+from nhc.simulate.switching import SOUND
+from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_speeds
+from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.linearize import Linearisation, linearise_at
+from nhc.study.linearization.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
+from nhc.study.linearization.sweep import Branch, Sweep, sweep
+from nhc.study.linearization.tape import Tapes
+
+Found = TypeVar("Found")
+
+
+@record
+class Request:
+    """``about``: a scene or pairs; ``settings``, ``holds``: more pairs; ``sweep``: name, first and last value, count."""
+
+    about: str
+    settings: tuple[str, ...] = ()
+    holds: tuple[str, ...] = ()
+    sweep: tuple[str, float, float, int] | None = None
+
+
+@record
+class Findings:
+    """What was found; ``paper`` holds the matrix as text (rows of texts) or is empty, ``why`` says why it is."""
+
+    flow: Flow
+    formulation: Formulation
+    model: SteadyModel
+    linearisation: Linearisation
+    paper: tuple[tuple[str, ...], ...]
+    held: tuple[tuple[str, str], ...]
+    why: str
+    swept: Sweep | None
+    lost: str
+    """What has become of velocities that were asked for and have gone; else empty."""
+    halted: bool
+    """Whether most of the motion that was asked about has gone."""
+
+
+def steady_model(equations: Equations, formulation: Formulation, p: Sequence[float]) -> SteadyModel:
+    """A model's field with what is cyclic in it and its leaves, at the parameters ``p``.
+
+    Raises:
+        NotSteady: the field depends on the time.
+    """
+    flow, system = flow_of(equations), equations.system
+    if not is_autonomous(flow, p):
+        advice = "`nhc stability` measures such a motion; or take a coordinate that turns with the time"
+        raise NotSteady("the equations of motion depend on the time: nothing is steady", math.inf, advice=advice)
+    frame, leaf = formulation.frame, HiddenLeaf(system.n)
+    if system.constraints:
+        try:
+            leaf = hidden_leaf(system, frame or coordinate_frame(system, choose_dependent(system).dependent))
+        except Singular:
+            raise NotSteady("the constraints cannot be solved for any velocities", math.inf) from None
+    made = SteadyModel(flow, frame, leaf, cyclic_of(flow), tuple(p), Tapes(flow.graph, flow.y))
+    groups = symmetries_of(flow, frame, made.rest)
+    return replace(made, generators=groups).with_parameters(made.p)
+
+
+def linearise(equations: Equations, formulation: Formulation, request: Request, start: Start | None = None) -> Findings:
+    """Find the steady motion, linearise about it, and sweep if asked.
+
+    ``start`` is where the search begins, if it is not to be read from the request: its names may be those of quasi-velocities that
+    this formulation does not have.
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names, or a guess that violates the constraints.
+        NotSteady: no steady motion is found.
+    """
+    system = equations.system
+    scene = scene_about(system.spec, request.about, request.settings)
+    start = start or start_of(system, scene)
+    model = steady_model(equations, formulation, start.p)
+    flow = model.flow
+    guess = state_of(flow, formulation.frame, start)
+    holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
+    steady = keep_speeds(model, scene, guess, find_steady(model, guess, holds), holds)
+    check_smooth(model, steady)
+    made = linearise_at(model, steady)
+    lost = describe_lost(model, scene, guess, steady.y)
+    halted = bool(lost) and has_halted(model, guess, steady.y)
+    point = point_of(flow, scene)
+    place = _exact_place(model, point, model.values(guess), steady)
+    shifts = _list_shifts(model) if steady.turns else []
+    paper = (
+        symbolic_matrix(flow, model.rest, place, shifts) if place else "the state is no expression in the parameters"
+    )
+    swept = _sweep(model, guess, holds, request.sweep) if request.sweep else None
+    if isinstance(paper, str):
+        return Findings(flow, formulation, model, made, (), (), paper, swept, lost, halted)
+    rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
+    held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
+    return Findings(flow, formulation, model, made, rows, held, "", swept, lost, halted)
+
+
+def _list_shifts(model: SteadyModel) -> list[list[Node]]:
+    """The symmetries that shift coordinates and do nothing else, by the coordinates that are not cyclic."""
+    zero, end = model.flow.graph.zero, len(model.flow.y)
+    kept = [i for i in model.rest if i < model.flow.system.n]
+    every = model.generators[-1] if model.generators else ()
+    return [[one.get((i, end), zero) for i in kept] for one in every if all(column == end for _, column in one)]
+
+
+def linearise_whole(equations: Equations, formulation: Formulation, request: Request) -> Findings:
+    """The same where nobody asked for the formulation: one that is singular at the steady motion gives way to others.
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names, or a guess that violates the constraints.
+        NotSteady: no steady motion is found.
+    """
+    system = equations.system
+    better = reduced(system, formulation)
+    try:
+        return linearise(equations if better is formulation else equations_of(system, better), better, request)
+    except SingularFrame:
+        start = start_of(system, scene_about(system.spec, request.about, request.settings))
+        return nearest_of(
+            system, start, lambda own, other: linearise(equations_of(own, other), other, request, start), found_at
+        )
+
+
+def found_at(findings: Findings) -> tuple[SteadyModel, Steady]:
+    """The model with the steady motion that was found."""
+    return findings.model, findings.linearisation.steady
+
+
+def nearest_of(
+    system: System,
+    start: Start,
+    study: Callable[[System, Formulation], Found],
+    where: Callable[[Found], tuple[SteadyModel, Steady]],
+) -> Found:
+    """A study by multipliers, and in coframes in which a motion that turns is steady: that of the motion nearest to the start.
+
+    Raises:
+        NotSteady: with multipliers, where none of them finds a steady motion.
+    """
+    place, failed = start.values(system), None
+    found: list[tuple[float, Found]] = []
+    try:
+        whole = study(system, build(system, "multipliers"))
+        found.append((_distance(place, *where(whole)), whole))
+    except NotSteady as error:
+        failed = error
+    for choice in adapted_choices(system, place):
+        if choice.value >= SOUND:
+            with suppress(NotSteady, SpecError):  # the names of other quasi-velocities are not known there
+                other = study(choice.system, choice.formulation)
+                found.append((_distance(place, *where(other)), other))
+    if not found:
+        assert failed is not None
+        raise failed
+    least = min(distance for distance, _ in found)
+    return next(one for distance, one in found if distance <= least + SNAP)
+
+
+def _distance(place: dict[Node, float], model: SteadyModel, steady: Steady) -> float:
+    """How far a steady motion is from a place, in q and q'."""
+    system = model.flow.system
+    values = [model.value(steady.y, node) for node in model.flow.velocities]
+    pairs = [*zip(system.q, steady.y, strict=False), *zip(system.v, values, strict=True)]
+    return math.sqrt(sum((place[symbol] - value) ** 2 for symbol, value in pairs))
+
+
+def _exact_place(
+    model: SteadyModel, point: dict[Node, Node] | None, guess: dict[Node, float], steady: Steady
+) -> dict[Node, Node] | None:
+    """The steady state as nodes: the guess's own expressions where it did not move, else zero and quarter turns.
+
+    Wherever a cyclic coordinate has gone, the matrix does not contain it.
+    """
+    if point is None:
+        return None
+    flow, place = model.flow, dict[Node, Node]()
+    g = flow.graph
+    for i, (symbol, value) in enumerate(zip(flow.y, steady.y, strict=True)):
+        turns = round(value / (math.pi / 2))
+        if i in model.cyclic or abs(value - guess[symbol]) <= SNAP * (1.0 + abs(value)):
+            place[symbol] = point[symbol]
+        elif abs(value - turns * math.pi / 2) <= SNAP and symbol in flow.system.q:
+            place[symbol] = g.mul(g.div(g.number(turns), g.number(2)), g.pi())
+        else:
+            return None
+    return place
+
+
+def read_holds(model: SteadyModel, text: str, guess: Sequence[float]) -> list[Hold]:
+    """``speed=5`` holds a value, ``roll`` that of the guess.
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names.
+        NotSteady: the guess has no such value.
+    """
+    parameters = dict(zip((p.name for p in model.flow.system.spec.parameters), model.p, strict=True))
+    if "=" in text:
+        source, given = read_pairs(text, "--hold")
+        pairs = [(pair.name, _held_value(source, pair, parameters)) for pair in given]
+    else:
+        names = [fold_typed(name) for name in text.split(",") if name.strip()]
+        pairs = [(name, _value_at(model, guess, name)) for name in names]
+    return [Hold(name, named_quantity(model.flow, name, "--hold"), value) for name, value in pairs]
+
+
+def _held_value(source: Source, pair: Pair, parameters: dict[str, float]) -> float:
+    """The value of a pair.
+
+    Raises:
+        nhc.diagnostics.SpecError: it has none.
+    """
+    unknown = [name for name in names_in(pair.value) if name not in (*parameters, "pi")]
+    bag = Bag(source)
+    try:
+        value = math.nan if unknown else constant_value(pair.value, parameters)
+    except (ArithmeticError, ValueError):
+        value = math.nan
+    if not math.isfinite(value):
+        what = f"the value of `{pair.name}` is no real, finite number"
+        bag.error("E0313", what, pair.span, help=("a value holds numbers, `pi` and parameters only",))
+    bag.raise_if_errors()
+    return value
+
+
+def _value_at(model: SteadyModel, guess: Sequence[float], name: str) -> float:
+    node = named_quantity(model.flow, name, "--hold")
+    try:
+        return model.value(guess, node)
+    except ArithmeticError as error:
+        check_frame(model, guess, "where the search for a steady motion begins")
+        raise NotSteady(f"`{name}` has no value where the search begins: {error}", math.inf, guess) from None
+
+
+def named_quantity(flow: Flow, name: str, option: str, parameters: Sequence[str] = ()) -> Node:
+    """A quantity of the state by its name; ``parameters``: what the option takes besides.
+
+    Raises:
+        nhc.diagnostics.SpecError: there is none.
+    """
+    node = quantity(flow, name)
+    if node is not None:
+        return node
+    system = flow.system
+    known = [
+        *parameters,
+        *flow.names,
+        *(f"{q}'" for q in system.q_names),
+        *(f.name for f in system.quasi),
+        *(o for o, _ in system.outputs),
+    ]
+    bag = Bag(Source(option, name))
+    help = suggest(name, known, f"known: {quote(list(dict.fromkeys(known))[:12])}")
+    kinds = f"{'parameter, ' if parameters else ''}coordinate, velocity, quasi-velocity or output"
+    bag.error("E0419", f"`{name}` is no {kinds}", Span(0, len(name)), help=(help,))
+    bag.raise_if_errors()
+    return flow.graph.zero
+
+
+def branch_of(model: SteadyModel, guess: Sequence[float], name: str, holds: tuple[Hold, ...]) -> Branch:
+    """Steady motions along a parameter, or along a quantity of the state that is held at each value, in place of any other."""
+    parameters = [p.name for p in model.flow.system.spec.parameters]
+    if name in parameters:
+        index = parameters.index(name)
+        return Branch(lambda value: (model.with_parameter(index, value), holds), guess)
+    node = named_quantity(model.flow, name, "--sweep", parameters)
+    others = tuple(hold for hold in holds if hold.node != node)
+    return Branch(lambda value: (model, (*others, Hold(name, node, value))), guess)
+
+
+def _sweep(
+    model: SteadyModel, guess: Sequence[float], holds: tuple[Hold, ...], request: tuple[str, float, float, int]
+) -> Sweep:
+    name, low, high, count = request
+    branch = branch_of(model, guess, name, holds)
+    return sweep(branch, [low + (high - low) * k / (count - 1) for k in range(count)])
