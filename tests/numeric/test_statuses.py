@@ -121,6 +121,31 @@ def test_an_infinite_state_is_no_singular_block(name: str, formulation: str, tmp
             assert ask_python(array, function, [numpy.array(argument) for argument in arguments]) == status
 
 
+@pytest.mark.parametrize("formulation", ["chaplygin", "voronec"])
+@pytest.mark.usefixtures("jax_is_numpy")
+def test_an_energy_is_refused_where_the_rates_are(formulation: str, tmp_path: Path) -> None:
+    """At a right angle in doubles, whose cosine is not zero: T divides by it, and what comes of that is finite and wrong."""
+    name, t, y, p = "chaplygin_sleigh", 0.0, [0.1, 0.2, math.pi / 2, 0.3, 0.4], [1.0, 0.5, 0.7]
+    compiled = load_c(name, formulation, "", tmp_path / "c")
+    module, array, traced = (emitted_python(name, formulation, kind) for kind in ("", "numpy", "jax"))
+    arrays = [numpy.array(argument) for argument in (t, y, p)]
+    for function, size in (("rhs", 5), ("energy", 1), ("outputs", 3)):
+        status = ask_python(module, function, [t, y, p])
+        assert status == 1
+        assert ask_c(compiled, function, size, [t, y, p]) in ((-1,) if function == "energy" else (status,))
+        assert ask_python(array, function, arrays) == status
+        assert not numpy.isfinite(getattr(traced, function)(*arrays)).any()
+
+
+@pytest.mark.parametrize("array", ["", "numpy"])
+def test_an_energy_without_divisors_has_its_value_wherever_the_coframe_is_singular(array: str) -> None:
+    module = emitted_python("suslov", "euler-lagrange", array)
+    y, p = numpy.array([0.1, 0.0, 0.2, 0.3, 0.4]), numpy.array(module.DEFAULTS)
+    assert module.energy(0.0, y, p) == pytest.approx(0.5 * (p[0] * 0.09 + p[1] * 0.16))
+    with pytest.raises(module.SingularModelError):
+        module.rhs(0.0, y, p)
+
+
 @pytest.mark.parametrize("formulation", ["euler-lagrange", "multipliers"])
 @pytest.mark.usefixtures("jax_is_numpy")
 def test_what_jax_does_not_give_is_what_the_others_refuse(formulation: str) -> None:

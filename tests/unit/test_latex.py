@@ -162,6 +162,17 @@ if LATEX is not None:
         (document,) = emit(Source("bifilar.yaml", text), "latex", Options()).values()
         check_clean(compile_document(document, tmp_path))
 
+    def test_roots_among_the_facts_stay_on_the_page(tmp_path: Path) -> None:
+        """Particles with parallel velocities on a rod: no line ends below a root, which is a quarter of a line."""
+        text = (
+            "nhc: 1\nsystem: parallel\ncoordinates: [x1, y1, x2, y2]\nparameters: {m: 1, M: 2, l: 1}\n"
+            "T: m/2*(x1'^2 + y1'^2) + M/2*(x2'^2 + y2'^2)\n"
+            "constraints: [\"(x2 - x1)*(y1' + y2') = (y2 - y1)*(x1' + x2')\"]\n"
+            'holonomic: [rod: "sqrt((x2 - x1)^2 + (y2 - y1)^2) - l = 0"]\n'
+        )
+        (document,) = emit(Source("parallel.yaml", text), "latex", Options()).values()
+        check_clean(compile_document(document, tmp_path))
+
     def test_hostile_texts_compile(tmp_path: Path) -> None:
         text = (
             "nhc: 1\nsystem: hostile\nabout: '50% \\\\end{document} $ & # _ ^ ~ {} ünder 雪 `x`'\n"

@@ -12,7 +12,7 @@ from nhc.emit.latex.inline import print_inline
 from nhc.emit.latex.math import LatexMath
 from nhc.emit.latex.names import name_document
 from nhc.emit.latex.spelling import count_shown, escape, escape_breakable, spell_unit, split_shown
-from nhc.emit.latex.width import estimate
+from nhc.emit.latex.width import estimate, widest_group
 from nhc.emit.layout import Piece, fill, total
 from nhc.emit.prose import clean, fold_ascii
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Statement, Table
@@ -29,6 +29,7 @@ _MOST_ROWS = 40  # of a table on one page
 _LONG_NOTE, _LONG_PHRASE = 100.0, 320.0  # points of a name or a sentence beside a formula
 _PARAGRAPH = 40  # characters that may make another line of a cell
 _LONG_NAME, _LONG_FORMULA = 15, 250  # letters of a name and of a formula in a sentence that leave no good end of a line
+_WIDE_GROUP = 60.0  # points of a part of such a formula within which no line ends
 _LONG_CELL = 55  # characters from which a column is set as a paragraph
 _LINE_CELLS = 75  # characters of all columns
 _SHORT_MARK, _CHARACTER, _WIDE_CHARACTER = 40.0, 5.0, 6.0  # points
@@ -94,15 +95,10 @@ def list_context(derivation: Derivation) -> dict[str, object]:
         "about": escape_breakable(clean(spec.about)),
         "sources": sources,
         "names": printer.names_apart(),
-        "loose": any(count_shown(name) > _LONG_NAME for name in printer.spelling.names) or _is_wordy(derivation.sheets),
+        "loose": any(count_shown(name) > _LONG_NAME for name in printer.spelling.names)
+        or printer.is_wordy(derivation.sheets),
         "sections": tuple(printer.section(sheet) for sheet in derivation.sheets),
     }
-
-
-def _is_wordy(sheets: Sequence[Sheet]) -> bool:
-    """Whether a sentence holds a formula of several lines."""
-    texts = [item.text for sheet in sheets for item in sheet.items if isinstance(item, Prose)]
-    return any(len(formula) > _LONG_FORMULA for text in texts for formula in re.findall(r"\$[^$]*\$", text))
 
 
 class _Printer:
@@ -126,6 +122,14 @@ class _Printer:
         """How the names are set that would look like others, or would fill a line."""
         rows = tuple((Mark(name), name) for name in self.spelling.listed)
         return tuple(self._tables(Table(("written", "name in the spec"), rows))) if rows else ()
+
+    def is_wordy(self, sheets: Sequence[Sheet]) -> bool:
+        """Whether a sentence holds a formula of several lines, or one with a part that is no small part of a line."""
+        texts = [item.text for sheet in sheets for item in sheet.items if isinstance(item, Prose)]
+        formulas = {formula for text in texts for formula in re.findall(r"\$([^$]*)\$", text)}
+        return any(
+            len(x) > _LONG_FORMULA or widest_group(print_inline(x, self.spelling)) > _WIDE_GROUP for x in formulas
+        )
 
     def _blocks(self, items: Sequence[Item]) -> list[_Block]:
         """Statements of one number are one display, points of a list one list."""

@@ -28,6 +28,18 @@ def estimate(text: str) -> float:
     return width
 
 
+def widest_group(text: str) -> float:
+    """The width of the widest part in braces, such as what stands below a root: no line breaks there."""
+    widest, depth, start = 0.0, 0, 0
+    for found in re.finditer(r"\\.|[{}]", text):
+        if found.group() == "{":
+            start, depth = found.end() if depth == 0 else start, depth + 1
+        elif found.group() == "}":
+            depth -= 1
+            widest = max(widest, estimate(text[start : found.start()])) if depth == 0 else widest
+    return widest
+
+
 def _token_width(token: str) -> float:
     if token in _NOTHING:
         return 0.0

@@ -10,6 +10,7 @@ from nhc.algebra.calculus import gradient, reachable
 from nhc.algebra.evaluate import evaluate, evaluate_into
 from nhc.algebra.graph import Node
 from nhc.algebra.show import to_text
+from nhc.diagnostics import Span
 from nhc.mechanics.system import System
 
 _LONGEST = 60  # characters that a message shows of an expression
@@ -47,16 +48,23 @@ def are_defined(system: System, nodes: Sequence[Node], place: Mapping[Node, floa
     return found
 
 
-def find_pole(system: System, values: Mapping[Node, float]) -> str:
-    """What of T, the potential and the forces has no finite value or slope at a state, in words; empty where all have."""
-    g, moving = system.graph, (*system.q, *system.v)
-    parts = [("`T`", system.T, moving), (f"`{system.spec.potential_kind or 'V'}`", system.U, system.q)]
-    parts += [(f"the force on `{name}`", node, ()) for name, node in zip(system.q_names, system.Q, strict=True)]
-    for name, node, symbols in parts:
+def find_pole(system: System, values: Mapping[Node, float]) -> tuple[str, Span]:
+    """What of T, the potential and the forces has no finite value or slope at a state, in words, and its place in the spec.
+
+    The words are empty where all have.
+    """
+    g, spec, moving = system.graph, system.spec, (*system.q, *system.v)
+    forces = {force.name: force.span for force in spec.forces}
+    potential = spec.potential.span if spec.potential is not None else spec.kinetic.span
+    parts = [("`T`", system.T, moving, spec.kinetic.span)]
+    parts += [(f"`{spec.potential_kind or 'V'}`", system.U, system.q, potential)]
+    for name, node in zip(system.q_names, system.Q, strict=True):
+        parts += [(f"the force on `{name}`", node, (), forces.get(name, spec.key_span("forces")))]
+    for name, node, symbols, span in parts:
         try:
             found = [float(x) for x in evaluate(g, [node, *gradient(g, node, symbols)], dict(values))]
         except (ArithmeticError, ValueError):
             found = [math.nan]
         if not all(map(math.isfinite, found)):
-            return f"{name} has no finite value, or slope,"
-    return ""
+            return f"{name} has no finite value, or slope,", span
+    return "", spec.kinetic.span

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 
-from nhc.algebra.calculus import count
-from nhc.algebra.graph import Node
+from nhc.algebra.calculus import count, reachable
+from nhc.algebra.graph import POW, Node
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import without_sign
 from nhc.mechanics.formulate import accelerations, reaction_ways
@@ -117,11 +117,22 @@ class Planner(PlannerBase):
 
     def energy(self) -> FunctionPlan:
         value = self.on_motion([self.system.energy])[0]
-        guards = self.frame_guards() if self.exchanges else ()
+        guards = self.frame_guards() if self.exchanges or self._divides_by_frame(value) else ()
         unit = self.system.units.get("energy", "")
         about = f"energy T + V [{unit}]" if unit not in ("", "1") else "energy T + V"
         inputs = (T_ARGUMENT, self.y, self.p)
         return FunctionPlan("energy", about, "", inputs, None, self.state_loads, (), value, guards)
+
+    def _divides_by_frame(self, energy: Node) -> bool:
+        """Whether T's velocities brought divisors with them: in quasi-velocities T may have none, and a value at every state."""
+        g, system = self.graph, self.system
+        forms = (*system.constraints, *self.kept_forms())
+        own = [system.energy, *(x for form in forms for x in (*form.coefficients, form.constant))]
+        known, found = (
+            {g.a[node] for node in reachable(g, nodes) if g.op[node] == POW and g.b[node] < 0}
+            for nodes in (own, [energy])
+        )
+        return any(not self.is_constant(divisor) for divisor in found - known)
 
     def state(self) -> FunctionPlan:
         """y from (q, q'): the kept velocities are the values of their forms, without projection."""

@@ -54,7 +54,7 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
         undefined = find_undefined(planner.system, start.values(planner.system))
         what = f"`{undefined}` has no real, finite value" if undefined else ""
     if not what:
-        what = find_pole(planner.system, start.values(planner.system))
+        what, _ = find_pole(planner.system, start.values(planner.system))
     if not what:
         return
     names = quote(zero)
@@ -103,12 +103,19 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
     if form is not None or system.spec.scenes:
         return
     poles = [find_pole(system, place) for place in given_states(system)]
-    if poles and all(poles):
+    if poles and all(what for what, _ in poles):
+        what, span = poles[0]
+        real = "keep arguments where functions are real, or give a scene a start where they are"
+        seen, advice = (
+            ("with the values under `parameters:`", "give the parameters other values")
+            if system.p
+            else ("at the states that were tried", real)
+        )
         bag.warning(
             "W0422",
-            f"{poles[0]} with the values under `parameters:`",
-            system.spec.kinetic.span,
-            help=("give the parameters other values",),
+            f"{what} {seen}",
+            span,
+            help=(advice,),
         )
         return
     scene = Scene("", system.spec.kinetic.span, "", (), (), (Fraction(0), Fraction(1)), (), Fraction(1))

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:531275e264fe237f)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:2a133910f2005017)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -1792,12 +1792,12 @@ double bicycle_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
-    const double s_pitch = sin(pitch);
-    const double c_pitch = cos(pitch);
     const double c_roll = cos(roll);
     const double e2z = sin(roll);
-    const double s_steer = sin(steer);
+    const double s_pitch = sin(pitch);
+    const double c_pitch = cos(pitch);
     const double c_steer = cos(steer);
+    const double s_steer = sin(steer);
 
     /* what else is read */
     const double z = y[2]; /* centre of the rear wheel, downwards [m] */
@@ -1840,98 +1840,114 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double k7 = r_R * c_lam + s_lam * k2;
     const double k8 = c_lam * k1 + x_B * s_lam;
     const double k9 = s_lam * k1 - x_B * c_lam;
-    const double k10 = k7 + (z_H * c_lam + s_lam * k4);
-    const double k11 = r_F * c_lam + c * s_lam - k7;
+    const double k10 = fabs(r_R);
+    const double k11 = fabs(r_F);
+    const double k12 = fabs(w);
+    const double k13 = fabs(c);
+    const double k14 = 9.0 * k11;
+    const double k15 = 6.0 * k13 + (2.0 * k12 + (5.0 * k10 + k14));
+    const double k16 = 6.0 * k12;
+    const double k17 = k7 + (z_H * c_lam + s_lam * k4);
+    const double k18 = r_F * c_lam + c * s_lam - k7;
+    const double k19 = 14.0 * k11 + 13.0 * k13;
+    const double k20 = k14 + 10.0 * k13;
 
     /* from the state */
-    const double z1 = s_pitch * c_roll;
+    const double z1 = s_pitch * c_lam + c_pitch * s_lam;
+    const double z2 = c_roll * z1;
+    const double z3 = 1.0 / fabs(c_roll);
+    const double z4 = r_R * z3;
+    const double z5 = z2 * z4;
+    const double z6 = e2z * s_steer - c_steer * z2;
+    const double z7 = c_pitch * c_lam - s_pitch * s_lam;
+    const double z8 = c_roll * z7;
+    const double z9 = r_F / sqrt(z8 * z8 + z6 * z6);
+    const double z10 = z6 * z9;
+    const double z11 = k3 + z10;
+    const double z12 = k5 - z5 - c_steer * z11;
+    const double z13 = z8 * z4;
+    const double z14 = c_steer * z13;
+    const double z15 = z8 * z9;
+    const double z16 = k18 - z15;
+    const double z17 = z1 * z16;
+    const double z18 = z13 + z16;
+    const double z19 = s_steer * z18;
+    const double z20 = c_roll * (c_steer * z17 + z7 * (c_steer * k5 - z11)) - e2z * z19;
+    const double z21 = c_steer * z18;
+    const double z22 = c_roll * (s_steer * z17 + k5 * (s_steer * z7)) + e2z * z21;
+    const double z23 = s_steer * z13;
+    const double z24 = z14 * z20 + z22 * z23;
+    const double z25 = z21 * z20 + z22 * z19;
+    const double z26 = z12 * z24 + z5 * z25;
+    const double z27 = k16 + k10 * (9.0 + fabs(z3));
+    const double z28 = s_pitch * c_roll;
     const double e3z = c_pitch * c_roll;
-    const double Sz = z - z1 * k2 + r_R * e3z;
-    const double z2 = s_pitch * c_lam + c_pitch * s_lam;
-    const double z3 = c_roll * z2;
-    const double z4 = e2z * s_steer - c_steer * z3;
-    const double z5 = c_pitch * c_lam - s_pitch * s_lam;
-    const double z6 = c_roll * z5;
-    const double z7 = c_lam * z4 + s_lam * z6;
-    const double z8 = c_lam * z6 - s_lam * z4;
-    const double z9 = z * m_R + m_B * (z - x_B * z1 + e3z * k1) + m_H * (z_H * z8 + (Sz + k4 * z7));
-    const double z10 = r_F / sqrt(z6 * z6 + z4 * z4);
-    const double z11 = z4 * z10;
-    const double z12 = k3 + z11;
-    const double z13 = r_R / fabs(c_roll);
-    const double z14 = z3 * z13;
-    const double z15 = k5 - z14 - c_steer * z12;
-    const double z16 = z12 * (s_steer * z3) - e2z * z15;
-    const double z17 = z6 * z13;
-    const double z18 = c_steer * z17;
-    const double z19 = roll_dot * z2;
-    const double z20 = steer_dot + z19;
-    const double z21 = roll_dot * z5;
-    const double z22 = c_steer * z21;
-    const double z23 = z6 * z10;
-    const double v2_x = c_roll * (roll_dot * z13);
-    const double z24 = v2_x - k5 * z19;
-    const double z25 = z20 * z11 - z22 * z23 + (k3 * z20 + k11 * z22 + c_steer * z24);
-    const double z26 = s_steer * z17;
-    const double z27 = s_steer * z21;
-    const double z28 = thF_dot - z27;
-    const double z29 = z28 * z23 + (k11 * z27 + s_steer * z24);
-    const double z30 = z18 * z25 + z26 * z29;
-    const double z31 = k11 - z23;
-    const double z32 = z2 * z31;
-    const double z33 = z17 + z31;
-    const double z34 = s_steer * z33;
-    const double z35 = c_roll * (c_steer * z32 + z5 * (c_steer * k5 - z12)) - e2z * z34;
-    const double z36 = c_steer * z33;
-    const double z37 = c_roll * (s_steer * z32 + k5 * (s_steer * z5)) + e2z * z36;
-    const double z38 = z18 * z35 + z37 * z26;
-    const double z39 = k3 * z27 - z28 * z11;
-    const double z40 = z35 * z29 - z37 * z25;
-    const double z41 = z36 * z35 + z37 * z34;
-    const double z42 = 1.0 / (z15 * z38 + z14 * z41);
-    const double z43 = z36 * z25 + z34 * z29;
-    const double z44 = z42 * (z15 * z30 + z14 * z43);
-    const double w2 = (z16 * z30 - z38 * z39 + z14 * z40) * z42 + e2z * z44;
-    const double z45 = c_roll * z44;
-    const double z46 = z21 - z2 * z45;
-    const double z47 = c_steer * w2 - s_steer * z46;
-    const double z48 = thF_dot + z47;
-    const double z49 = (z16 * z43 - z15 * z40 - z41 * z39) * z42 - w2;
-    const double z50 = z17 * z49;
-    const double z51 = z19 + z5 * z45;
-    const double z52 = v2_x - k5 * z51;
-    const double z53 = c_steer * z50 + s_steer * z52;
-    const double z54 = z53 - k11 * z47;
-    const double z55 = c_steer * z52 - s_steer * z50;
-    const double w3_steer = steer_dot + z51;
-    const double z56 = s_steer * w2 + c_steer * z46;
-    const double z57 = z55 + (k3 * w3_steer + k11 * z56);
-    const double z58 = z14 * z49;
-    const double z59 = z58 + k5 * w2;
-    const double z60 = z59 - k3 * z47;
-    const double z61 = c_lam * z56 + s_lam * w3_steer;
-    const double z62 = z61 * z61;
-    const double z63 = c_lam * w3_steer - s_lam * z56;
-    const double z64 = z63 * z63;
-    const double z65 = F_yy * (z48 * z48) + (m_F * (z54 * z54 + z57 * z57 + z60 * z60) + F_xx * (z62 + z64));
-    const double z66 = z53 + k10 * z47;
-    const double z67 = z55 - (k6 * w3_steer + k10 * z56);
-    const double z68 = z59 + k6 * z47;
-    const double z69 = m_H * (z66 * z66 + z67 * z67 + z68 * z68) + (H_xx * z62 + H_yy * (z47 * z47) + H_zz *
-        z64);
-    const double z70 = c_lam * z46 + s_lam * z51;
-    const double z71 = z70 * z70;
-    const double z72 = c_lam * z51 - s_lam * z46;
-    const double z73 = z72 * z72;
-    const double z74 = R_yy * (z49 * z49) + (m_R * (v2_x * v2_x + z50 * z50 + z58 * z58) + R_xx * (z71 +
-        z73));
-    const double z75 = z50 + k8 * w2;
-    const double z76 = v2_x - (k9 * z51 + k8 * z46);
-    const double z77 = z58 + k9 * w2;
-    const double z78 = m_B * (z75 * z75 + z76 * z76 + z77 * z77) + (B_yy * (w2 * w2) + B_xx * z71 + B_zz *
-        z73);
-    const double z79 = 0.5 * z69 + H_xz * (z61 * z63) + (0.5 * z74 + (0.5 * z78 + B_xz * (z70 * z72)));
-    return 0.5 * z65 + z79 - g * (m_F * (Sz - c * z7 - r_F * z8) + z9);
+    const double Sz = z - z28 * k2 + r_R * e3z;
+    const double z29 = c_lam * z6 + s_lam * z8;
+    const double z30 = c_lam * z8 - s_lam * z6;
+    const double z31 = z * m_R + m_B * (z - x_B * z28 + e3z * k1) + m_H * (z_H * z30 + (Sz + k4 * z29));
+    const double z32 = z11 * (s_steer * z2) - e2z * z12;
+    const double z33 = roll_dot * z1;
+    const double z34 = steer_dot + z33;
+    const double z35 = roll_dot * z7;
+    const double z36 = c_steer * z35;
+    const double v2_x = c_roll * (roll_dot * z4);
+    const double z37 = v2_x - k5 * z33;
+    const double z38 = z34 * z10 - z36 * z15 + (k3 * z34 + k18 * z36 + c_steer * z37);
+    const double z39 = s_steer * z35;
+    const double z40 = thF_dot - z39;
+    const double z41 = z40 * z15 + (k18 * z39 + s_steer * z37);
+    const double z42 = z14 * z38 + z23 * z41;
+    const double z43 = k3 * z39 - z40 * z10;
+    const double z44 = z20 * z41 - z22 * z38;
+    const double z45 = 1.0 / z26;
+    const double z46 = z21 * z38 + z19 * z41;
+    const double z47 = z45 * (z12 * z42 + z5 * z46);
+    const double w2 = (z32 * z42 - z24 * z43 + z5 * z44) * z45 + e2z * z47;
+    const double z48 = c_roll * z47;
+    const double z49 = z35 - z1 * z48;
+    const double z50 = c_steer * w2 - s_steer * z49;
+    const double z51 = thF_dot + z50;
+    const double z52 = (z32 * z46 - z12 * z44 - z25 * z43) * z45 - w2;
+    const double z53 = z13 * z52;
+    const double z54 = z33 + z7 * z48;
+    const double z55 = v2_x - k5 * z54;
+    const double z56 = c_steer * z53 + s_steer * z55;
+    const double z57 = z56 - k18 * z50;
+    const double z58 = c_steer * z55 - s_steer * z53;
+    const double w3_steer = steer_dot + z54;
+    const double z59 = s_steer * w2 + c_steer * z49;
+    const double z60 = z58 + (k3 * w3_steer + k18 * z59);
+    const double z61 = z5 * z52;
+    const double z62 = z61 + k5 * w2;
+    const double z63 = z62 - k3 * z50;
+    const double z64 = c_lam * z59 + s_lam * w3_steer;
+    const double z65 = z64 * z64;
+    const double z66 = c_lam * w3_steer - s_lam * z59;
+    const double z67 = z66 * z66;
+    const double z68 = F_yy * (z51 * z51) + (m_F * (z57 * z57 + z60 * z60 + z63 * z63) + F_xx * (z65 + z67));
+    const double z69 = z56 + k17 * z50;
+    const double z70 = z58 - (k6 * w3_steer + k17 * z59);
+    const double z71 = z62 + k6 * z50;
+    const double z72 = m_H * (z69 * z69 + z70 * z70 + z71 * z71) + (H_xx * z65 + H_yy * (z50 * z50) + H_zz *
+        z67);
+    const double z73 = c_lam * z49 + s_lam * z54;
+    const double z74 = z73 * z73;
+    const double z75 = c_lam * z54 - s_lam * z49;
+    const double z76 = z75 * z75;
+    const double z77 = R_yy * (z52 * z52) + (m_R * (v2_x * v2_x + z53 * z53 + z61 * z61) + R_xx * (z74 +
+        z76));
+    const double z78 = z53 + k8 * w2;
+    const double z79 = v2_x - (k9 * z54 + k8 * z49);
+    const double z80 = z61 + k9 * w2;
+    const double z81 = m_B * (z78 * z78 + z79 * z79 + z80 * z80) + (B_yy * (w2 * w2) + B_xx * z74 + B_zz *
+        z76);
+    const double z82 = 0.5 * z72 + H_xz * (z64 * z66) + (0.5 * z77 + (0.5 * z81 + B_xz * (z73 * z75)));
+    /* the coframe is singular */
+    if (!(fabs(-z26) > 1e-12 * (k15 * ((z27 + k19) * (z27 + k20))))) {
+        return (double)NAN;
+    }
+    return 0.5 * z68 + z82 - g * (m_F * (Sz - c * z29 - r_F * z30) + z31);
 }
 
 BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const double *p, double *kept,

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:2b5fafe365f20145)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:e977a4340eec6dc0)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -68,7 +68,7 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 183 *, 2 /, 12 calls
  * reactions: 367 +-, 549 *, 3 /, 12 calls
- * energy: 116 +-, 186 *, 3 /, 10 calls
+ * energy: 125 +-, 198 *, 3 /, 15 calls
  * jacobian: 3683 +-, 5097 *, 7 /, 17 calls
  * outputs: 56 +-, 101 *, 3 /, 15 calls
  *

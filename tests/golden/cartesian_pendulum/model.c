@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:5596139d0512b1f2)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:a596672cabba5568)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -355,11 +355,17 @@ double cartesian_pendulum_energy(double t, const double *y, const double *p)
     /* from the state */
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
+    const double z1 = x * x + y_2 * y_2;
+    const double z2 = fabs(y_2) + fabs(x);
     const double v = y[2];
-    const double z1 = v / (x * x + y_2 * y_2);
-    const double z2 = y_2 * z1;
-    const double z3 = x * z1;
-    return y_2 * k1 + 0.5 * (m * (z2 * z2 + z3 * z3));
+    const double z3 = v / z1;
+    const double z4 = y_2 * z3;
+    const double z5 = x * z3;
+    /* the coframe is singular */
+    if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
+        return (double)NAN;
+    }
+    return y_2 * k1 + 0.5 * (m * (z4 * z4 + z5 * z5));
 }
 
 int cartesian_pendulum_jacobian(double t, const double *y, const double *p, double *J)

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:3b9c87357ac84f12)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:d6830191bc8bac8c)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -29,7 +29,7 @@
  * state: 1 +-, 2 *, 0 /, 0 calls
  * residuals: 1 +-, 2 *, 0 /, 0 calls
  * reactions: 4 +-, 11 *, 1 /, 2 calls
- * energy: 3 +-, 10 *, 1 /, 0 calls
+ * energy: 4 +-, 11 *, 1 /, 2 calls
  * jacobian: 3 +-, 14 *, 1 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 3 calls
  *

@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:e08b4ea777efb025).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:1c462f7b954bf04a).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -29,7 +29,7 @@ accelerations: 4 +-, 12 *, 1 /, 2 calls
 state: 1 +-, 2 *, 0 /, 0 calls
 residuals: 1 +-, 2 *, 0 /, 0 calls
 reactions: 4 +-, 11 *, 1 /, 2 calls
-energy: 3 +-, 10 *, 1 /, 0 calls
+energy: 4 +-, 11 *, 1 /, 2 calls
 jacobian: 3 +-, 14 *, 1 /, 2 calls
 outputs: 2 +-, 3 *, 0 /, 3 calls
 
@@ -305,10 +305,15 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # from the parameters alone
         k1 = m * g
         # from the state
-        z1 = v / (x * x + y_2 * y_2)
-        z2 = y_2 * z1
-        z3 = x * z1
-        value1 = y_2 * k1 + 0.5 * (m * (z2 * z2 + z3 * z3))
+        z1 = x * x + y_2 * y_2
+        z2 = abs(y_2) + abs(x)
+        # the coframe is singular
+        if not abs(z1) > 1e-12 * (z2 * z2):
+            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "energy")
+        z3 = v / z1
+        z4 = y_2 * z3
+        z5 = x * z3
+        value1 = y_2 * k1 + 0.5 * (m * (z4 * z4 + z5 * z5))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

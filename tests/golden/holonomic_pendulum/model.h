@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:7243cf68fb296415)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:678e3742f6adfb23)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -27,7 +27,7 @@
  * residuals: 1 +-, 2 *, 0 /, 0 calls
  * positions: 2 +-, 4 *, 0 /, 0 calls
  * reactions: 4 +-, 11 *, 1 /, 2 calls
- * energy: 3 +-, 10 *, 1 /, 0 calls
+ * energy: 4 +-, 11 *, 1 /, 2 calls
  * jacobian: 3 +-, 14 *, 1 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 2 calls
  *

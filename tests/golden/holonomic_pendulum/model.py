@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:fc1bff4cdbd4ccb6).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:12a232edc6aba20a).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -29,7 +29,7 @@ state: 1 +-, 2 *, 0 /, 0 calls
 residuals: 1 +-, 2 *, 0 /, 0 calls
 positions: 2 +-, 4 *, 0 /, 0 calls
 reactions: 4 +-, 11 *, 1 /, 2 calls
-energy: 3 +-, 10 *, 1 /, 0 calls
+energy: 4 +-, 11 *, 1 /, 2 calls
 jacobian: 3 +-, 14 *, 1 /, 2 calls
 outputs: 2 +-, 3 *, 0 /, 2 calls
 
@@ -331,10 +331,15 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # from the parameters alone
         k1 = m * g
         # from the state
-        z1 = v / (x * x + y_2 * y_2)
-        z2 = y_2 * z1
-        z3 = x * z1
-        value1 = y_2 * k1 + 0.5 * (m * (z2 * z2 + z3 * z3))
+        z1 = x * x + y_2 * y_2
+        z2 = abs(x) + abs(y_2)
+        # the coframe is singular
+        if not abs(z1) > 1e-12 * (z2 * z2):
+            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "energy")
+        z3 = v / z1
+        z4 = y_2 * z3
+        z5 = x * z3
+        value1 = y_2 * k1 + 0.5 * (m * (z4 * z4 + z5 * z5))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:c0724319df133832)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:8a92ebe8bfef51b0)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -762,13 +762,13 @@ double snakeboard_energy(double t, const double *y, const double *p)
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
 
     /* sines and cosines */
-    const double z5 = theta + p_b;
+    const double z6 = theta + p_b;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
-    const double c1 = cos(z5);
-    const double s1 = sin(z5);
+    const double c1 = cos(z6);
+    const double s1 = sin(z6);
 
     /* what else is read */
     const double v = y[6];
@@ -784,27 +784,34 @@ double snakeboard_energy(double t, const double *y, const double *p)
     /* from the parameters alone */
     const double k1 = l * l;
     const double k2 = 1.0 - k1;
+    const double k3 = fabs(l);
+    const double k4 = 2.0 + k3;
 
     /* from the state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
     const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
-    const double z4 = v / (z3 + (z1 + k1 * (4.0 - 3.0 * z1)));
-    const double z6 = l * c_p_f;
-    const double z7 = l * c_p_b;
-    const double z8 = c1 * c_p_f - s1 * s_p_f;
-    const double z9 = s1 * c_p_f + c1 * s_p_f;
-    const double z10 = c_p_b * z8 + s_p_b * z9;
-    const double z11 = z4 * (c1 * z6 + z7 * z10);
-    const double z12 = c_p_b * z9 - s_p_b * z8;
-    const double z13 = z4 * (s1 * z6 + z7 * z12);
-    const double z14 = z4 * (s1 * z10 - c1 * z12);
-    const double z15 = psi_dot - z14;
-    const double z16 = p_b_dot - z14;
-    const double z17 = p_f_dot - z14;
-    const double z18 = m * (z11 * z11 + z13 * z13) + J * (z14 * z14) + J_r * (z15 * z15) + J_w * (z16 * z16 +
-        z17 * z17);
-    return 0.5 * z18;
+    const double z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1));
+    const double z5 = v / z4;
+    const double z7 = l * c_p_f;
+    const double z8 = l * c_p_b;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = z5 * (c1 * z7 + z8 * z11);
+    const double z13 = c_p_b * z10 - s_p_b * z9;
+    const double z14 = z5 * (s1 * z7 + z8 * z13);
+    const double z15 = z5 * (s1 * z11 - c1 * z13);
+    const double z16 = psi_dot - z15;
+    const double z17 = p_b_dot - z15;
+    const double z18 = p_f_dot - z15;
+    const double z19 = m * (z12 * z12 + z14 * z14) + J * (z15 * z15) + J_r * (z16 * z16) + J_w * (z17 * z17 +
+        z18 * z18);
+    /* the coframe is singular */
+    if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+        return (double)NAN;
+    }
+    return 0.5 * z19;
 }
 
 SNAKEBOARD_SLOW

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:6f437e11ce631904)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:940f174ef96fd755)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -43,7 +43,7 @@
  * state: 10 +-, 17 *, 0 /, 6 calls
  * residuals: 9 +-, 15 *, 0 /, 6 calls
  * reactions: 64 +-, 119 *, 2 /, 9 calls
- * energy: 24 +-, 42 *, 1 /, 6 calls
+ * energy: 26 +-, 45 *, 1 /, 7 calls
  * jacobian: 164 +-, 299 *, 2 /, 9 calls
  * outputs: 10 +-, 18 *, 1 /, 5 calls
  *

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:c4ac37d2bcbb95ea).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:b1fe7707aad7c87a).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -46,7 +46,7 @@ accelerations: 62 +-, 117 *, 4 /, 9 calls
 state: 10 +-, 17 *, 0 /, 6 calls
 residuals: 9 +-, 15 *, 0 /, 6 calls
 reactions: 64 +-, 119 *, 2 /, 9 calls
-energy: 24 +-, 42 *, 1 /, 6 calls
+energy: 26 +-, 45 *, 1 /, 7 calls
 jacobian: 164 +-, 299 *, 2 /, 9 calls
 outputs: 10 +-, 18 *, 1 /, 5 calls
 
@@ -704,6 +704,8 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # from the parameters alone
         k1 = l * l
         k2 = 1.0 - k1
+        k3 = abs(l)
+        k4 = 2.0 + k3
         # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
@@ -713,25 +715,30 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         c_p_f = math.cos(p_f)
         s2 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
         z3 = s_p_b * (s2 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
-        z4 = v / (z3 + (z1 + k1 * (4.0 - 3.0 * z1)))
-        z5 = theta + p_b
-        c1 = math.cos(z5)
-        z6 = l * c_p_f
-        z7 = l * c_p_b
-        s1 = math.sin(z5)
-        z8 = c1 * c_p_f - s1 * s_p_f
-        z9 = s1 * c_p_f + c1 * s_p_f
-        z10 = c_p_b * z8 + s_p_b * z9
-        z11 = z4 * (c1 * z6 + z7 * z10)
-        z12 = c_p_b * z9 - s_p_b * z8
-        z13 = z4 * (s1 * z6 + z7 * z12)
-        z14 = z4 * (s1 * z10 - c1 * z12)
-        z15 = psi_dot - z14
-        z16 = p_b_dot - z14
-        z17 = p_f_dot - z14
-        s3 = m * (z11 * z11 + z13 * z13) + J * (z14 * z14)
-        z18 = s3 + J_r * (z15 * z15) + J_w * (z16 * z16 + z17 * z17)
-        value1 = 0.5 * z18
+        z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
+        # the coframe is singular
+        if not abs(z4) > 1e-12 * (k4 * s3):
+            raise _refuse(abs(z4), 1e-12 * (k4 * s3), 1, "energy")
+        z5 = v / z4
+        z6 = theta + p_b
+        c1 = math.cos(z6)
+        z7 = l * c_p_f
+        z8 = l * c_p_b
+        s1 = math.sin(z6)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = z5 * (c1 * z7 + z8 * z11)
+        z13 = c_p_b * z10 - s_p_b * z9
+        z14 = z5 * (s1 * z7 + z8 * z13)
+        z15 = z5 * (s1 * z11 - c1 * z13)
+        z16 = psi_dot - z15
+        z17 = p_b_dot - z15
+        z18 = p_f_dot - z15
+        s4 = m * (z12 * z12 + z14 * z14) + J * (z15 * z15)
+        z19 = s4 + J_r * (z16 * z16) + J_w * (z17 * z17 + z18 * z18)
+        value1 = 0.5 * z19
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:800aa1597247c261)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:7000e0f4458d77b0)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -556,6 +556,10 @@ double veselova_energy(double t, const double *y, const double *p)
     const double z4 = s_theta * z2;
     const double z5 = c_psi * z3 - s_psi * z4;
     const double z6 = s_psi * z3 + c_psi * z4;
+    /* the coframe is singular */
+    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+        return (double)NAN;
+    }
     return 0.5 * (I3 * (omega3 * omega3) + (I1 * (z5 * z5) + I2 * (z6 * z6)));
 }
 

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:7dea666814e58778).
+"""veselova, emitted by nhc 0.1.0 (nhc:f4f6dda7abdb9189).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -447,6 +447,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     try:
         # from the state
         s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "energy")
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         z1 = (s_phi * w_x - c_phi * w_y) / s_theta
