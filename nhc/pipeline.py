@@ -72,6 +72,7 @@ class Options:
     """``formulation``, ``scene``: names or empty; ``to``: text, latex or json; ``only``: functions; ``array``: numpy or jax.
 
     ``reduce``: the scene's smallest model in place of the full one; ``fold``: with its parameter values put in.
+    ``width``: of the lines of a text; 0 for the usual one.
     """
 
     formulation: str = ""
@@ -84,6 +85,7 @@ class Options:
     trig: str = ""
     reduce: bool = False
     fold: bool = False
+    width: int = 0
 
 
 DEFAULT = Options()
@@ -230,7 +232,7 @@ def derive(source: Source, options: Options = DEFAULT) -> str:
         import json
 
         return json.dumps(text.derivation_json(made), indent=2, ensure_ascii=False) + "\n"
-    return text.print_derivation(made)
+    return text.print_derivation(made, options.width)
 
 
 def emit(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,8 +9,9 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.cli.options import FINEST_TOLERANCE, FORMULATIONS, json_option, list_examples, specs_argument
+from nhc.cli.progress import show_line
 from nhc.cli.specs import open_spec
-from nhc.cli.terminal import Exit, Failure, put, say
+from nhc.cli.terminal import Exit, Failure, put, put_text, say
 
 if TYPE_CHECKING:
     from nhc.study.chart.case import Study
@@ -168,9 +168,7 @@ def command(
 
 def _show(part: float, what: str) -> None:
     """Progress, on a terminal only."""
-    if sys.stderr.isatty():
-        sys.stderr.write(f"\r{100 * part:3.0f} %  {what:40}" if part < 1 else "\r" + " " * 50 + "\r")
-        sys.stderr.flush()
+    show_line(f"{100 * part:3.0f} %  {what}" if part < 1 else "")
 
 
 def _check_target(output: str | None, count: int, as_json: bool) -> Path | None:
@@ -213,7 +211,10 @@ def _put_or_write(
     for note in notes:
         say(f"note: {note}")
     if target is None:
-        put(make(".json" if as_json else ".md"))
+        if as_json:
+            put(make(".json"))
+        else:
+            put_text(make(".md"))
         return
     from nhc.cli.write import refuse_to_overwrite, write_files
 

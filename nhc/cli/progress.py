@@ -5,7 +5,16 @@ from __future__ import annotations
 import sys
 import time
 
-from nhc.cli.terminal import say
+from nhc.cli.terminal import say, terminal_width
+
+
+def show_line(text: str) -> None:
+    """Put ``text`` in the place of a terminal's last line, as much of it as fits; nothing elsewhere."""
+    width = terminal_width(sys.stderr) - 1  # a full line would begin the next one
+    if width <= 0:
+        return
+    sys.stderr.write(f"\r{text[:width]:{width}}" + ("" if text else "\r"))
+    sys.stderr.flush()
 
 
 class Progress:
@@ -35,12 +44,10 @@ class Progress:
             return
         full = round(part * self.WIDTH)
         where = f"{self.what} = {t:.6g}" if self.what else ""
-        sys.stderr.write(f"\r[{'#' * full}{'.' * (self.WIDTH - full)}] {100 * part:3.0f} %  {where} ")
-        sys.stderr.flush()
+        show_line(f"[{'#' * full}{'.' * (self.WIDTH - full)}] {100 * part:3.0f} %  {where}")
         self.shown = True
 
     def clear(self) -> None:
         """Take the bar away."""
         if self.shown:
-            sys.stderr.write("\r" + " " * (self.WIDTH + 40) + "\r")
-            sys.stderr.flush()
+            show_line("")

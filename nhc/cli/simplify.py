@@ -8,8 +8,8 @@ from pathlib import Path
 
 import click
 
-from nhc.cli.progress import Progress
-from nhc.cli.terminal import Exit, Failure, put, put_json, say
+from nhc.cli.progress import Progress, show_line
+from nhc.cli.terminal import Exit, Failure, put, put_json, put_text, say, terminal_width
 from nhc.language import Source
 
 
@@ -62,7 +62,7 @@ def approximate(
     except NotMeasured as error:
         raise Failure(str(error), error.help, exit=Exit.NUMERICAL) from error
     finally:
-        _clear()
+        show_line("")
     texts = {Path(output): reduced_spec(ladder)} if output is not None and output != "-" else {}
     if chart is not None:
         texts[Path(chart)] = (draw_ladder if chart.endswith(".svg") else make_ladder_page)(ladder)
@@ -73,10 +73,10 @@ def approximate(
     if as_json:
         put_json("nhc.ladder/1", ladder_data(ladder))
     elif output == "-":
-        say(print_ladder(ladder))
+        say(print_ladder(ladder, terminal_width(sys.stderr)))
         put(reduced_spec(ladder))
     else:
-        put(print_ladder(ladder))
+        put_text(print_ladder(ladder, terminal_width(sys.stdout)))
     if texts:
         write_files(texts)
     return Exit.DONE
@@ -91,13 +91,7 @@ class _Shown:
     def __call__(self, runs: int, about: str) -> None:
         passed = time.monotonic() - self.began
         if sys.stderr.isatty():
-            sys.stderr.write(f"\r{f'{runs}: without {about}'[:78]:78}")
-            sys.stderr.flush()
+            show_line(f"{runs}: without {about}")
         elif passed >= self.due:
             self.due *= 2
             say(f"after {passed:.0f} s {runs} models are measured")
-
-
-def _clear() -> None:
-    if sys.stderr.isatty():
-        sys.stderr.write("\r" + " " * 78 + "\r")

@@ -18,7 +18,7 @@ from nhc.cli.options import (
     sweep_option,
 )
 from nhc.cli.specs import complete_spec, open_spec
-from nhc.cli.terminal import Exit, Failure, put, put_json, say
+from nhc.cli.terminal import Exit, Failure, put_json, put_text, say
 
 if TYPE_CHECKING:
     from nhc.study.stability.laboratory import Laboratory, Question
@@ -121,7 +121,7 @@ def _run_atlas(slow: bool, as_json: bool) -> int:
     if as_json:
         put_json("nhc.atlas/1", tree(results))
     else:
-        put("\n".join(lines(results)))
+        put_text("\n".join(lines(results)))
     return Exit.DONE if all(verdict.passed for _, verdict in results) else Exit.FAILED
 
 
@@ -146,7 +146,7 @@ def _deliver(found: Laboratory, question: Question, target: Path | None, as_json
     if as_json:
         put_json("nhc.stability/1", tree(found))
     else:
-        put("\n".join(lines(found)))
+        put_text("\n".join(lines(found)))
     if target is not None:
         from nhc.cli.write import write_bytes
         from nhc.report.stability import make_page
