@@ -283,8 +283,8 @@ def linearize(source: Source, request: Request, options: Options = DEFAULT) -> F
     return study(made.equations, made.formulation, request)
 
 
-def stability(source: Source, question: Question, options: Options = DEFAULT) -> Laboratory:
-    """Every stability study of a scene (needs numpy: the extra ``sim``).
+def stability(source: Source, question: Question, options: Options = DEFAULT, show: Show | None = None) -> Laboratory:
+    """Every stability study of a scene (needs numpy: the extra ``sim``); ``show`` is told the part that is done, and of what.
 
     Raises:
         SpecError: the spec or the question has errors.
@@ -297,7 +297,7 @@ def stability(source: Source, question: Question, options: Options = DEFAULT) ->
     scene_about(made.system.spec, question.about, question.settings)  # before anything is compiled
     asked = options.formulation or made.system.spec.formulation
     study = examine if asked not in ("", "auto") else examine_whole
-    return study(made.equations, made.formulation, question)
+    return study(made.equations, made.formulation, question, *([show] if show else []))
 
 
 def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.cli.options import FINEST_TOLERANCE, FORMULATIONS, json_option, list_examples, specs_argument
-from nhc.cli.progress import show_line
+from nhc.cli.progress import show_part
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_text, say
 
@@ -155,20 +155,15 @@ def command(
     grid = Grid(scene, needs, formulations, methods, languages, tolerances, not no_peers)
     try:
         if finest is not None:
-            _deliver_comparison(pipeline.compare_models(sources, finest, grid, _show), target, as_json, force)
+            _deliver_comparison(pipeline.compare_models(sources, finest, grid, show_part), target, as_json, force)
             return Exit.DONE
         for source in sources:
-            _deliver(pipeline.chart(source, grid, _show), target, as_json, force)
+            _deliver(pipeline.chart(source, grid, show_part), target, as_json, force)
     except RunError as error:
         raise Failure(str(error), error.help) from error
     except NoReference as error:
         raise Failure(str(error), ["`nhc run` says where the scene fails"], exit=Exit.NUMERICAL) from error
     return Exit.DONE
-
-
-def _show(part: float, what: str) -> None:
-    """Progress, on a terminal only."""
-    show_line(f"{100 * part:3.0f} %  {what}" if part < 1 else "")
 
 
 def _check_target(output: str | None, count: int, as_json: bool) -> Path | None:

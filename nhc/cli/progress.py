@@ -17,6 +17,11 @@ def show_line(text: str) -> None:
     sys.stderr.flush()
 
 
+def show_part(part: float, what: str) -> None:
+    """Say on a terminal how much is done, and what is next; when all is, take it away."""
+    show_line(f"{100 * part:3.0f} %  {what}" if part < 1 else "")
+
+
 class Progress:
     """A bar on a terminal, after half a second; elsewhere a line after half a minute, after one, two, four and so on."""
 

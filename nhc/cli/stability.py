@@ -17,6 +17,7 @@ from nhc.cli.options import (
     set_option,
     sweep_option,
 )
+from nhc.cli.progress import show_line, show_part
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, Failure, put_json, put_text, say
 
@@ -98,9 +99,11 @@ def command(
 
     question = Question(scene, about, settings, holds, sweep, lengths)
     try:
-        found = stability(source, question, Options(formulation=formulation or ""))
+        found = stability(source, question, Options(formulation=formulation or ""), show_part)
     except RunError as error:
         raise Failure(str(error), error.help) from error
+    finally:
+        show_line("")
     _deliver(found, question, target, as_json)
     if found.failed:
         advice = [f"`nhc run` {found.conduct[-1]}"] if found.stopped else []
