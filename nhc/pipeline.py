@@ -73,6 +73,7 @@ class Options:
     """``formulation``, ``scene``: names or empty; ``to``: text, latex or json; ``only``: functions; ``array``: numpy or jax.
 
     ``reduce``: the scene's smallest model in place of the full one; ``fold``: with its parameter values put in.
+    ``width``: of the lines of a text; 0 for the usual one.
     """
 
     formulation: str = ""
@@ -85,6 +86,7 @@ class Options:
     trig: str = ""
     reduce: bool = False
     fold: bool = False
+    width: int = 0
 
 
 DEFAULT = Options()
@@ -231,7 +233,7 @@ def derive(source: Source, options: Options = DEFAULT) -> str:
         import json
 
         return json.dumps(text.derivation_json(made), indent=2, ensure_ascii=False) + "\n"
-    return text.print_derivation(made)
+    return text.print_derivation(made, options.width)
 
 
 def emit(
@@ -282,8 +284,8 @@ def linearize(source: Source, request: Request, options: Options = DEFAULT) -> F
     return study(made.equations, made.formulation, request)
 
 
-def stability(source: Source, question: Question, options: Options = DEFAULT) -> Laboratory:
-    """Every stability study of a scene (needs numpy: the extra ``sim``).
+def stability(source: Source, question: Question, options: Options = DEFAULT, show: Show | None = None) -> Laboratory:
+    """Every stability study of a scene (needs numpy: the extra ``sim``); ``show`` is told the part that is done, and of what.
 
     Raises:
         SpecError: the spec or the question has errors.
@@ -296,7 +298,7 @@ def stability(source: Source, question: Question, options: Options = DEFAULT) ->
     scene_about(made.system.spec, question.about, question.settings)  # before anything is compiled
     asked = options.formulation or made.system.spec.formulation
     study = examine if asked not in ("", "auto") else examine_whole
-    return study(made.equations, made.formulation, question)
+    return study(made.equations, made.formulation, question, *([show] if show else []))
 
 
 def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:

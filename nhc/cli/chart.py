@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.cli.options import FINEST_TOLERANCE, FORMULATIONS, json_option, list_examples, specs_argument
-from nhc.cli.progress import rewrite_line
+from nhc.cli.progress import show_part
 from nhc.cli.specs import open_spec
-from nhc.cli.terminal import Exit, Failure, put, say
+from nhc.cli.terminal import Exit, Failure, put, put_text, say
 
 if TYPE_CHECKING:
     from nhc.study.chart.case import Study
@@ -154,18 +154,13 @@ def command(
     grid = Grid(scene, needs, formulations, methods, languages, tolerances, not no_peers)
     try:
         if finest is not None:
-            _deliver_comparison(pipeline.compare_models(sources, finest, grid, _show), target, as_json, force)
+            _deliver_comparison(pipeline.compare_models(sources, finest, grid, show_part), target, as_json, force)
             return Exit.DONE
         for source in sources:
-            _deliver(pipeline.chart(source, grid, _show), target, as_json, force)
+            _deliver(pipeline.chart(source, grid, show_part), target, as_json, force)
     except NoReference as error:
         raise Failure(str(error), ["`nhc run` says where the scene fails"], exit=Exit.NUMERICAL) from error
     return Exit.DONE
-
-
-def _show(part: float, what: str) -> None:
-    """Progress, on a terminal only."""
-    rewrite_line(f"{100 * part:3.0f} %  {what}" if part < 1 else "")
 
 
 def _check_target(output: str | None, count: int, as_json: bool) -> Path | None:
@@ -208,7 +203,10 @@ def _put_or_write(
     for note in notes:
         say(f"note: {note}")
     if target is None:
-        put(make(".json" if as_json else ".md"))
+        if as_json:
+            put(make(".json"))
+        else:
+            put_text(make(".md"))
         return
     from nhc.cli.write import refuse_to_overwrite, write_files
 

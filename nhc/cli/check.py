@@ -10,7 +10,7 @@ import click
 
 from nhc.cli.options import explain_option, json_option, list_examples, specs_argument
 from nhc.cli.specs import open_spec
-from nhc.cli.terminal import Exit, put, put_json, put_wrapped, wants_colour
+from nhc.cli.terminal import Exit, put_json, put_text, wants_colour
 from nhc.records import record
 
 if TYPE_CHECKING:
@@ -68,12 +68,12 @@ def _print(result: Result, *, explain: bool, concise: bool) -> None:
         sys.stdout.write(render_concise(result.source, result.diagnostics))
         return
     if result.diagnostics:
-        put(render_text(result.source, result.diagnostics, wants_colour(sys.stdout)))
-        put("")
-    put(f"{result.source.path}: {_count(result.diagnostics) or 'ok'}")
+        put_text(render_text(result.source, result.diagnostics, wants_colour(sys.stdout)))
+        put_text("")
+    put_text(f"{result.source.path}: {_count(result.diagnostics) or 'ok'}")
     if explain:
         for fact in result.facts:
-            put_wrapped(f"  {fact}", 4)
+            put_text(f"  {fact}", 4)
 
 
 def _count(diagnostics: tuple[Diagnostic, ...]) -> str:

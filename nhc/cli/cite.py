@@ -18,5 +18,5 @@ def command(spec: str, output: str | None, force: bool) -> int:
     source = open_spec(spec)
     from nhc.pipeline import cite
 
-    deliver(cite(source), output, force=force)
+    deliver(cite(source), output, force=force, fitted=True)
     return 0

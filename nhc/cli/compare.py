@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from math import ceil
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from nhc.cli.options import json_option, list_examples, spec_argument
+from nhc.cli.reading import MIB, read_bounded
 from nhc.cli.specs import complete_spec, open_spec
-from nhc.cli.terminal import Exit, Failure, describe_os_error, put, put_json, say
+from nhc.cli.terminal import Exit, put_json, put_text, say
 from nhc.cli.write import deliver
 
 if TYPE_CHECKING:
     from nhc.mechanics.certificates.certificate import Certificate, Rejection
+
+LARGEST_CERTIFICATE = 64 * MIB
 
 
 @click.command(
@@ -92,19 +94,15 @@ def _compare_two(spec: str, other: str, maps: tuple[str, ...], as_json: bool) ->
 
 
 def _read(path: str) -> str:
-    try:
-        return Path(path).read_bytes().decode(errors="replace")
-    except OSError as error:
-        raise Failure(
-            f"cannot read `{path}`: {describe_os_error(error)}", ["name a file that `nhc compare` wrote"]
-        ) from error
+    content = read_bounded(path, LARGEST_CERTIFICATE, ["name a file that `nhc compare` wrote"])
+    return content.decode(errors="replace")
 
 
 def _check(wrong: list[str], path: str) -> int:
     if not wrong:
-        put(f"{path}: holds")
+        put_text(f"{path}: holds")
         return Exit.DONE
-    put(f"{path}: does not hold")
+    put_text(f"{path}: does not hold")
     for line in wrong:
         say(f"  {line}")
     return Exit.FAILED
@@ -115,7 +113,7 @@ def _print(made: Certificate) -> None:
 
     names = len(made.agreements)
     verdict = f"{names} formulations agree" if made.holds else "the formulations disagree"
-    put(f"{made.system}: {verdict}{_where(made)}")
+    put_text(f"{made.system}: {verdict}{_where(made)}")
     width = max(len(a.name) for a in made.agreements)
     for a in made.agreements:
         exact = [
@@ -126,14 +124,14 @@ def _print(made: Certificate) -> None:
         doubles = f"in doubles within {far} at {a.distance.states} states"
         if not a.distance.states:
             doubles = "not tried in doubles: singular at every state that was looked at"
-        put(f"  {a.name:{width}}  {a.number:6}  {', '.join(exact)}; {doubles}")
-    put(f"exact: {len(made.points)} points modulo primes of 61 bits against I.4.1 straight from T;")
-    put(f"  a difference passes unseen with a probability below {_bound(made)} ({_why(made)})")
+        put_text(f"  {a.name:{width}}  {a.number:6}  {', '.join(exact)}; {doubles}")
+    put_text(f"exact: {len(made.points)} points modulo primes of 61 bits against I.4.1 straight from T;")
+    put_text(f"  a difference passes unseen with a probability below {_bound(made)} ({_why(made)})")
     if made.rejections:
-        put("wrong derivations, and how far their accelerations are from the truth (relative):")
+        put_text("wrong derivations, and how far their accelerations are from the truth (relative):")
     width = max((len(r.name) for r in made.rejections), default=0)
     for r in made.rejections:
-        put(f"  {r.name:{width}}  {_fate(r, made.is_far(r))}")
+        put_text(f"  {r.name:{width}}  {_fate(r, made.is_far(r))}")
 
 
 def _bound(made: Certificate) -> str:

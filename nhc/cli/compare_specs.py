@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
-from nhc.cli.terminal import put
+from nhc.cli.terminal import put_text
 
 if TYPE_CHECKING:
     from nhc.mechanics.pairs.verdict import Comparison
@@ -15,7 +15,7 @@ _SEEN = 1e-12  # a smaller difference is rounding
 
 def print_comparison(made: Comparison) -> None:
     """Text for a person: the verdict, each acceleration, then what was compared how."""
-    put(f"{made.names[0]} and {made.names[1]}: {_verdict(made)}")
+    put_text(f"{made.names[0]} and {made.names[1]}: {_verdict(made)}")
     for line in (
         *_velocities(made),
         *_accelerations(made),
@@ -24,7 +24,7 @@ def print_comparison(made: Comparison) -> None:
         *made.notes,
         *_exactness(made),
     ):
-        put(f"  {line}")
+        put_text(f"  {line}")
 
 
 def to_data(made: Comparison) -> dict[str, Any]:

@@ -11,7 +11,7 @@ import click
 from nhc.answers import Answer, answer
 from nhc.cli.options import anew_option, explain_option, formulation_option, list_examples, output_option, spec_argument
 from nhc.cli.specs import list_texts, open_spec
-from nhc.cli.terminal import Failure, say, wants_colour
+from nhc.cli.terminal import Failure, narrow_width, say, wants_colour
 from nhc.cli.write import deliver
 
 if TYPE_CHECKING:
@@ -78,11 +78,13 @@ def command(
         raise click.UsageError("`--dump` prints text: it goes with neither `--to` nor `--json`")
     to = to or ("json" if as_json else "text")
     source = open_spec(spec)
+    shown = to == "text" and dump is None and output in (None, "-")
+    width = narrow_width(sys.stdout, 100) if shown else 0  # 100 is the width of `nhc.emit.text.sheets`
 
     def make() -> Answer:
         from nhc import pipeline
 
-        options = pipeline.Options(formulation=formulation or "", scene=scene, to=to, simplify=simplify)
+        options = pipeline.Options(formulation=formulation or "", scene=scene, to=to, simplify=simplify, width=width)
         if dump is None:
             return {"": pipeline.derive(source, options)}
         stages = {stage.name: stage.about for stage in pipeline.STAGES}
@@ -93,7 +95,7 @@ def command(
 
         return {"": DUMPS[dump](source, options)}
 
-    asked = (formulation, scene, to)
+    asked = (formulation, scene, to, *([width] if width else []))
     kept = not (anew or dump or simplify)  # what a time limit decides may differ next time
     text = (answer(("derive", repr(asked), *list_texts(source)), make) if kept else make())[""]
     if explain:

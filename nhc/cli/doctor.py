@@ -14,7 +14,7 @@ import click
 
 from nhc.cli.options import json_option, list_examples
 from nhc.cli.specs import gallery_paths
-from nhc.cli.terminal import Exit, put, put_json
+from nhc.cli.terminal import Exit, put_json, put_text
 from nhc.version import __version__
 
 REQUIRED = ("sympy", "click", "pyyaml", "jinja2")
@@ -53,12 +53,12 @@ def command(as_json: bool) -> int:
         tree = {key: [{"name": n, "found": f, "detail": d} for n, f, d in value] for key, value in rows.items()}
         put_json("nhc.doctor/1", {"ok": well, **tree})
     else:
-        put(f"nhc {__version__}")
+        put_text(f"nhc {__version__}")
         for title, rows_ in (("needed", needed), ("optional", optional)):
-            put(f"\n{title}")
+            put_text(f"\n{title}")
             width = max(len(name) for name, _, _ in rows_)
             for name, found, detail in rows_:
-                put(f"  {'ok     ' if found else 'missing'}  {name:<{width}}  {detail}".rstrip())
+                put_text(f"  {'ok     ' if found else 'missing'}  {name:<{width}}  {detail}".rstrip())
     return Exit.DONE if well else Exit.FAILED
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,7 +9,8 @@ import click
 
 from nhc.cli.options import check_steps
 from nhc.cli.progress import Progress
-from nhc.cli.terminal import Exit, Failure, describe_os_error, put, say
+from nhc.cli.reading import MIB, read_bounded
+from nhc.cli.terminal import Exit, Failure, put, say
 
 if TYPE_CHECKING:
     from nhc.diagnostics import Source
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 SHOWN = 20
 """Failures that are told one by one."""
+_TABLE = "name a CSV table with a header of names, or `-` for standard input"
+
+LARGEST_TABLE = 256 * MIB
 _TABLE = "name a CSV table with a header of names, or `-` for standard input"
 
 
@@ -79,12 +82,8 @@ def run_starts(
 
 
 def _read_table(path: str) -> str:
-    if path == "-" and sys.stdin is None:
-        raise Failure("cannot read standard input: it is closed", [_TABLE])
     try:
-        return sys.stdin.read() if path == "-" else Path(path).read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise Failure(f"cannot read `{path}`: {describe_os_error(error)}", [_TABLE]) from error
+        return read_bounded(path, LARGEST_TABLE, [_TABLE], stdin=True).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise Failure(f"`{path}` is not a text in UTF-8", [_TABLE]) from error
 

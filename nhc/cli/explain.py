@@ -6,7 +6,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from nhc.cli.options import list_examples
-from nhc.cli.terminal import Failure, put, put_wrapped
+from nhc.cli.terminal import Failure, put, put_text
 
 
 def _complete(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
@@ -37,10 +37,10 @@ def command(subject: str | None) -> int:
 
     if not code:
         for known, title in TITLES.items():
-            put_wrapped(f"{known}   {title}", 8)
+            put_text(f"{known}   {title}", 8)
         put("")
-        put_wrapped(f"equations: {', '.join(EQUATIONS)}", 4)
-        put_wrapped(f"errata of the thesis: {', '.join(ERRATA)}", 4)
+        put_text(f"equations: {', '.join(EQUATIONS)}", 4)
+        put_text(f"errata of the thesis: {', '.join(ERRATA)}", 4)
         return 0
     if code in ERRATA:
         _put_lines(erratum_page(code))
@@ -58,4 +58,4 @@ def _put_lines(text: str) -> None:
     fenced = False
     for line in text.rstrip("\n").split("\n"):
         fenced ^= line.startswith("```")
-        (put if fenced or not line.strip() or line.startswith("    ") else put_wrapped)(line)
+        (put if fenced or not line.strip() or line.startswith("    ") else put_text)(line)

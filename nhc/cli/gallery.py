@@ -9,7 +9,7 @@ from click.shell_completion import CompletionItem
 
 from nhc.cli.options import json_option, list_examples
 from nhc.cli.specs import gallery_paths, shelf_paths
-from nhc.cli.terminal import Failure, put_json, put_wrapped
+from nhc.cli.terminal import Failure, put_json, put_text
 from nhc.cli.write import deliver
 
 
@@ -56,7 +56,7 @@ def _list(paths: dict[str, Path], as_json: bool) -> None:
         return
     width = max(map(len, abouts), default=0)
     for name, about in abouts.items():
-        put_wrapped(f"{name:<{width}}  {about}".rstrip(), width + 2)
+        put_text(f"{name:<{width}}  {about}".rstrip(), width + 2)
 
 
 def _about(path: Path) -> str:

@@ -19,7 +19,7 @@ from nhc.cli.options import (
     sweep_option,
 )
 from nhc.cli.specs import open_spec, take_first_scene
-from nhc.cli.terminal import Exit, Failure, put, put_json
+from nhc.cli.terminal import Exit, Failure, put_json, put_text
 from nhc.diagnostics import quote, several
 
 if TYPE_CHECKING:
@@ -86,9 +86,9 @@ def command(
     if as_json:
         put_json("nhc.linearize/1", describe(found, notes))
     else:
-        put("\n".join([*_motion_lines(found), "", *_matrix_lines(found), "", *_eigenvalue_lines(found, notes)]))
+        put_text("\n".join([*_motion_lines(found), "", *_matrix_lines(found), "", *_eigenvalue_lines(found, notes)]))
         if found.swept is not None and sweep is not None:
-            put("\n".join(["", *_sweep_lines(sweep[0], found.swept)]))
+            put_text("\n".join(["", *_sweep_lines(sweep[0], found.swept)]))
     return 0
 
 

@@ -5,18 +5,24 @@ from __future__ import annotations
 import sys
 import time
 
-from nhc.cli.terminal import say
+from nhc.cli.terminal import say, terminal_width
 
 QUIET = 30.0
 """Seconds after which a command that is not on a terminal says for the first time that it is at work."""
-WIDTH = 78
 
 
-def rewrite_line(text: str) -> None:
-    """On a terminal, put a line in place of the one before; an empty one takes it away."""
-    if sys.stderr.isatty():
-        sys.stderr.write(f"\r{text[:WIDTH]:{WIDTH}}" + ("" if text else "\r"))
-        sys.stderr.flush()
+def show_line(text: str) -> None:
+    """Put ``text`` in the place of a terminal's last line, as much of it as fits; nothing elsewhere."""
+    width = terminal_width(sys.stderr) - 1  # a full line would begin the next one
+    if width <= 0:
+        return
+    sys.stderr.write(f"\r{text[:width]:{width}}" + ("" if text else "\r"))
+    sys.stderr.flush()
+
+
+def show_part(part: float, what: str) -> None:
+    """Say on a terminal how much is done, and what is next; when all is, take it away."""
+    show_line(f"{100 * part:3.0f} %  {what}" if part < 1 else "")
 
 
 class Clock:
@@ -59,10 +65,10 @@ class Progress:
             return
         full = round(part * self.BAR)
         where = f"{self.what} = {t:.6g}" if self.what else ""
-        rewrite_line(f"[{'#' * full}{'.' * (self.BAR - full)}] {100 * part:3.0f} %  {where}")
+        show_line(f"[{'#' * full}{'.' * (self.BAR - full)}] {100 * part:3.0f} %  {where}")
         self.shown = True
 
     def clear(self) -> None:
         """Take the bar away."""
         if self.shown:
-            rewrite_line("")
+            show_line("")

@@ -9,7 +9,7 @@ import click
 from nhc.cli.options import formulation_option, json_option, list_examples, spec_argument
 from nhc.cli.simplify import approximate, check_options
 from nhc.cli.specs import open_spec, take_first_scene
-from nhc.cli.terminal import put, put_json
+from nhc.cli.terminal import put_json, put_text
 
 if TYPE_CHECKING:
     from nhc.program.scene_model import SceneModel, Tried
@@ -101,22 +101,22 @@ def _data(made: SceneModel) -> dict[str, Any]:
 
 def _print(made: SceneModel) -> None:
     reduction = made.reduction
-    put(f"{made.system.name}, scene {made.scene.name}: needs {', '.join(c.name for c in reduction.outputs)}")
-    put(f"full     {_size(made.full_state, made.full_operations)}, {made.full_formulation}")
-    put(
+    put_text(f"{made.system.name}, scene {made.scene.name}: needs {', '.join(c.name for c in reduction.outputs)}")
+    put_text(f"full     {_size(made.full_state, made.full_operations)}, {made.full_formulation}")
+    put_text(
         f"reduced  {_size(reduction.state, made.operations)}, {reduction.formulation.name}: {reduction.formulation.reason}"
     )
     if reduction.left:
-        put("left out")
+        put_text("left out")
         width = max(len(omission.name) for omission in reduction.left)
         for omission in reduction.left:
-            put(f"  {omission.name:{width}}  {omission.reason}")
+            put_text(f"  {omission.name:{width}}  {omission.reason}")
     quadratures = [reduction.names[i] for i in reduction.kept if i not in reduction.driving]
     if quadratures and len(reduction.kept) > 1:
-        put(f"by quadrature, nothing else depends on them: {', '.join(quadratures)}")
-    put("tried (cost: operations, with weights for divisions, functions and entries of the state)")
+        put_text(f"by quadrature, nothing else depends on them: {', '.join(quadratures)}")
+    put_text("tried (cost: operations, with weights for divisions, functions and entries of the state)")
     for k, tried in enumerate(made.tried):
-        put(f"  {'*' if k == made.chosen else ' '} {_trial(tried)}")
+        put_text(f"  {'*' if k == made.chosen else ' '} {_trial(tried)}")
 
 
 def _size(state: tuple[str, ...], operations: int) -> str:

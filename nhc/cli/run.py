@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,7 +28,10 @@ METHODS = (
 )
 LOST = 1e-5
 """Smallest singular value of constraints that are taken to have lost their rank."""
-KINDS = (".csv", ".npz", ".svg", ".html")
+PICTURES = (".svg", ".html")
+KINDS = (".csv", ".npz", *PICTURES)
+LONG, SLOW = 200_000, 5_000
+"""Steps of a run, compiled or not, that is not made again for the sake of its picture."""
 
 
 def _positive(context: click.Context, parameter: click.Parameter, value: float | None) -> float:
@@ -66,7 +70,7 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
 @click.option(
     "--points",
     type=click.IntRange(2, 10_000_000),
-    help="Number of rows; default: 201, with --ensemble 2 for each start.",
+    help="Number of rows; default: 201, in pictures as many as it takes to draw curves, with --ensemble 2 for each start.",
 )
 @click.option(
     "--method",
@@ -154,7 +158,8 @@ def command(
     if not scene:
         say(f"taking the scene `{job.scene.name}`")
     check_steps(step, *job.time)
-    return _conclude(_integrate(job, settings), target, until)
+    drawn = points is None and target is not None and target.suffix in PICTURES
+    return _conclude(_integrate(job, settings, drawn), target, until)
 
 
 def _check_accuracy(method: str, tolerance: float, step: float) -> None:
@@ -167,12 +172,20 @@ def _check_accuracy(method: str, tolerance: float, step: float) -> None:
         raise click.UsageError(f"`{method}` chooses its own steps; leave `--step` out")
 
 
-def _integrate(job: Job, settings: Settings) -> Trajectory:
-    """The run, with its progress on a terminal."""
-    from nhc.simulate.run import run
+def _integrate(job: Job, settings: Settings, drawn: bool) -> Trajectory:
+    """The run, with its progress on a terminal; one that is ``drawn`` once more where it needs more rows to look smooth."""
+    from nhc.simulate.run import picture_points, run
 
     bar = Progress(*job.time)
     found = run(job, settings, bar.show)
+    bar.clear()
+    rows = picture_points(found) if drawn else 0
+    if rows <= settings.points:
+        return found
+    if found.outcome.steps > (LONG if found.compiled else SLOW):
+        say(f"note: {len(found.times)} rows may be too few for a smooth picture of this motion; give `--points {rows}`")
+        return found
+    found = run(job, replace(settings, points=rows), bar.show)
     bar.clear()
     return found
 

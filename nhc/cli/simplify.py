@@ -8,8 +8,8 @@ from pathlib import Path
 
 import click
 
-from nhc.cli.progress import Clock, rewrite_line
-from nhc.cli.terminal import Exit, Failure, put, put_json, say
+from nhc.cli.progress import Clock, show_line
+from nhc.cli.terminal import Exit, Failure, put, put_json, put_text, say, terminal_width
 from nhc.language import Source
 
 
@@ -59,7 +59,7 @@ def approximate(
     except NotMeasured as error:
         raise Failure(str(error), error.help, exit=Exit.NUMERICAL) from error
     finally:
-        rewrite_line("")
+        show_line("")
     texts = {Path(output): reduced_spec(ladder)} if output is not None and output != "-" else {}
     if chart is not None:
         texts[Path(chart)] = (draw_ladder if chart.endswith(".svg") else make_ladder_page)(ladder)
@@ -70,10 +70,10 @@ def approximate(
     if as_json:
         put_json("nhc.ladder/1", ladder_data(ladder))
     elif output == "-":
-        say(print_ladder(ladder))
+        say(print_ladder(ladder, terminal_width(sys.stderr)))
         put(reduced_spec(ladder))
     else:
-        put(print_ladder(ladder))
+        put_text(print_ladder(ladder, terminal_width(sys.stdout)))
     if texts:
         write_files(texts)
     return Exit.DONE
@@ -84,7 +84,7 @@ def _show() -> Callable[[int, str], None]:
     clock = Clock()
 
     def show(runs: int, about: str) -> None:
-        rewrite_line(f"{runs}: without {about}")
+        show_line(f"{runs}: without {about}")
         if not sys.stderr.isatty() and clock.strikes():
             say(f"after {clock.passed:.0f} s {runs} models are measured")
 

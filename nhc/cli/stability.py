@@ -17,8 +17,9 @@ from nhc.cli.options import (
     set_option,
     sweep_option,
 )
+from nhc.cli.progress import show_line, show_part
 from nhc.cli.specs import complete_spec, open_spec
-from nhc.cli.terminal import Exit, Failure, put, put_json, say
+from nhc.cli.terminal import Exit, Failure, put_json, put_text, say
 from nhc.cli.write import refuse_existing
 
 if TYPE_CHECKING:
@@ -97,7 +98,10 @@ def command(
     from nhc.study.stability.laboratory import Question
 
     question = Question(scene, about, settings, holds, sweep, lengths)
-    found = stability(source, question, Options(formulation=formulation or ""))
+    try:
+        found = stability(source, question, Options(formulation=formulation or ""), show_part)
+    finally:
+        show_line("")
     _deliver(found, question, target, as_json)
     if found.failed:
         advice = [f"`nhc run` {found.conduct[-1]}"] if found.stopped else []
@@ -118,7 +122,7 @@ def _run_atlas(slow: bool, as_json: bool) -> int:
     if as_json:
         put_json("nhc.atlas/1", tree(results))
     else:
-        put("\n".join(lines(results)))
+        put_text("\n".join(lines(results)))
     return Exit.DONE if all(verdict.passed for _, verdict in results) else Exit.FAILED
 
 
@@ -140,7 +144,7 @@ def _deliver(found: Laboratory, question: Question, target: Path | None, as_json
     if as_json:
         put_json("nhc.stability/1", tree(found))
     else:
-        put("\n".join(lines(found)))
+        put_text("\n".join(lines(found)))
     if target is not None:
         from nhc.cli.write import write_bytes
         from nhc.report.stability import make_page

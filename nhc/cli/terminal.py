@@ -11,12 +11,12 @@ import json
 import os
 import shutil
 import sys
-import textwrap
 from collections.abc import Sequence
 from enum import IntEnum
 from typing import Any, TextIO
 
 from nhc.cli import INTERRUPTED
+from nhc.cli.fitting import LEAST, fit
 from nhc.version import __version__
 
 
@@ -54,22 +54,21 @@ def put(text: str) -> None:
     sys.stdout.write(text if text.endswith("\n") else text + "\n")
 
 
-def put_wrapped(text: str, hanging: int = 0) -> None:
-    """The same for one line, which a terminal breaks between words, its further lines indented; a pipe gets it whole."""
-    if sys.stdout is None or not sys.stdout.isatty():
-        put(text)
-        return
-    width = max(shutil.get_terminal_size().columns, hanging + 20)
-    start = text[: len(text) - len(text.lstrip())]
-    lines = textwrap.wrap(
-        text.strip(),
-        width,
-        initial_indent=start,
-        subsequent_indent=" " * hanging,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
-    put("\n".join(lines))
+def put_text(text: str, hanging: int | None = None) -> None:
+    """The same for a text for people, which is fitted to a terminal's width; a pipe gets its lines whole."""
+    width = terminal_width(sys.stdout)
+    put(fit(text, width, hanging) if width else text)
+
+
+def terminal_width(stream: TextIO | None) -> int:
+    """The columns of a terminal; 0 for what is none."""
+    return shutil.get_terminal_size().columns if stream is not None and stream.isatty() else 0
+
+
+def narrow_width(stream: TextIO | None, usual: int) -> int:
+    """The columns of a terminal that has fewer than usual; else 0."""
+    width = terminal_width(stream)
+    return max(width, LEAST) if 0 < width < usual else 0
 
 
 def put_json(schema: str, data: dict[str, Any]) -> None:
@@ -78,8 +77,10 @@ def put_json(schema: str, data: dict[str, Any]) -> None:
 
 
 def say(text: str) -> None:
-    """Write a message to stderr, if there is one."""
+    """Write a message to stderr, if there is one; a terminal gets lines that fit."""
     if sys.stderr is not None:
+        width = terminal_width(sys.stderr)
+        text = fit(text, width) if width else text
         sys.stderr.write(text if text.endswith("\n") else text + "\n")
 
 

@@ -11,18 +11,23 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
-from nhc.cli.terminal import Exit, Failure, describe_os_error, put, say
+from nhc.cli.terminal import Exit, Failure, describe_os_error, put, put_text, say
 from nhc.stamp import is_untouched
 
 _FILES = (".c", ".h", ".py", ".tex", ".pdf", ".json", ".txt", ".yaml", ".csv", ".html", ".md")
 """Endings of files: a name with one of them is not meant for a new folder."""
 
+_LARGEST = 1 << 26  # bytes
 
-def deliver(text: str, output: str | None, *, force: bool) -> None:
-    """Give one text with a final line break to stdout (``output`` None or ``-``), or write it to that file."""
+
+def deliver(text: str, output: str | None, *, force: bool, fitted: bool = False) -> None:
+    """Give one text with a final line break to stdout (``output`` None or ``-``), or write it to that file.
+
+    A terminal gets it ``fitted`` to its width where that is asked for.
+    """
     text = text if text.endswith("\n") else text + "\n"
     if output is None or output == "-":
-        put(text)
+        (put_text if fitted else put)(text)
         return
     path = Path(output)
     if path.is_dir():
@@ -165,11 +170,15 @@ def _replace_all(temporaries: Mapping[Path, Path]) -> None:
 
 
 def _read(path: Path) -> str | None:
-    """Return the text of ``path`` with its line ends as they are, None when there is no such file, or a stream."""
+    """Return the text of ``path`` with its line ends as they are, None when there is no such file, or a stream.
+
+    Of a file larger than any that nhc writes as text this is a part: it differs, and carries no stamp that fits.
+    """
     if is_stream(path):
         return None
     try:
-        return path.read_bytes().decode(errors="replace")
+        with path.open("rb") as stream:
+            return stream.read(_LARGEST).decode(errors="replace")
     except FileNotFoundError:
         return None
     except OSError as error:

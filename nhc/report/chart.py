@@ -26,7 +26,7 @@ def draw_study(study: Study) -> str:
     main = Panel(
         "time against error at the end",
         "error at the end, relative to each quantity's largest magnitude",
-        "processor time of one run (s), the fastest of the repeats",
+        "processor time of one run [s], the fastest of the repeats",
         lambda r: r.error,
         lambda r: r.best,
         *(LEFT, top, MAIN_WIDTH, MAIN_HEIGHT, floor, True),
@@ -47,7 +47,7 @@ def draw_study(study: Study) -> str:
 
 
 def _small_panels(top: float, floor: float, energy_floor: float) -> tuple[Panel, ...]:
-    second, lower, seconds = LEFT + SMALL_WIDTH + 108, top + SMALL_HEIGHT + 82, "processor time of one run (s)"
+    second, lower, seconds = LEFT + SMALL_WIDTH + 108, top + SMALL_HEIGHT + 82, "processor time of one run [s]"
     size = (SMALL_WIDTH, SMALL_HEIGHT)
     grid = "root mean square of the relative errors on the output grid"
     energy = "largest energy error, relative to the energy"
@@ -172,7 +172,7 @@ def _draw_costs(study: Study, top: float) -> tuple[list[str], float]:
     times = [t for cost in study.costs for t in (cost.c, cost.python) if math.isfinite(t)]
     scale = log_scale(min(times, default=1e-9), max(times, default=1e-6), MAIN_WIDTH - 280.0)
     height = sum(16.0 if cost.twin else 34.0 for cost in study.costs) + 8
-    parts = [draw_text(LEFT, top - 9, "time of one right-hand side (s)", more=BOLD)]
+    parts = [draw_text(LEFT, top - 9, "time of one right-hand side [s]", more=BOLD)]
     for place, text in scale.ticks:
         parts.append(draw_line(x + place, top, x + place, top + height, "#e4e4e4"))
         parts.append(draw_text(x + place, top + height + 14, text, "middle"))

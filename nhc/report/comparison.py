@@ -28,7 +28,7 @@ def draw_comparison(made: Comparison) -> str:
     main = Panel(
         f"time against error, held against {made.finest}",
         f"largest error of {', '.join(made.needs)} on the scene, relative to each quantity's largest magnitude",
-        "processor time of one run (s), the fastest of the repeats",
+        "processor time of one run [s], the fastest of the repeats",
         lambda r: r.error,
         lambda r: r.best,
         *(LEFT, below + 34, MAIN_WIDTH, MAIN_HEIGHT, RESOLVED * made.reference.error, True),

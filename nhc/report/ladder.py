@@ -10,14 +10,14 @@ from nhc.study.simplify.ladder import Ladder
 _SHOWN = 6  # needed quantities with a column of their own in the table
 
 
-def print_ladder(ladder: Ladder) -> str:
-    """The ladder as a table, then what stays and why."""
+def print_ladder(ladder: Ladder, width: int = 0) -> str:
+    """The ladder as a table, then what stays and why; ``width`` is that of a terminal, 0 where lines may have any."""
     lines = [
         f"{ladder.system}, scene {ladder.scene}: needs {', '.join(ladder.needs)}, within {ladder.tolerance:g}",
         f"measured {print_how(ladder)}",
         "errors: the largest on the output grid, relative to each quantity's largest magnitude there; "
         "those of the full model are the reference's own",
-        *_table(ladder),
+        *_table(ladder, width),
         _confirmation(ladder),
     ]
     if len(ladder.rungs) == 1:
@@ -30,17 +30,33 @@ def print_ladder(ladder: Ladder) -> str:
     return "\n".join(lines)
 
 
-def _table(ladder: Ladder) -> list[str]:
+def _table(ladder: Ladder, width: int) -> list[str]:
+    """A line for each model; where these are too wide, what is left out and the errors of each quantity stand below."""
     single = 1 < len(ladder.needs) <= _SHOWN
     head = ["", "equations", "operations", "rhs", "run", "error", *(ladder.needs if single else ()), "left out"]
     rows = [head]
     for row, rung in zip(list_rungs(ladder), ladder.rungs, strict=True):
         rows.append([*row[:-1], *(f"{error:.1e}" for error in (rung.errors if single else ())), row[-1]])
     widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
+    if 0 < width < sum(widths) + 2 * (len(head) - 1):
+        return _stacked(rows, widths, len(head) - len(ladder.needs if single else ()) - 1)
     found = []
     for row in rows:
         cells = [cell.rjust(width) for cell, width in zip(row[:-1], widths, strict=False)]
         found.append("  ".join([*cells, row[-1]]))
+    return found
+
+
+def _stacked(rows: list[list[str]], widths: list[int], sizes: int) -> list[str]:
+    """The numbers of each model on a line, then what is left out, then the errors of each quantity."""
+    head = rows[0]
+    found = []
+    for row in rows:
+        found.append("  ".join(cell.rjust(size) for cell, size in zip(row[:sizes], widths, strict=False)))
+        if row is not head:
+            found.append(f"   {row[-1]}")
+            errors = [f"{name} {cell}" for name, cell in zip(head[sizes:-1], row[sizes:-1], strict=True)]
+            found += [f"   {', '.join(errors)}"] if errors else []
     return found
 
 

@@ -30,7 +30,7 @@ def draw_ladder(ladder: Ladder) -> str:
     parts = [draw_text(WIDTH / 2, 26, title, "middle", ' font-size="17" font-weight="bold"')]
     parts += _draw_plot(ladder, LEFT, "operations of the right-hand side", lambda r: float(r.size.operations))
     unit, name = _unit(max(rung.price.run for rung in ladder.rungs))
-    parts += _draw_plot(ladder, SECOND, f"processor time of one run ({name})", lambda r: r.price.run / unit)
+    parts += _draw_plot(ladder, SECOND, f"processor time of one run [{name}]", lambda r: r.price.run / unit)
     lines, bottom = _draw_list(ladder, TOP + PLOT_HEIGHT + 66)
     total = bottom + 26
     parts += lines

@@ -22,6 +22,8 @@ from nhc.simulate.waiting import Show
 from nhc.simulate.workshop import Model, Workshop
 
 POINTS = 201
+_SMOOTH = 8  # rows in the time of a step: methods of high order step over a good part of a period
+_MOST = 2001  # rows of a picture, which has some 700 pixels for them
 
 
 @record
@@ -68,6 +70,16 @@ def list_times(start: float, end: float, points: int) -> tuple[float, ...]:
     """Equally spaced times, the first and the last exactly the ends."""
     inner = (start + (end - start) * (k / (points - 1)) for k in range(1, points - 1))
     return (start, *inner, end)
+
+
+def picture_points(found: Trajectory) -> int:
+    """How many rows it takes to draw a motion as a curve, if it came to its end: no more than there are where these will do.
+
+    Between fixed steps rows are interpolated, and what a method conserves at its steps is not conserved there.
+    """
+    wanted = min(_SMOOTH * found.outcome.steps + 1, _MOST)
+    fits = found.ended != "done" or found.step > 0 or wanted <= 2 * len(found.times)
+    return len(found.times) if fits else wanted
 
 
 def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:

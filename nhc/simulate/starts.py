@@ -19,6 +19,7 @@ from nhc.records import record
 from nhc.simulate.requests import RunError
 
 _CELLS = "each row has one number for each name; an empty cell takes the scene's value"
+_LONGEST = 60  # characters of a cell in a message
 
 Key = tuple[str, str]
 """("coordinate", "velocity", "quasi" or "parameter", name)"""
@@ -38,15 +39,24 @@ def read_starts(text: str, spec: Spec) -> Table:
     Raises:
         RunError: an unknown or repeated name, a row of another length, a cell that is no finite number, no rows.
     """
-    header, *lines = [row for row in csv.reader(io.StringIO(text)) if row] or [[]]
+    try:
+        header, *lines = [row for row in csv.reader(io.StringIO(text)) if row] or [[]]
+    except csv.Error as error:
+        raise RunError(f"this is no CSV table: {error}", ("a header of names, then one row for each start",)) from error
     known = _list_keys(spec)
     keys = tuple(_find_key(cell, known) for cell in header)
     for k, key in enumerate(keys):
         if key in keys[:k]:
-            raise RunError(f"the header names `{header[k].strip()}` twice", ("keep one of the columns",))
+            raise RunError(f"the header names `{_shorten(header[k])}` twice", ("keep one of the columns",))
     if not lines:
         raise RunError("the table has no starts", ("a header of names, then one row for each start",))
     return Table(keys, tuple(_read_row(number, header, line) for number, line in enumerate(lines, 1)))
+
+
+def _shorten(cell: str) -> str:
+    """A cell as a message shows it: what cannot be printed, or is long, is no table of the user's."""
+    shown = "".join(letter if letter.isprintable() else "?" for letter in cell.strip())
+    return shown if len(shown) <= _LONGEST else f"{shown[:_LONGEST]}..."
 
 
 def _list_keys(spec: Spec) -> dict[str, Key]:
@@ -70,7 +80,7 @@ def _find_key(cell: str, known: dict[str, Key]) -> Key:
     hint = suggest(name, known, f"it can be {', '.join(known)}")
     if ";" in cell or "\t" in cell:
         hint = "part the columns by commas, and write decimal numbers with `.`"
-    raise RunError(f"no coordinate, velocity or parameter `{cell.strip()}` in this spec", (hint,))
+    raise RunError(f"no coordinate, velocity or parameter `{_shorten(cell)}` in this spec", (hint,))
 
 
 def _read_row(number: int, header: Sequence[str], line: Sequence[str]) -> tuple[float | None, ...]:
@@ -85,7 +95,7 @@ def _read_row(number: int, header: Sequence[str], line: Sequence[str]) -> tuple[
         if "_" in cell:  # Python's numbers may hold it, nobody else's
             value = math.nan
         if value is not None and not math.isfinite(value):
-            raise RunError(f"row {number}: `{cell.strip()}` for `{name.strip()}` is not a finite number", (_CELLS,))
+            raise RunError(f"row {number}: `{_shorten(cell)}` for `{_shorten(name)}` is not a finite number", (_CELLS,))
         values.append(value)
     return tuple(values)
 

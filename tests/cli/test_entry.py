@@ -20,7 +20,7 @@ from nhc import language
 from nhc.cli import explain, main
 from nhc.cli.entry import VERBS
 from nhc.cli.options import FINEST_TOLERANCE, FORMULATIONS
-from nhc.cli.terminal import Exit, Failure, put_wrapped, wants_colour
+from nhc.cli.terminal import Exit, Failure, put_text, wants_colour
 from nhc.language.spec import LEAST_TOLERANCE
 from nhc.pipeline import STAGES
 from tests.support import INTERRUPTIBLE
@@ -31,10 +31,12 @@ HELPERS = {
     "__init__",
     "compare_specs",
     "ensemble",
+    "fitting",
     "simplify",
     "entry",
     "options",
     "progress",
+    "reading",
     "specs",
     "terminal",
     "write",
@@ -304,11 +306,11 @@ def test_a_terminal_breaks_long_lines_between_words(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     line = "  energy: " + "words of a fact, " * 12 + "l1*l2*sin(a - b)"
-    put_wrapped(line, 4)
+    put_text(line, 4)
     assert capsys.readouterr().out == f"{line}\n"
     monkeypatch.setenv("COLUMNS", "60")
     monkeypatch.setattr(sys.stdout, "isatty", lambda: True, raising=False)
-    put_wrapped(line, 4)
+    put_text(line, 4)
     first, *rest = capsys.readouterr().out.splitlines()
     assert first.startswith("  energy: words") and rest and all(part.startswith("    ") for part in rest)
     assert all(len(part) <= 60 for part in (first, *rest))

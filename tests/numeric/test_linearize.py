@@ -27,6 +27,7 @@ from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.linearize import eigenvalues, verdict
 from nhc.study.linearization.motion import Findings, Request, named_quantity, steady_model
 from nhc.study.linearization.steady import NotSteady, find_steady
+from nhc.study.linearization.sweep import Branch
 from nhc.study.linearization.tape import Tape
 from nhc.study.stability.motions import Search, steady_motion
 from tests.support import hide_numpy, spec_path
@@ -818,3 +819,35 @@ def test_a_scene_far_from_steady_motions_does_not_lead_farther() -> None:
     found = find("free_rigid_body", "reference")
     w = [found.model.value(found.linearisation.steady.y, named_quantity(found.flow, f"w{k}", "")) for k in (1, 2, 3)]
     assert w == pytest.approx([0.0, 0.0, 0.9], abs=1e-9)
+
+
+def test_a_crossing_takes_few_steady_motions(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two crossings, and a pair that becomes real without crossing: some ten looks each, where bisection took fifty."""
+    looks: list[float] = []
+    call = Branch.__call__
+
+    def counted(branch: Branch, value: float) -> object:
+        looks.append(value)
+        return call(branch, value)
+
+    monkeypatch.setattr(Branch, "__call__", counted)
+    text = spec_path("bicycle").read_text(encoding="utf-8")
+    text = text.replace("c: {value: 0.08,", "c: {value: 0.088,").replace("m_B: {value: 85,", "m_B: {value: 93.5,")
+    swept = linearize(Source("s.yaml", text), Request("reference", sweep=("speed", 0.0, 10.0, 21)), Options()).swept
+    assert swept is not None and [c.kind for c in swept.crossings] == [
+        "a pair crosses the axis",
+        "an eigenvalue passes zero",
+    ]
+    assert [c.value for c in swept.crossings] == pytest.approx([4.519251661452, 6.483851937858], rel=1e-11)
+    assert all(c.error <= 1e-12 for c in swept.crossings)
+    assert len(looks) <= 21 + 60
+
+
+def test_a_tape_remembers_and_tells_zeros_apart() -> None:
+    g = Graph()
+    y, x = g.symbol("y"), g.symbol("x")
+    tape = Tape(g, [g.function("atan2", y, x)])
+    for _ in range(2):
+        assert tape({y: 0.0, x: -1.0})[0] == math.pi and tape({y: -0.0, x: -1.0})[0] == -math.pi
+    tape({y: 1.0, x: 1.0})[0] = 5.0
+    assert tape({y: 1.0, x: 1.0})[0] == math.pi / 4

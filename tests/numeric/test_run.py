@@ -595,3 +595,19 @@ def test_a_page_names_units_and_says_where_a_change_of_energy_is_no_error(
     assert "<td>relative change at most 1; it need not be constant, because of the force on x</td>" in page
     assert call(capsys, "double_pendulum", "-o", str(tmp_path / "double.html"))[0] == 0
     assert "need not be constant" not in (tmp_path / "double.html").read_text()
+
+
+@pytest.mark.parametrize(
+    ("kind", "more", "rows"), [("svg", [], 2001), ("csv", [], 201), ("svg", ["--points", "50"], 50)]
+)
+def test_what_oscillates_is_drawn_as_a_curve(
+    kind: str, more: list[str], rows: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A hundred periods in 201 rows are two points each: a picture would show other peaks and another frequency."""
+    spec = tmp_path / "spring.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: spring\ncoordinates: [x]\nT: x'^2/2\nV: 98696*x^2/2\n"
+        "scenes:\n  go: {initial: {x: 1}, time: [0, 2]}\n"
+    )
+    assert main(["run", str(spec), "-o", str(tmp_path / f"x.{kind}"), *more]) == 0
+    assert f"{rows} rows, " in capsys.readouterr().err

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import Any
 
 from nhc.emit.prose import clean
 from nhc.emit.text.math import print_mark
 from nhc.emit.text.program import print_program
-from nhc.emit.text.sheets import TextSheets
+from nhc.emit.text.sheets import WIDTH, TextSheets
 from nhc.program.sheets.model import Derivation, Formula, Item, Prose, Sheet, Statement, Table
 
 __all__ = ["derivation_json", "print_derivation", "print_equations", "print_form", "print_program"]
@@ -16,13 +17,14 @@ FORM = ("kinematics", "kinetic", "form")
 EQUATIONS = ("associated", "motion", "reactions", "energy")
 
 
-def print_derivation(derivation: Derivation) -> str:
-    """Everything, under the system's name."""
+def print_derivation(derivation: Derivation, width: int = 0) -> str:
+    """Everything, under the system's name, on lines of the usual width or of another one."""
     spec = derivation.system.spec
     head = [spec.system, "=" * len(spec.system)]
-    head += [clean(spec.about)] if spec.about else []
-    head += [f"After {'; '.join(clean(source) for source in spec.sources)}."] if spec.sources else []
-    return "\n".join(head) + "\n\n" + TextSheets(derivation).sheets(derivation.sheets)
+    about = [clean(spec.about)] if spec.about else []
+    about += [f"After {'; '.join(clean(source) for source in spec.sources)}."] if spec.sources else []
+    head += [line for text in about for line in (textwrap.wrap(text, width) if width else [text])]
+    return "\n".join(head) + "\n\n" + TextSheets(derivation, width or WIDTH).sheets(derivation.sheets)
 
 
 def print_form(derivation: Derivation) -> str:

@@ -1,4 +1,4 @@
-"""Sheets as plain text, readable in a terminal of 100 columns."""
+"""Sheets as plain text, readable in a terminal of 100 columns or of fewer."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ _INDENT, _HANGING = "  ", "      "
 class TextSheets:
     """Prints the sheets of one derivation."""
 
-    def __init__(self, derivation: Derivation) -> None:
+    def __init__(self, derivation: Derivation, width: int = WIDTH) -> None:
+        self.width = width
         self.derivation = derivation
         self.math = TextMath(derivation.symbols)
 
@@ -72,7 +73,7 @@ class TextSheets:
     def _prose(self, prose: Prose) -> list[str]:
         text = clean(prose.plain)
         return textwrap.wrap(
-            text, WIDTH, subsequent_indent="  " if text.startswith("- ") else "", break_long_words=False
+            text, self.width, subsequent_indent="  " if text.startswith("- ") else "", break_long_words=False
         )
 
     def _formula(self, formula: Formula) -> list[str]:
@@ -81,7 +82,7 @@ class TextSheets:
         for k, part in enumerate(parts):
             tag = f"   ({formula.equation})" if formula.equation and k == 0 else ""
             lines += textwrap.wrap(
-                part + ("," if k < len(parts) - 1 else "") + tag, WIDTH, initial_indent=_INDENT, subsequent_indent=_HANGING,
+                part + ("," if k < len(parts) - 1 else "") + tag, self.width, initial_indent=_INDENT, subsequent_indent=_HANGING,
                 break_long_words=False, break_on_hyphens=False,
             )  # fmt: skip
         return lines
@@ -104,9 +105,9 @@ class TextSheets:
         tail = "   ".join(part for part in (f"({number})" if number else "", statement.note) if part)
         relation = Piece(f" {statement.relation} ", 3, int(len(left) > 12))
         pieces = [Piece(label, len(label)), *left, relation, *right]
-        lines = fill(pieces, WIDTH - len(_INDENT), WIDTH - len(_HANGING))
+        lines = fill(pieces, self.width - len(_INDENT), self.width - len(_HANGING))
         lines = [(_INDENT if k == 0 else _HANGING) + line.strip() for k, line in enumerate(lines)]
-        if tail and len(lines[-1]) + 3 + len(tail) <= WIDTH:
+        if tail and len(lines[-1]) + 3 + len(tail) <= self.width:
             lines[-1] += f"   {tail}"
         elif tail:
             lines.append(f"{_HANGING}{tail}")

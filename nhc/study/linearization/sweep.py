@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -12,7 +13,13 @@ from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
 from nhc.study.linearization.steady import NotSteady, find_steady
 
-_BISECTIONS = 60
+_STEPS = 150
+_DIGITS = 32.0
+"""Units in the last place of a crossing, of which rounding decides in eigenvalues."""
+
+_NEAR = 1e-5
+"""Part of an interval in which a growth of the size of the eigenvalues does not come to nothing."""
+
 _ZERO = "an eigenvalue passes zero"
 
 
@@ -82,7 +89,7 @@ def sweep(branch: Branch, values: Sequence[float]) -> Sweep:
 
 
 def crossings(branch: Branch, values: Sequence[float], points: Sequence[Linearisation]) -> tuple[Crossing, ...]:
-    """Where the sign of the core's determinant or the number of growing oscillations changes, by bisection."""
+    """Where the sign of the core's determinant or the number of growing oscillations changes."""
     found = []
     for low, high, a, b in zip(values, values[1:], points, points[1:], strict=False):
         found += [*_static(branch, low, high, a, b), *_oscillatory(branch, low, high, a, b)]
@@ -106,7 +113,8 @@ def _static(branch: Branch, low: float, high: float, a: Linearisation, b: Linear
     first = _told(a)
     if first * _told(b) >= 0:
         return []
-    low, high = _bisect(lambda value: _sign(branch(value)) == first, low, high)
+    ends = _End(low, a, True, _determinant(a)), _End(high, b, False, _determinant(b))
+    low, high = (end.value for end in _narrow(branch, ends, lambda made: (_sign(made) == first, _determinant(made))))
     return [Crossing((low + high) / 2, _ZERO, 0.0, high - low, _grow(b) > _grow(a))]
 
 
@@ -144,28 +152,113 @@ def _oscillatory(branch: Branch, low: float, high: float, a: Linearisation, b: L
     strict = conservative or _resting(wild) > 0  # what stays on the axis would grow and decay by rounding
     least = max(before, after)
 
-    def grows(value: float) -> bool:
-        return len(_pairs(branch(value), strict)) >= least
-
     first = before == least
-    start, (low, high) = (low, high), _bisect(lambda value: grows(value) == first, low, high)
-    inner = branch(low if first else high)
+
+    def judge(made: Linearisation) -> tuple[bool, float]:
+        return (len(_pairs(made, strict)) >= least) == first, _growth(made, strict, least)
+
+    def jumps(one: _End, other: _End) -> bool:
+        """Whether a growth is left that no crossing has so near to it, for it goes through zero there."""
+        end = one if one.like == first else other
+        near = abs(one.value - other.value) <= _NEAR * (high - low)
+        return near and not conservative and end.size > 0.01 * (1.0 / end.made.tick + _fastest(end.made))
+
+    ends = _narrow(branch, (_End(low, a, True, judge(a)[1]), _End(high, b, False, judge(b)[1])), judge, jumps)
+    inner = ends[0 if first else 1].made
     pairs = sorted(_pairs(inner, strict), key=lambda x: x.real)
     # where a pair becomes two real eigenvalues it does not cross the axis
-    slow = 1e-6 * (1.0 / inner.tick + abs(pairs[0])) * (start[1] - start[0]) if pairs else 0.0
+    slow = 1e-6 * (1.0 / inner.tick + abs(pairs[0])) * (high - low) if pairs else 0.0
+    low, high = (end.value for end in ends)
     if not pairs or (not conservative and pairs[0].real > slow):
         return []
     kind = "two pairs meet on the axis" if conservative else "a pair crosses the axis"
     return [Crossing((low + high) / 2, kind, abs(pairs[0].imag), high - low, after > before)]
 
 
-def _bisect(like_low: Callable[[float], bool], low: float, high: float) -> tuple[float, float]:
-    for _ in range(_BISECTIONS):
-        middle = (low + high) / 2
-        if middle in (low, high):
+def _determinant(made: Linearisation) -> float:
+    """The core's determinant beside what a matrix of its size has at most: a measure, not a sign."""
+    sizes = np.linalg.svd(made.core, compute_uv=False) if len(made.core) else np.ones(1)
+    return float(np.prod(sizes / max(sizes[0], 1e-300)))
+
+
+def _growth(made: Linearisation, strict: bool, count: int) -> float:
+    """The growth of the last of the ``count`` oscillations that grow fastest; infinite where there are fewer."""
+    found = sorted(
+        (mode.value.real - (mode.limit if strict else 0.0) for mode in modes(made) if _turns(made, mode)), reverse=True
+    )
+    return found[count - 1] if len(found) >= count else math.inf
+
+
+def _fastest(made: Linearisation) -> float:
+    return max((abs(mode.value) for mode in modes(made)), default=0.0)
+
+
+@record
+class _End:
+    """One end of an interval with a crossing: whether it is ``like`` the low one, and a ``size`` that vanishes at a crossing."""
+
+    value: float
+    made: Linearisation
+    like: bool
+    size: float
+
+    @property
+    def signed(self) -> float:
+        return abs(self.size) if self.like else -abs(self.size)
+
+
+def _narrow(
+    branch: Branch,
+    ends: tuple[_End, _End],
+    judge: Callable[[Linearisation], tuple[bool, float]],
+    enough: Callable[[_End, _End], bool] = lambda one, other: False,
+) -> tuple[_End, _End]:
+    """The interval about a crossing, as narrow as rounding allows: the low end and the high one.
+
+    Which side a value is on is what ``judge`` counts; where to look next is told by the sizes (inverse quadratic interpolation,
+    Chandrupatla 1997), as long as the interval loses half of itself in three steps, else it is halved.  ``enough`` ends it before.
+    """
+    newest, across = ends[1], ends[0]
+    before, part, width, slow, close = ends[0], 0.5, abs(ends[1].value - ends[0].value), 0, 1.0
+    tiny = 1e-14 * max((abs(end.size) for end in ends if math.isfinite(end.size)), default=0.0)
+    for _ in range(_STEPS):
+        digit = max(math.ulp(newest.value), math.ulp(across.value))
+        value = newest.value + part * (across.value - newest.value)
+        if abs(across.value - newest.value) <= _DIGITS * digit or value in (newest.value, across.value):
             break
-        if like_low(middle):
-            low = middle
+        made = branch(value)
+        found = _End(value, made, *judge(made))
+        if found.like == newest.like:
+            before = newest
         else:
-            high = middle
+            before, across = across, newest
+        newest = found
+        if enough(newest, across):
+            break
+        left = abs(across.value - newest.value)
+        width, slow = (left, 0) if left <= width / 2 else (width, slow + 1)
+        # next to a crossing rounding decides on the sides: from there on in steps that get longer
+        least = min(close * digit / left, 0.5)
+        part = _interpolated(before, newest, across, tiny) if slow < 3 or close > 1.0 else 0.5
+        close = 4.0 * close if not least < part < 1.0 - least else 1.0
+        part = min(max(part, least), 1.0 - least)
+    low, high = sorted((newest, across), key=lambda end: end.value)
     return low, high
+
+
+def _interpolated(before: _End, newest: _End, across: _End, tiny: float) -> float:
+    """The part of the way from the newest end to the other one where the size vanishes, if the three tell; else a half.
+
+    A ``tiny`` size is zero but for rounding.
+    """
+    a, b, c = newest.signed, across.signed, before.signed
+    if min(abs(a), abs(b)) <= tiny:
+        return 0.0 if abs(a) <= abs(b) else 1.0
+    if a == b or c in (a, b) or before.value == across.value or not math.isfinite(a + b + c):
+        return 0.5
+    place = (newest.value - across.value) / (before.value - across.value)
+    size = (a - b) / (c - b)
+    if not (size**2 < place and (1.0 - size) ** 2 < 1.0 - place):
+        return 0.5
+    way = (before.value - newest.value) / (across.value - newest.value)
+    return a / (b - a) * c / (b - c) + way * a / (c - a) * b / (c - b)

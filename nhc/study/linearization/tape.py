@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from array import array
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
@@ -14,6 +15,8 @@ from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, SYM, Graph, Node
 
 _ADD, _MUL, _NEG, _POW, _SIN, _COS, _SQRT, _OTHER = range(8)
 _CODES = {ADD: _ADD, MUL: _MUL, NEG: _NEG, POW: _POW, "sin": _SIN, "cos": _COS, "sqrt": _SQRT}
+_RECENT = 24
+"""Results that a tape remembers: a search asks for the same places again, to judge what it has found there."""
 
 
 class Tape:
@@ -24,6 +27,7 @@ class Tape:
         self._inputs: list[tuple[int, Node]] = []
         self._steps: list[tuple[int, int, int, int]] = []
         self._others: list[Callable[[list[float]], float]] = []
+        self._recent: dict[bytes, NDArray[np.float64]] = {}
         order = reachable(graph, roots)
         place = {node: k for k, node in enumerate(order)}
         self._size = len(order)
@@ -48,11 +52,15 @@ class Tape:
         Raises:
             ArithmeticError: a pole, or a function outside its domain.
         """
+        given = tuple(values[node] for _, node in self._inputs)
+        place = array("d", given).tobytes()  # zeros of either sign are two
+        if place in self._recent:
+            return self._recent[place].copy()
         known = [0.0] * self._size
         for k, number in self._constants:
             known[k] = number
-        for k, node in self._inputs:
-            known[k] = values[node]
+        for (k, _), number in zip(self._inputs, given, strict=True):
+            known[k] = number
         try:
             self._run(known)
             found = np.array([known[k] for k in self._roots], dtype=float)
@@ -60,6 +68,9 @@ class Tape:
             raise ArithmeticError(str(error)) from None
         if not np.all(np.isfinite(found)):
             raise ArithmeticError("a value is not finite")
+        if len(self._recent) >= _RECENT:
+            del self._recent[next(iter(self._recent))]
+        self._recent[place] = found.copy()
         return found
 
     def _run(self, known: list[float]) -> None:

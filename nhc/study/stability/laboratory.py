@@ -21,9 +21,14 @@ from nhc.study.stability.sensitivity import Sensitivity, sensitivity
 from nhc.study.stability.stepsize import Spectrum, StepLimit, spectrum, step_limits
 
 Found = TypeVar("Found")
+Show = Callable[[float, str], None]
 _PLACES = 6
 STIFF = 1e3
 """Stiffness ratio from which an implicit method is advised."""
+
+
+def _silent(part: float, what: str) -> None:
+    pass
 
 
 @record
@@ -73,8 +78,8 @@ class Laboratory:
         return self.spectrum.decay / max(self.spectrum.slowest, 1.0 / self.bench.duration)
 
 
-def examine(equations: Equations, formulation: Formulation, question: Question) -> Laboratory:
-    """Every study that applies.
+def examine(equations: Equations, formulation: Formulation, question: Question, show: Show = _silent) -> Laboratory:
+    """Every study that applies; ``show`` is told how much is done, roughly, and what is next.
 
     Raises:
         nhc.diagnostics.SpecError: unknown names, or a start that violates the constraints.
@@ -91,35 +96,44 @@ def examine(equations: Equations, formulation: Formulation, question: Question) 
             missing.append((name, str(error)))
             return None
 
+    show(0.05, "compiling")
     bench = open_bench(equations, formulation, start_of(system, scene), question.compiled)
+    show(0.25, "steady motion")
     motion = attempt("steady motion", lambda: _motion(bench, question))
     if attempt("scene", lambda: bench.table) is None:
         return Laboratory(bench, motion, None, (), (), None, (), tuple(missing), missing[-1][1], conduct(bench))
+    show(0.5, "eigenvalues along the scene")
     along = attempt("eigenvalues along the scene", lambda: spectrum(bench))
+    show(0.55, "largest stable steps")
     limits = step_limits(bench, along) if along is not None else ()
+    show(0.7, "drift")
     runs = [long_run(bench, question.lengths)]
     step = next((x.measured for x in limits if x.method == "rk4"), 0.0)
     if step > 0:
         runs.append(long_run(bench, question.lengths, "rk4", min(step, bench.duration / 25) / 4))
+    show(0.8, "sensitivity to the start")
     growth = attempt("sensitivity", lambda: sensitivity(bench))
+    show(0.9, "distance from singular points")
     near = attempt("distances", lambda: distances(bench)) or ()
     found = Laboratory(bench, motion, along, limits, tuple(runs), growth, near, tuple(missing), "")
     troubled = (found.stiffness or 0.0) > STIFF or any(d.least < NEAR for d in near if d.used)
     return replace(found, conduct=conduct(bench)) if troubled else found
 
 
-def examine_whole(equations: Equations, formulation: Formulation, question: Question) -> Laboratory:
+def examine_whole(
+    equations: Equations, formulation: Formulation, question: Question, show: Show = _silent
+) -> Laboratory:
     """The same where nobody asked for the formulation: one that the scene leads to where it cannot go on gives way to multipliers.
 
     Raises:
         nhc.diagnostics.SpecError: unknown names, or a start that violates the constraints.
         nhc.simulate.requests.RunError: no such scene.
     """
-    found = examine(equations, formulation, question)
+    found = examine(equations, formulation, question, show)
     if not found.failed or found.stopped or formulation.frame is None:
         return found
     other = build(equations.system, "multipliers")
-    whole = examine(equations_of(equations.system, other), other, question)
+    whole = examine(equations_of(equations.system, other), other, question, show)
     if whole.failed:
         return found
     note = f"studied with {other.name}: {found.failed}"
