@@ -41,6 +41,13 @@ class Limits:
     """Radians that a clock (what is periodic in time) may turn in a step for the estimate of the error to tell what it does."""
     far: float = 3.0
     """The same for dop853."""
+    caution: float = 0.85
+    """Of the length that the controller of an explicit method gives the next step."""
+    integral: float = 0.7
+    """The controller's power of the error, by the method's exponent: length error^(-0.7/k) former^(0.4/k) (Gustafsson 1991; Hairer
+    and Wanner 1996, sec. IV.2)."""
+    proportional: float = 0.4
+    """Its power of the error of the step before."""
     safety: float = SAFETY
     least_tolerance: float = LEAST_TOLERANCE
 

@@ -29,11 +29,16 @@ def limit_growth(method: Tableau) -> float:
 
 
 def find_growth(method: Tableau, error: float, former: float, refused: bool) -> float:
-    """The next step's length by this one's: proportional and integral for explicit methods (Hairer and Wanner 1996, sec. IV.2)."""
+    """The next step's length by this one's: proportional and integral for explicit methods, whose ``error`` is squared.
+
+    See ``LIMITS.integral`` for the formula.
+    """
     q = max(method.exponent, 1)
     if not isinstance(method, Explicit):
         return float(0.9 * error ** (-1.0 / q))
-    return 0.9 * (find_pace(error, 0.5 / q, 1.0, 0.0) if refused else find_pace(error, 0.4 / q, former, 0.15 / q))
+    if refused:
+        return LIMITS.caution * find_pace(error, 0.5 / q, 1.0, 0.0)
+    return LIMITS.caution * find_pace(error, 0.5 * LIMITS.integral / q, former, 0.5 * LIMITS.proportional / q)
 
 
 def find_pace(error: float, a: float, former: float, b: float) -> float:
