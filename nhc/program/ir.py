@@ -307,6 +307,22 @@ class Needed:
 
 
 @record
+class Driving:
+    """What a driver or a run needs beside the functions: what ends a step or a run, what brings a step's end back to the
+    constraints, and what scenes need that is no part of the state; None where there is nothing to do.
+    """
+
+    lookout: Lookout | None = None
+    hold: Hold | None = None
+    needed: Needed | None = None
+    leaps: Leaps | None = None
+    beats: Beats | None = None
+
+
+NO_DRIVING = Driving()
+
+
+@record
 class Program:
     system: str
     about: str
@@ -323,8 +339,4 @@ class Program:
     scenes: tuple[SceneData, ...] = ()
     notes: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()  # what the emitted functions cannot do
-    lookout: Lookout | None = None
-    hold: Hold | None = None
-    needed: Needed | None = None
-    leaps: Leaps | None = None
-    beats: Beats | None = None
+    driving: Driving = NO_DRIVING

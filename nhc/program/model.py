@@ -13,7 +13,7 @@ from nhc.mechanics.scenes import kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value
 from nhc.program.build import build_functions
-from nhc.program.ir import Program, Quantity, SceneData, Stop
+from nhc.program.ir import NO_DRIVING, Program, Quantity, SceneData, Stop
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.starting import warn_of_coframe
 
@@ -37,7 +37,7 @@ def build_program(
     wanted = [s for s in spec.scenes if s.name == scene or (scenes and not scene)]
     starts = tuple(made for s in wanted if (made := _scene(system, planner, s, scene, driver)))
     chosen = next((s for s in starts if s.name == scene), None)
-    driving = None
+    driving = NO_DRIVING
     if driver:
         from nhc.program.runs.driving import make_driving  # here, for what drivers need takes a fifth of all imports
 
@@ -60,11 +60,7 @@ def build_program(
         scenes=starts,
         notes=_notes(formulation),
         warnings=warn_of_coframe(planner, wanted if scene else spec.scenes) if not only or "rhs" in only else (),
-        lookout=driving.lookout if driving else None,
-        hold=driving.hold if driving else None,
-        leaps=driving.leaps if driving else None,
-        beats=driving.beats if driving else None,
-        needed=driving.needed if driving else None,
+        driving=driving,
     )
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from nhc.mechanics.reduction.reduce import keep_everything
 from nhc.mechanics.scenes import kept_velocities
 from nhc.program.build import build_function
-from nhc.program.ir import Function, Program, Quantity, SceneData
+from nhc.program.ir import NO_DRIVING, Driving, Function, Program, Quantity, SceneData
 from nhc.program.model import build_program
 from nhc.program.planning.scene import ScenePlanner
 from nhc.program.runs.beats import find_beats
@@ -55,10 +55,17 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),
         warnings=warn_of_coframe(planner, (model.scene,)),
-        lookout=look_out(planner, [model.start.p]) if driver else None,
+        driving=_make_driving(planner, model.start.p, held) if driver else NO_DRIVING,
+    )
+
+
+def _make_driving(planner: ScenePlanner, p: tuple[float, ...], held: bool) -> Driving:
+    """What a driver of the scene needs; ``held``: its state is brought back to the constraints."""
+    return Driving(
+        lookout=look_out(planner, [p]),
         hold=make_hold(planner) if held else None,
-        leaps=find_leaps(planner, known_values(system, [model.start.p])) if driver else None,
-        beats=find_beats(planner) if driver else None,
+        leaps=find_leaps(planner, known_values(planner.system, [p])),
+        beats=find_beats(planner),
     )
 
 

@@ -88,7 +88,7 @@ class InterpretedModel(TextModel):
         names = {function.name for function in program.functions}
         self.watched = "watch" in names
         self.beating = "beats" in names
-        self.parts = program.leaps.parts if program.leaps is not None and "places" in names else ()
+        self.parts = program.driving.leaps.parts if program.driving.leaps is not None and "places" in names else ()
 
     # --- the model as the methods see it
 

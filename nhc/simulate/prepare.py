@@ -13,7 +13,7 @@ from nhc.mechanics.drawing import Sketch
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System
 from nhc.program.build import build_functions
-from nhc.program.ir import Beats, Function, Leaps, Program, Stop
+from nhc.program.ir import Beats, Driving, Function, Leaps, Program, Stop
 from nhc.program.model import build_program
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.beats import find_beats
@@ -127,7 +127,7 @@ def prepare(
         *(beside.functions if not natural else (*beside.functions, *build_functions(planner, ("velocities", "state")))),
     )
     frame = build_program(system, formulation, equations, only=("residuals",), scenes=False)
-    program = replace(frame, functions=functions, scenes=(), leaps=beside.leaps, beats=beside.beats)
+    program = replace(frame, functions=functions, scenes=(), driving=Driving(leaps=beside.leaps, beats=beside.beats))
     meanings = {status.code: status.what for status in list_statuses(program)}
     return Job(
         program=program,

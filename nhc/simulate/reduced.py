@@ -8,6 +8,7 @@ from nhc.algebra.calculus import count
 from nhc.emit.statements import list_statuses
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.program.ir import Driving
 from nhc.program.model import build_program
 from nhc.program.planning.exchanges import ExchangePlanner
 from nhc.program.planning.scene import ScenePlanner
@@ -75,8 +76,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         frame,
         functions=functions,
         scenes=(),
-        leaps=leaps,
-        beats=beats,
+        driving=Driving(leaps=leaps, beats=beats),
         state=tuple(whole[i] for i in made.kept),
         parameters=(*frame.parameters, *constants),
     )

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from nhc.emit import EmitOptions
-from nhc.program.ir import Lookout
+from nhc.program.ir import Driving, Lookout
 from tests.unit.emit_cases import call, function, loads, make_oscillator, ref, store, wrap
 from tests.unit.test_emit_c import COMPILERS, FLAGS, write
 
@@ -24,7 +24,7 @@ def test_the_driver_stops_where_a_watched_value_is_lost(compiler: str, tmp_path:
     values = (x + wrap(2.0), x * x - wrap(1e-12), wrap(3.0) + least)
     body = (*loads("y", "x", "x_dot"), *(store("out", k, value) for k, value in enumerate(values)))
     watch = Lookout(function("watch", body, (2, 1), ("out", 3)), ("x is far left", 'x is "gone"', "never"), 1)
-    sources = write(replace(make_oscillator(), lookout=watch), tmp_path, EmitOptions(driver=True))
+    sources = write(replace(make_oscillator(), driving=Driving(lookout=watch)), tmp_path, EmitOptions(driver=True))
     done = subprocess.run([compiler, *FLAGS, "-Wshadow", *sources, "-lm", "-o", tmp_path / "run"], cwd=tmp_path)
     assert done.returncode == 0
     swing = subprocess.run([tmp_path / "run", "swing", "14"], capture_output=True, text=True)

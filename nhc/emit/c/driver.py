@@ -65,8 +65,8 @@ def find_columns(program: Program, need: str) -> tuple[Column, ...]:
     for index, quantity in enumerate(program.coordinates):
         if need == f"{quantity.name}'":
             return (Column(need, "VELOCITY", index),)
-    if program.needed is not None and need in program.needed.names:
-        return (Column(need, "NEEDED", program.needed.names.index(need)),)
+    if program.driving.needed is not None and need in program.driving.needed.names:
+        return (Column(need, "NEEDED", program.driving.needed.names.index(need)),)
     if need == "energy":
         return (Column(need, "ENERGY", 0),)
     if need == "reactions":

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from nhc.mechanics.scenes import Start
 from nhc.mechanics.system import System
-from nhc.program.ir import Beats, Hold, Leaps, Lookout, Needed, SceneData, Stop
+from nhc.program.ir import NO_DRIVING, Driving, Needed, SceneData, Stop
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.beats import find_beats
 from nhc.program.runs.clock import find_stops
@@ -17,24 +17,12 @@ from nhc.program.runs.hold import make_hold
 from nhc.program.runs.leaps import find_leaps
 from nhc.program.runs.needed import list_columns, needed_function
 from nhc.program.runs.watch import known_values, look_out
-from nhc.records import record
-
-
-@record
-class Driving:
-    """As in :class:`nhc.program.ir.Program`; None where there is nothing to do."""
-
-    lookout: Lookout | None = None
-    hold: Hold | None = None
-    leaps: Leaps | None = None
-    beats: Beats | None = None
-    needed: Needed | None = None
 
 
 def make_driving(planner: Planner, scenes: Sequence[SceneData]) -> Driving:
     """The parts for a driver of these scenes."""
     if not scenes:
-        return Driving()
+        return NO_DRIVING
     parameters = [scene.p for scene in scenes]
     return Driving(
         lookout=look_out(planner, parameters),

@@ -55,7 +55,7 @@ def write_source(
     """
     functions = {function.name: function for function in program.functions}
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
-    parts, watch, beats = list_parts(program), functions.get("watch"), program.beats
+    parts, watch, beats = list_parts(program), functions.get("watch"), program.driving.beats
     explicit = any(isinstance(method, Explicit) for method in methods)
     kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
     watching = print_kernel(program, watch) if watch is not None and lanes else None
@@ -177,7 +177,7 @@ def _name(program: Program) -> dict[str, object]:
 def list_parts(program: Program) -> tuple[tuple[float, float], ...]:
     """Those of the arguments that a step must not leap over, where the program has their function."""
     known = any(function.name == "places" for function in program.functions)
-    return program.leaps.parts if program.leaps is not None and known else ()
+    return program.driving.leaps.parts if program.driving.leaps is not None and known else ()
 
 
 def count_packs(states: int) -> int:
