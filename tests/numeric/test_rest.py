@@ -67,6 +67,35 @@ def test_what_rests_in_balance_stays(method: str) -> None:
         assert found.outcome.steps <= 25
 
 
+FALL = """nhc: 1
+system: joined
+about: Two bodies on a joint fall and do not turn; what turns them are sums of large terms that cancel.
+rotation: {P: {velocities: [p1, p2, p3]}, Q: {velocities: [q1, q2, q3]}}
+coordinates: [x, y, z, u, v, w]
+parameters: {m: 1, n: 2, g: 9.81}
+bodies:
+  B: {at: [x, y, z], rotation: P, mass: m, inertia: [0.1, 0.2, 0.25]}
+  C: {at: [u, v, w], rotation: Q, mass: n, centre: [0, 0, 0.1], inertia: {xx: 0.3, yy: 0.4, zz: 0.5, xy: 0.02}}
+points:
+  J: {parent: B, at: [0.5, 0, 0]}
+  K: {parent: C, at: [-0.5, 0.1, 0]}
+gravity: [0, 0, -g]
+holonomic: [J_x = K_x, J_y = K_y, J_z = K_z]
+scenes: {fall: {initial: {x: -0.5, u: {near: 0.5}, v: {near: -0.1}, w: {near: 0}}, time: [0, 1]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("method", "compiled", "most"), [("dopri5", True, 2000), ("dopri5", False, 2000), ("dop853", True, 40000)]
+)
+def test_what_cancels_beside_entries_that_are_zero_is_rounding(method: str, compiled: bool, most: int) -> None:
+    """No small move of a state whose turns are zero tells how the terms round that turn it: moves of the parameters do."""
+    job = open_scene(Source("joined.yaml", FALL), method=method, needs=("x", "z", "P_1", "Q_3"))
+    found = run(job, Settings(method, 1e-8, 0.0, 3, compiled))
+    assert found.ended == "done" and found.outcome.calls <= most
+    assert found.rows[-1] == pytest.approx([-0.5, -4.905, 0.0, 0.0], abs=1e-9)
+
+
 SWIMMER = """nhc: 1
 system: swimmer
 about: A sleigh on an edge that a wheel turns to and fro; at the start everything is exactly zero, the wheel's torque too.

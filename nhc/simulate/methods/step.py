@@ -79,9 +79,10 @@ class Step:
         self.size = [abs(x) for x in self.y]
         self.coming, self.noise = [0.0] * len(self.y), [0.0] * len(self.y)
 
-    def rhs(self, t: float, y: Vector) -> Vector:
+    def rhs(self, t: float, y: Vector, p: Vector | None = None) -> Vector:
+        """The slope, with other parameters than the run's where ``p`` gives them."""
         self.calls += 1
-        return self.model.rhs(t, y, self.p)
+        return self.model.rhs(t, y, self.p if p is None else p)
 
     def jacobian(self, t: float, y: Vector, slope: Vector) -> list[Vector]:
         """The Jacobian at a state with this slope, or right beside it where it has no value: as it is written, a drag v*sqrt(v^2)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 
 from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods.step import NoSolution, Step, Vector
@@ -17,24 +18,21 @@ def measure_noise(s: Step, t: float, y: Vector, slope: Vector) -> None:
     """What rounding may make of the slopes, sixteen times: how far the slope at (t, y), which is known, goes with the state.
 
     Each entry moves by some 2^-40 of itself, there and back; the lesser of both counts, for a jump lies on one side.  And it moves
-    by what the slopes that went so make of it in a step of length h, for they are slopes of others.  Terms that cancel have
+    by what the slopes that went so make of it in a step of length h, for they are slopes of others.  So do the parameters, for
+    entries that are zero do not move, and what cancels beside them is made of parameters.  Terms that cancel have
     rounding that no small move of the state tells: it is what the sums of the slopes there and back differ by, of which each has a
     way of its own; but not more than four times as far as the slope goes, for it may jump.
     """
-    parts = [(_GOLDEN * (i + 1)) % 1.0 for i in range(len(y))]  # no two entries alike, for what they do must not cancel
-    parts = [-0.5 - part if part < 0.5 else part for part in parts]
+    parts = _shares(len(y) + len(s.p))
     moment, moved = _PART * abs(t), [0.0] * len(y)
+    place = t + moment if s.h < 0.0 else t - moment
     sums = list[Vector]()
     for share in (8.0, 9.0, 10.0):
-        ways = [0.1 * share * (_PART * x + s.h * m) * part for x, m, part in zip(y, moved, parts, strict=True)]
         least, both = [math.inf] * len(y), [0.0] * len(y)
-        for sign in (1.0, -1.0):
-            try:
-                at = s.rhs(
-                    t + moment if s.h < 0.0 else t - moment, [x + sign * way for x, way in zip(y, ways, strict=True)]
-                )
-            except ArithmeticError:
-                at = slope
+        for far in (0.1 * share, -0.1 * share):
+            near = [x + far * (_PART * x + s.h * m) * part for x, m, part in zip(y, moved, parts, strict=False)]
+            given = [x + far * (_PART * x) * part for x, part in zip(s.p, parts[len(y) :], strict=True)]
+            at = _call(s, place, near, given, slope)
             least = [min(a, abs(b - c)) for a, b, c in zip(least, at, slope, strict=True)]
             both = [b - c + a for a, b, c in zip(both, at, slope, strict=True)]
         moved = least
@@ -42,6 +40,22 @@ def measure_noise(s: Step, t: float, y: Vector, slope: Vector) -> None:
     rounded = [min(max(each) - min(each), 4.0 * gone) for gone, *each in zip(moved, *sums, strict=True)]
     usual = [16.0 / _PART * sys.float_info.epsilon * gone for gone in moved]
     s.noise = [max(a, 16.0 * b) for a, b in zip(usual, rounded, strict=True)]
+
+
+def _shares(count: int) -> Vector:
+    """How far each entry goes, beside the others: no two alike, for what they do must not cancel."""
+    parts = [(_GOLDEN * (i + 1)) % 1.0 for i in range(count)]
+    return [-0.5 - part if part < 0.5 else part for part in parts]
+
+
+def _call(s: Step, t: float, y: Vector, p: Vector, slope: Vector) -> Vector:
+    """The slope with parameters that have moved, or with those of the run, for a power of what is negative is an integer."""
+    try:
+        return s.rhs(t, y, p)
+    except ArithmeticError:
+        with suppress(ArithmeticError):
+            return s.rhs(t, y)
+        return slope
 
 
 def is_noisy(s: Step) -> bool:
