@@ -19,19 +19,23 @@ def measure_noise(s: Step, t: float, y: Vector, slope: Vector) -> None:
     Each entry moves by some 2^-40 of itself, there and back; the lesser of both counts, for a jump lies on one side.  And it moves
     by what the slopes that went so make of it in a step of length h, for they are slopes of others.  Terms that cancel have
     rounding that no small move of the state tells: it is what the sums of the slopes there and back differ by, of which each has a
-    way of its own; but not more than four times as far as the slope goes, for it may jump.
+    way of its own; but not more than four times as far as the slope goes, for it may jump.  The time moves on by units in the last
+    place that it has at the far end of the run, for what depends on it alone, as on t - 5, has rounding of that size from the
+    start, and not at every time.
     """
     parts = [(_GOLDEN * (i + 1)) % 1.0 for i in range(len(y))]  # no two entries alike, for what they do must not cancel
     parts = [-0.5 - part if part < 0.5 else part for part in parts]
     moment, moved = _PART * abs(t), [0.0] * len(y)
+    digit = sys.float_info.epsilon * max(abs(t), s.era)
     sums = list[Vector]()
-    for share in (8.0, 9.0, 10.0):
+    for k, share in enumerate((8.0, 9.0, 10.0)):
         ways = [0.1 * share * (_PART * x + s.h * m) * part for x, m, part in zip(y, moved, parts, strict=True)]
         least, both = [math.inf] * len(y), [0.0] * len(y)
-        for sign in (1.0, -1.0):
+        for turn, sign in ((2 * k, 1.0), (2 * k + 1, -1.0)):
+            before = moment + turn * digit
             try:
                 at = s.rhs(
-                    t + moment if s.h < 0.0 else t - moment, [x + sign * way for x, way in zip(y, ways, strict=True)]
+                    t + before if s.h < 0.0 else t - before, [x + sign * way for x, way in zip(y, ways, strict=True)]
                 )
             except ArithmeticError:
                 at = slope
