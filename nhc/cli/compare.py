@@ -20,7 +20,12 @@ LARGEST_CERTIFICATE = 64 * MIB
 
 
 @click.command(
-    "compare", epilog=list_examples("nhc compare chaplygin_sleigh", "nhc compare bicycle --certificate bicycle.json")
+    "compare",
+    epilog=list_examples(
+        "nhc compare chaplygin_sleigh",
+        "nhc compare bicycle --certificate bicycle.json",
+        "nhc compare bicycle bodies/bicycle",
+    ),
 )
 @spec_argument
 @click.argument("other", required=False, default="", shell_complete=complete_spec)

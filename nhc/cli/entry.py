@@ -87,7 +87,7 @@ def nhc() -> None:
     SPEC is a file, `-` for stdin, or the name of a gallery spec when no such file exists.  The result goes to stdout,
     all else to stderr.
 
-    Exit codes: 0 done, 1 the spec has errors or a check failed, 2 usage, 3 numerical failure, 70 internal error.
+    Exit codes: 0 done, 1 the spec has errors or a check failed, 2 usage, 3 numerical failure, 70 internal error, 130 interrupted.
     """
 
 

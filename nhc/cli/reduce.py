@@ -31,7 +31,8 @@ if TYPE_CHECKING:
     "--tol",
     "tolerance",
     type=float,
-    help="Leave out terms too, while the relative error of what is needed stays below this; default: nothing is approximated.",
+    help="Leave out terms, parameters and coordinates too, while the relative error of what is needed stays below this; "
+    "default: nothing is approximated.",
 )
 @click.option("-o", "output", metavar="FILE", help="With --tol: write the smallest model as a spec.")
 @click.option("--chart", metavar="FILE", help="With --tol: draw size against error, .svg or .html.")
@@ -52,7 +53,7 @@ def command(
 
     Says which entries of the state the scene's needs depend on, why the others are left out, which formulations were tried
     and what each would cost.  `nhc emit --scene` writes this model.  With `--tol` it looks for an approximate one in place of
-    that: runs say which terms and parameters can go, and `-o` writes what is left as a spec.
+    that: runs say which terms, parameters and coordinates can go, and `-o` writes what is left as a spec.
     """
     check_options(tolerance, output, chart, fold, as_json)
     source = open_spec(spec)

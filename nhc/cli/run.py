@@ -92,7 +92,9 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
     callback=_expression,
     help="Stop where this expression in the spec's names crosses zero; default: at the end of the scene.",
 )
-@click.option("--ensemble", metavar="FILE", default="", help="Run from each row of this CSV table of start values.")
+@click.option(
+    "--ensemble", metavar="FILE", default="", help="Run from each row of this CSV table of start values (`-`: stdin)."
+)
 @formulation_option
 @click.option(
     "--project",

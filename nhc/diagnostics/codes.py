@@ -76,7 +76,7 @@ TITLES: dict[str, str] = {
     "E0424": "force on what has no linear velocity",
     "W0425": "quasi-velocities that lose digits",
     "W0426": "coordinate without inertia",
-    "E0501": "file was edited by hand",
+    "E0501": "file would be overwritten",
     "E0502": "unknown stage",
     "E0503": "no such scene",
     "E0504": "cannot be emitted as asked",

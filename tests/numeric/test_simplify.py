@@ -423,6 +423,17 @@ def test_a_run_may_be_bounded(method: str) -> None:
     )
 
 
+def test_runs_that_the_dropping_does_not_use_go_to_more_candidates() -> None:
+    """Two thirds of six runs measure four of five terms, none of which can go; the fifth can."""
+    text = (
+        "nhc: 1\nsystem: well\ncoordinates: [x]\nT: x'^2/2\nV: 50*x^2 + 30*x^4 + 20*x^6 + 10*x^8 + 0.000001*x^10\n"
+        "scenes:\n  go: {initial: {x: 1}, time: [0, 2]}\n"
+    )
+    ladder = simplify(Source("well.yaml", text), "go", 1e-3, most=6)
+    assert [rung.dropped for rung in ladder.rungs[1:]] == ["term `0.000001*x^10` of `V`"]
+    assert not ladder.bounded
+
+
 def test_the_bound_on_runs_is_said() -> None:
     ladder = simplify(source(), "small", TOLERANCE, most=2)
     assert ladder.bounded and ladder.runs == 2

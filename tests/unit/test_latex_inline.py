@@ -33,6 +33,11 @@ def test_names_are_those_of_the_document() -> None:
     assert print_inline("x_1' + x1", names) == r"$\dot{\mathtt{x\_1}} + x_{1}$"
 
 
+def test_a_momentum_has_the_name_of_its_coordinate_below() -> None:
+    names = Names({}, ("rider_x", "phi_1", "p_0"))
+    assert print_inline("p_rider_x + p_phi_1 - p_0", names) == r"$p_{\mathit{rider}_{x}} + p_{\varphi_{1}} - p_{0}$"
+
+
 @pytest.mark.parametrize("text", ["50 % of x", "a & b", r"x\y", "$"])
 def test_what_is_no_expression_stays_text(text: str) -> None:
     shown = print_inline(text, PLAIN)

@@ -50,6 +50,8 @@ def _spell(kind: str, found: re.Match[str], names: Names) -> str:
             bare = found["name"].rstrip("'")
             if bare == "dt" and bare not in names.names:
                 return bare
+            if bare.startswith("p_") and bare not in names.names and bare[2:] in names.names:
+                return names.print_mark(Mark("p", (bare[2:],)))
             return _WORDS.get(bare) or names.print_mark(Mark(bare, dots=len(found["name"]) - len(bare)))
         case "cut":
             return r"\dots"

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from nhc.emit.latex.spelling import escape_exactly, spell_base, spell_index, spell_word
+from nhc.emit.latex.spelling import escape_exactly, spell_base, spell_index, spell_part, spell_word
 from nhc.emit.latex.width import estimate
 from nhc.program.sheets.model import Derivation, Item, Mark, Statement, Table
 
@@ -20,6 +20,7 @@ WIDEST = 170.0
 
 _KEPT = 12  # letters of a name that is too wide
 _DOTS = ("", r"\dot", r"\ddot", r"\dddot")
+_WORDS = tuple(f"{dot}{{{word}" if dot else word for dot in _DOTS for word in (r"\mathit{", r"\mathrm{"))
 _Spelled = tuple[str, tuple[str, ...]]
 
 
@@ -47,13 +48,15 @@ class Names:
         lower = ",".join([*own, *(index(x) for x in mark.lower)])
         upper = ",".join([*("*" for _ in range(mark.star)), *(self._index(x) for x in mark.upper)])
         text = base + (f"^{{{upper}}}" if upper else "") + (f"_{{{lower}}}" if lower else "")
-        return (r"d" if mark.prefix else "") + text + mark.at
+        # the d of a differential does not run together with a word
+        before = (r"d\," if base.startswith(_WORDS) else "d") if mark.prefix else ""
+        return before + text + mark.at
 
     def _base(self, name: str) -> _Spelled:
         if name in self.changed:
             return self.changed[name]
         base, own = spell_base(name)
-        return base, tuple(spell_index(x) for x in own)
+        return base, tuple(spell_part(x) for x in own)
 
     def _index(self, name: str) -> str:
         if name not in self.changed:
@@ -131,7 +134,11 @@ def _group(looks: Iterable[tuple[str, str]]) -> list[list[str]]:
 
 def _look(mark: Mark, names: Names = PLAIN) -> str:
     """What a reader sees, who does not tell upright from italic."""
-    return re.sub(r"\\(?:mathrm|mathit|text)\{([^{}]*)\}", r"\1", names.print_mark(mark)).replace("$", "")
+    return (
+        re.sub(r"\\(?:mathrm|mathit|text)\{([^{}]*)\}", r"\1", names.print_mark(mark))
+        .replace("$", "")
+        .replace(r"\,", "")
+    )
 
 
 def _typewriter(name: str) -> _Spelled:

@@ -19,6 +19,7 @@ _SPECIAL |= {f"{name}{OTHER}": bold for name, bold in _SPECIAL.items()}  # bold 
 _SPECIAL |= {f"{base}{OTHER}": rf"\mathcal{{{base}}}" for base in "TUEHQ"}
 _SPECIAL |= {f"Delta{OTHER}": r"\mathcal{D}"}
 _SPECIAL |= {f"p{OTHER}": r"\mathcal{P}", f"lambda{OTHER}": r"\Lambda", f"omega{OTHER}": r"\varpi"}
+_AXES = frozenset("xyz0123456789")
 _LONG_WORD = 16
 _LONGEST_PART, _CHUNK = 25, 10  # characters
 _SYMBOLS = {
@@ -68,13 +69,14 @@ def spell_word(word: str) -> str:
 def spell_index(index: str) -> str:
     """An index: what stands below a symbol, itself perhaps with an index."""
     base, lower = spell_base(index)
-    return (
-        base
-        if not lower
-        else f"{base}{','.join(lower)}"
-        if all(x.isdigit() for x in lower)
-        else (f"{base}_{{{','.join(spell_word(x) for x in lower)}}}")
-    )
+    return f"{base}_{{{','.join(map(spell_part, lower))}}}" if lower else base
+
+
+def spell_part(part: str) -> str:
+    """What stands below a letter in a name of the spec: numbers and axes stand as they are (``I_xz``, ``e_1x``); a
+    word describes, and is upright (ISO 80000-1).
+    """
+    return part if set(part) <= _AXES else spell_index(part).replace(r"\mathit", r"\mathrm")
 
 
 def escape(text: str) -> str:

@@ -57,11 +57,19 @@ class _Search:
     known: dict[str, Trial | str] = field(default_factory=dict)
 
     def search(self, candidates: Sequence[Candidate]) -> None:
-        """Measure every candidate alone, then drop the best again and again, then exchange."""
+        """Measure candidates alone, then drop the best again and again, then exchange.
+
+        Where there are more candidates than may be measured, the dropping gets a third of the runs; what it does not use
+        goes to more candidates, and so on.
+        """
         self.known[write_draft(self.draft, self.draft.change([]))] = self.full
         try:
-            queue = self._measure_alone(candidates)
-            self.gone = self._drop([], queue)
+            self.waiting = left = self._list_different(candidates)
+            while left and self.runs < self.most:
+                rest = self.most - self.runs
+                batch, left = left[: rest - rest // 3], left[rest - rest // 3 :]
+                self.gone = self._drop(self.gone, self._measure_alone(batch))
+            self.bounded |= bool(left)
             self._exchange()
         except Bounded:
             self.bounded = True
@@ -109,9 +117,9 @@ class _Search:
     def fits(self, trial: Trial) -> bool:
         return trial.error + max(self.meter.own) <= self.meter.tolerance
 
-    def _measure_alone(self, candidates: Sequence[Candidate]) -> list[Candidate]:
-        """Those that may go by themselves; of several that leave the same text the first."""
-        nothing, found = self.text([]), []
+    def _list_different(self, candidates: Sequence[Candidate]) -> list[Candidate]:
+        """Those that leave something out, in the order in which they are measured; of several that leave the same text one."""
+        nothing = self.text([])
         # the first of those that leave the same text, with the rank of the best
         alike: dict[str, tuple[int, Candidate]] = {}
         for candidate in candidates:
@@ -123,12 +131,13 @@ class _Search:
             if text != nothing:
                 rank, same = alike.get(text, (candidate.rank, candidate))
                 alike[text] = (min(rank, candidate.rank), same)
-        self.waiting = [candidate for _, candidate in sorted(alike.values(), key=lambda entry: entry[0])]
-        many = self.most - self.most // 3  # the rest is for putting them together
-        self.bounded = len(self.waiting) > many
-        first = self.waiting[:many]
-        texts = [self.text([candidate]) for candidate in first]
-        for candidate, text, trial in zip(first, texts, measure_abreast(self._measure, texts), strict=True):
+        return [candidate for _, candidate in sorted(alike.values(), key=lambda entry: entry[0])]
+
+    def _measure_alone(self, candidates: Sequence[Candidate]) -> list[Candidate]:
+        """Those that may go by themselves."""
+        found = []
+        texts = [self.text([candidate]) for candidate in candidates]
+        for candidate, text, trial in zip(candidates, texts, measure_abreast(self._measure, texts), strict=True):
             self._count(candidate)
             self.known[text] = trial
             if isinstance(trial, str):
