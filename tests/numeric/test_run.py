@@ -611,25 +611,3 @@ def test_what_oscillates_is_drawn_as_a_curve(
     )
     assert main(["run", str(spec), "-o", str(tmp_path / f"x.{kind}"), *more]) == 0
     assert f"{rows} rows, " in capsys.readouterr().err
-
-
-@pytest.mark.parametrize("compiled", [True, False])
-def test_rounding_that_the_time_alone_tells_does_not_hold_a_run_back(compiled: bool) -> None:
-    """y' is zero but for the rounding of t - 5, which shows at some times only: near the start it was taken for a motion."""
-    text = """nhc: 1
-system: pushed
-coordinates: [x, y, z, th]
-parameters: {A: 100}
-T: 1.3/2*(x'^2 + y'^2 + z'^2) + 0.15*th'^2
-V: 12.753*z
-constraints:
-  - lift: cos(0.7)*z' + sin(0.7)*y' = A*tanh(t - 5)
-  - edge: -sin(th)*x' + cos(th)*y' = 0
-scenes:
-  go: {initial: {x: 0.1}, time: [0, 10], tolerance: 1e-10}
-"""
-    job = open_scene(Source("s.yaml", text), "", "multipliers", needs=("x", "y", "z"), method="dop853", stay=True)
-    found = run(job, Settings("dop853", points=3, compiled=compiled))
-    assert found.ended == "done" and found.outcome.steps < 1000 and found.outcome.calls < 200_000
-    middle = [0.1, 0.0, -100 / math.cos(0.7) * math.log(math.cosh(5.0))]
-    assert distance(list(found.rows[1]), middle) < 1e-6 and abs(found.rows[2][2]) < 1e-6

@@ -38,7 +38,6 @@ class Step:
     - ``hoping``: steps are taken that count on such magnitudes, ``hope``, which must have come by the time ``until``; ``seen``:
       what came meanwhile, ``drift``: the errors meanwhile, added up; ``returns``: how often it did not come and the run went back;
     - ``noise``: what rounding may make of the slopes;
-    - ``era``: the largest magnitude of the time in the run;
     - ``wrong``: the square of the last refused step's error; ``stuck``: how often in a row a shorter step did not lessen it;
     - ``spared``: of each entry, the part of the largest entry that its error may count relative to (empty: of none);
     - ``push``, ``asked``: what clocks do to the slopes, and how often that was asked (:mod:`nhc.simulate.stepping.beating`).
@@ -73,7 +72,6 @@ class Step:
     status: int = 0
     calls: int = 0
     jacobians: int = 0
-    era: float = 0.0
     push: dict[int, float] = field(default_factory=dict)
     asked: dict[int, int] = field(default_factory=dict)
 

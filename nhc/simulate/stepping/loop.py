@@ -98,7 +98,6 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
     """Fill the rows of a task; the outcome says how far it came."""
     step = Step(model, task.p, task.times[0], list(task.y), 0.0 if task.step > 0 else task.tolerance)
     step.size = [max(a, b) for a, b in zip(step.size, task.sizes or step.size, strict=True)]
-    step.era = max(abs(task.times[0]), abs(task.times[-1]))
     run = _Run(model, method, task, news, step, [list(task.y)], since=task.times[0])
     run.stop, run.bound = next_bound(task, step.t, 0)
     try:

@@ -21,21 +21,18 @@ def measure_noise(s: Step, t: float, y: Vector, slope: Vector) -> None:
     by what the slopes that went so make of it in a step of length h, for they are slopes of others.  So do the parameters, for
     entries that are zero do not move, and what cancels beside them is made of parameters.  Terms that cancel have
     rounding that no small move of the state tells: it is what the sums of the slopes there and back differ by, of which each has a
-    way of its own; but not more than four times as far as the slope goes, for it may jump.  The time moves on by units in the last
-    place that it has at the far end of the run, for what depends on it alone, as on t - 5, has rounding of that size from the
-    start, and not at every time.
+    way of its own; but not more than four times as far as the slope goes, for it may jump.
     """
     parts = _shares(len(y) + len(s.p))
     moment, moved = _PART * abs(t), [0.0] * len(y)
-    digit = sys.float_info.epsilon * max(abs(t), s.era)
+    place = t + moment if s.h < 0.0 else t - moment
     sums = list[Vector]()
-    for k, share in enumerate((8.0, 9.0, 10.0)):
+    for share in (8.0, 9.0, 10.0):
         least, both = [math.inf] * len(y), [0.0] * len(y)
-        for turn, far in ((2 * k, 0.1 * share), (2 * k + 1, -0.1 * share)):
-            before = moment + turn * digit
+        for far in (0.1 * share, -0.1 * share):
             near = [x + far * (_PART * x + s.h * m) * part for x, m, part in zip(y, moved, parts, strict=False)]
             given = [x + far * (_PART * x) * part for x, part in zip(s.p, parts[len(y) :], strict=True)]
-            at = _call(s, t + before if s.h < 0.0 else t - before, near, given, slope)
+            at = _call(s, place, near, given, slope)
             least = [min(a, abs(b - c)) for a, b, c in zip(least, at, slope, strict=True)]
             both = [b - c + a for a, b, c in zip(both, at, slope, strict=True)]
         moved = least
