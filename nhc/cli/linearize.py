@@ -209,7 +209,14 @@ def _eigenvalue_lines(found: Findings, notes: Sequence[str]) -> list[str]:
 
 def _notes(found: Findings, formulation: str) -> list[str]:
     """What could not be told, and that this may not be the motion that was meant; ``formulation`` is what was asked for."""
+    from nhc.study.linearization.asked import list_outside
+
     notes = list(found.linearisation.notes)
+    out = [found.flow.names[i] for i in list_outside(found.model, found.linearisation.steady.y)]
+    if out:
+        notes.append(
+            f"outside its range in the spec: {quote(out)}; start nearer to a motion within it, if there is one"
+        )
     if found.halted:
         notes.append(f"not the motion asked about: {found.lost}; `--hold` keeps such a velocity")
     elif found.lost:

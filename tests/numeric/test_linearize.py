@@ -161,6 +161,37 @@ def test_the_disk_needs_its_speed_to_spin_upright(A: float, holds: tuple[str, ..
     assert crossing.value == pytest.approx(math.sqrt(9.81 * 0.5 / (A + 0.25)), abs=1e-9)
 
 
+TOP = """\
+nhc: 1
+system: top_side
+coordinates: {phi: {range: [pi/2, 3*pi/2]}}
+T: phi'^2/2
+U: cos(phi)
+"""
+
+
+@pytest.mark.parametrize("start", ["1.575", "1.6", "2"])
+def test_a_search_that_leaves_the_range_of_a_coordinate_begins_again_within_it(start: str) -> None:
+    found = linearize(Source("top.yaml", TOP), Request(f"phi={start}"), Options())
+    assert found.linearisation.steady.y[0] == pytest.approx(math.pi, abs=1e-12)
+    # without the range it ends far away from 1.575, where sin(phi) has nearly no slope
+    free = linearize(
+        Source("top.yaml", TOP.replace("[pi/2, 3*pi/2]", "[-1000, 1000]")), Request("phi=1.575"), Options()
+    )
+    assert abs(free.linearisation.steady.y[0] - math.pi) > 1
+
+
+def test_a_motion_outside_the_range_of_a_coordinate_is_noted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec = tmp_path / "top.yaml"
+    spec.write_text(TOP, encoding="utf-8")
+    assert main(["linearize", str(spec), "--about", "phi=0.2"]) == 0
+    assert "outside its range in the spec: `phi`" in capsys.readouterr().out
+    assert main(["linearize", str(spec), "--about", "phi=2"]) == 0
+    assert "outside its range" not in capsys.readouterr().out
+
+
 def test_a_crossing_along_a_parameter() -> None:
     """The same threshold solved for R: w^2 = A m g R / (C (C + m R^2))."""
     found = find("rolling_disk", "theta=pi/2, w_n=2", holds=("w_n",), sweep=("g", 1.0, 9.0, 3))

@@ -1,4 +1,4 @@
-"""The velocities that a user gave to the motion that is asked about: which of them a steady motion keeps, and which have gone."""
+"""What a user gave to the motion that is asked about: velocities that it keeps or that have gone, and where coordinates stay."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from nhc.language.spec import Initial, Scene
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.linearize import quantity
 from nhc.mechanics.turning import moving
+from nhc.mechanics.values import coordinate_ranges
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.steady import NotSteady, Steady, find_steady
 
@@ -21,6 +22,36 @@ SNAP = 1e-11
 _LOST = 0.1  # of the kinetic energy: a motion with less is not the one that was asked about
 _SLIGHT = 1e-3  # of the kinetic energy: a velocity of a scene with less is a disturbance
 _FARTHER = 2.0  # times the way to the nearest steady motion: where the velocities of a scene must not lead
+
+_PARTS = (0.5, 0.25, 0.75)  # of a range, where the search begins again
+
+
+def keep_ranges(model: SteadyModel, guess: Sequence[float], nearest: Steady, holds: Sequence[Hold]) -> Steady:
+    """A steady motion in the ranges that the spec gives to coordinates, if the search from a guess in them led out of them and
+    finds one from elsewhere in them.
+
+    Long first steps from where slopes are small end at a mirror image, as at a governor's balls that swing to the other side.
+    """
+    left = [i for i in list_outside(model, nearest.y) if i not in list_outside(model, guess)]
+    if not left or model.leaf.dimension < model.flow.system.n:  # elsewhere is another leaf
+        return nearest
+    ranges, found = coordinate_ranges(model.flow.system), list[Steady]()
+    for part in _PARTS:
+        start = list(guess)
+        for i in left:
+            low, high = ranges[model.flow.y[i]]
+            start[i] = low + part * (high - low)
+        with suppress(NotSteady):
+            found.append(find_steady(model, start, holds))
+    inside = [steady for steady in found if not list_outside(model, steady.y)]
+    return min(inside, key=lambda steady: _way(model, guess, steady), default=nearest)
+
+
+def list_outside(model: SteadyModel, y: Sequence[float]) -> list[int]:
+    """The entries of a state that have left their ranges, apart from cyclic coordinates."""
+    ranges = coordinate_ranges(model.flow.system)
+    limits = [(i, *ranges[model.flow.y[i]]) for i in model.rest if model.flow.y[i] in ranges]
+    return [i for i, low, high in limits if not low - SNAP <= y[i] <= high + SNAP]
 
 
 def keep_speeds(

@@ -37,7 +37,7 @@ from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.simulate.switching import SOUND
-from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_speeds
+from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_ranges, keep_speeds
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.linearize import Linearisation, linearise_at
 from nhc.study.linearization.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
@@ -113,7 +113,8 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     flow = model.flow
     guess = state_of(flow, formulation.frame, start)
     holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
-    steady = keep_speeds(model, scene, guess, find_steady(model, guess, holds), holds)
+    nearest = keep_ranges(model, guess, find_steady(model, guess, holds), holds)
+    steady = keep_speeds(model, scene, guess, nearest, holds)
     check_smooth(model, steady)
     made = linearise_at(model, steady)
     lost = describe_lost(model, scene, guess, steady.y)
