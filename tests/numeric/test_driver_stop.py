@@ -86,6 +86,15 @@ def test_a_block_of_dependent_velocities(scene: str, fold: bool, tmp_path: Path)
     assert "the constraints cannot be solved for y'" in done.stderr
 
 
+def test_where_the_choice_of_velocities_fails_a_way_out_is_named(tmp_path: Path) -> None:
+    source = read(str(spec_path("skate_incline")))
+    stopped = drive(source, tmp_path, "reference", "6", formulation="voronec")
+    advised = re.search(r"`--formulation ([\w-]+)`", stopped.stderr)
+    assert advised is not None
+    done = drive(source, tmp_path, "reference", "6", formulation=advised[1])
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 @pytest.mark.parametrize("formulation", ["", "multipliers"])
 def test_what_only_touches_zero(formulation: str, tmp_path: Path) -> None:
     """Both axles of the snakeboard along the board: nothing changes its sign there, and nothing blows up."""

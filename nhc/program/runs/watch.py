@@ -171,7 +171,16 @@ def look_out(planner: Planner, parameters: Sequence[Sequence[float]]) -> Lookout
     function, watch = watch_function(planner, None, False, known_values(planner.system, parameters))
     if function is None:
         return None
-    return Lookout(function, tuple(watch.describe(k) for k in range(len(watch.about))), watch.dips)
+    return Lookout(function, tuple(watch.describe(k) + _way_out(watch, k) for k in range(len(watch.about))), watch.dips)
+
+
+def _way_out(watch: Watch, index: int) -> str:
+    """A driver keeps the formulation that it was emitted with: where another has no such place, that is said."""
+    return (
+        "; emitted with `--formulation multipliers` the model chooses no velocities"
+        if watch.kinds[index] == "frame"
+        else ""
+    )
 
 
 def known_values(system: System, parameters: Sequence[Sequence[float]]) -> dict[Node, tuple[float, float]]:
