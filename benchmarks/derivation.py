@@ -21,7 +21,7 @@ from benchmarks.models import source
 from nhc.language import Spec, decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.program.model import build_program
 
 SYSTEMS = ("sleigh", "disk", "trailers5", "trailers10", "snake5", "pendulum5", "pendulum10", "bicycle")

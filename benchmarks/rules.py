@@ -17,7 +17,7 @@ from nhc.algebra.rewriting.rules import RULES, WithoutRules
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.program.ir import Program
 from nhc.program.model import build_program
 from nhc.program.planning.planner import CALLED

@@ -9,8 +9,8 @@ from benchmarks.systems import ROOT
 from nhc.language import decode, read
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import start_of
 from nhc.program.scene_model import scene_model
 from nhc.resources import find_specs
 from nhc.simulate.prepare import Job, Recipe, prepare

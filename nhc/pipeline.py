@@ -23,8 +23,8 @@ from nhc.language import Spec, decode
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation, formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import check_scene_name, start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import check_scene_name, start_of
 from nhc.mechanics.system import System
 from nhc.program.build import FUNCTIONS
 from nhc.program.ir import Program

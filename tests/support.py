@@ -25,7 +25,7 @@ import pytest
 from nhc import pipeline
 from nhc.language import decode, read
 from nhc.mechanics.choosing.choose import applicable
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -14,9 +14,9 @@ from fractions import Fraction
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.exact.modular import Unlucky, is_zero
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, UNARY, Graph, Node
+from nhc.algebra.walks import reachable
 
 if TYPE_CHECKING:
     import sympy

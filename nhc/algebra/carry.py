@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, Graph, Node
+from nhc.algebra.walks import reachable
 
 
 def carry(source: Graph, target: Graph, roots: Sequence[Node], meaning: Mapping[Node, Node]) -> list[Node]:

@@ -6,8 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
+from nhc.algebra.walks import reachable
 
 CLEAR = 1e-9
 """Of the sizes of two constants: a difference above it is no rounding."""

@@ -12,10 +12,10 @@ from contextlib import suppress
 from fractions import Fraction
 from math import gcd, lcm
 
-from nhc.algebra.calculus import count, reachable
 from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge, is_length
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.terms import add_term
+from nhc.algebra.walks import count, reachable
 
 ONE: Monomial = ()
 Terms = list[tuple[Monomial, Coefficient]]

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.exterior.coframe import Coframe
 from nhc.records import record
 

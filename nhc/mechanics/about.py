@@ -13,10 +13,10 @@ from nhc.language import Initial, Name, Number, Override, Prime, Scene, Spec, Sy
 from nhc.language.expressions.names import fold_typed
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.orientation import scaled
-from nhc.mechanics.expressions import Resolver
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, kept_forms
-from nhc.mechanics.scenes import Start, kept_velocities, report_scene
+from nhc.mechanics.resolving.expressions import Resolver
+from nhc.mechanics.starts.scenes import Start, kept_velocities, report_scene
 from nhc.records import record
 
 

@@ -5,7 +5,7 @@ constraints leave free.  Omega = A_mu ^ (omega_mu - w_mu dt), so its interior pr
 A_mu(X) times the contact forms: the rows of the velocities' differentials hold by the kinematics, the rows A_mu(X) =
 0 are the equations of motion, and the dt row is their combination with the weights -w_mu (Omega(X, X) = 0), the
 theorem of energy.  A_mu(X) is evaluated by directional derivatives of T's velocity forms
-(:mod:`nhc.mechanics.kinetic`); no coefficient is ever expanded.
+(:mod:`nhc.mechanics.energies.kinetic`); no coefficient is ever expanded.
 """
 
 from __future__ import annotations
@@ -14,15 +14,16 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from nhc.algebra.calculus import Replacement, gradient, pullback_gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, pullback_gradient, tangent
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import Replacement, substitute
 from nhc.algebra.rewriting.gather import gather
-from nhc.mechanics.kinetic import Kinetic, exterior_derivative
+from nhc.mechanics.energies.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.moved import Moved, Spread, Weights
+from nhc.mechanics.rotations.turning import Direction, moving, virtual_work
+from nhc.mechanics.rotations.turns import Vector, cross
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import Direction, moving, virtual_work
-from nhc.mechanics.turns import Vector, cross
 from nhc.records import record
 
 if TYPE_CHECKING:

@@ -11,11 +11,11 @@ import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.exact.modular import FieldPoint, Unlucky
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.signs import Signs, may_hold, points_for
 from nhc.algebra.graph import Node
+from nhc.algebra.walks import reachable
 from nhc.mechanics.flow import Flow, solve_at
 from nhc.records import record
 

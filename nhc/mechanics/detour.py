@@ -8,17 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import count, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.walks import count
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.energies.kinetic import Kinetic, kinetic_structure, rates_of_positions, velocity_forms
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import Frame, complete_basis, coordinate_form, make_frame, velocity_symbol
-from nhc.mechanics.kinetic import Kinetic, kinetic_structure, rates_of_positions, velocity_forms
+from nhc.mechanics.rotations.turning import along
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turning import along
 from nhc.records import record
 
 _MOST = 20

@@ -6,16 +6,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from nhc.algebra.calculus import count
 from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.walks import count
 from nhc.mechanics.associate import Equations, Matrix, Projector, Row
 from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.energies.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.frame import coordinate_frame, form_value, total_derivative
-from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.move import move
 from nhc.mechanics.moving.moved import Moved
@@ -107,8 +107,8 @@ def _tree(system: System, formulation: Formulation) -> Elimination | None:
     """The elimination along the tree of a system without constraints, where it is worth it and T is surely positive."""
     if not _is_free(system, formulation) or system.n - system.l <= FEW:
         return None
+    from nhc.mechanics.energies.whole_forms import whole_kinetic
     from nhc.mechanics.trees.choice import worthwhile_tree
-    from nhc.mechanics.whole_forms import whole_kinetic
 
     kinetic = whole_kinetic(system)
     if kinetic is None or not kinetic.is_positive():

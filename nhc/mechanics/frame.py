@@ -10,17 +10,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 
-from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.show import to_text
 from nhc.algebra.solving.linear import is_clearly_regular, solve_rows
-from nhc.mechanics import turning
 from nhc.mechanics.regular.regularity import pivot_weakness
-from nhc.mechanics.rotation import Rotation
+from nhc.mechanics.rotations import turning
+from nhc.mechanics.rotations.rotation import Rotation
+from nhc.mechanics.rotations.turning import Direction, along, from_base, moving
 from nhc.mechanics.row_factors import strip_factor
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turning import Direction, along, from_base, moving
 from nhc.records import record
 from nhc.thesis.tie import equation
 

@@ -11,20 +11,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.calculus import count, substitute
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import Unlucky, are_zero, rank
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import depends, solve
+from nhc.algebra.walks import count
 from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build
 from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.properties.flag import terminal_rank
 from nhc.mechanics.properties.integrability import is_integrable, lie_bracket
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import moving
 from nhc.records import record
 
 _READABLE = 60

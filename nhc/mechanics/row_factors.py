@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.parts import split_powers
-from nhc.mechanics.directions import along_direction
+from nhc.mechanics.rotations.directions import along_direction
 from nhc.records import record
 
 Product = tuple[Fraction, dict[Node, int]]

@@ -15,7 +15,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.linear import linear_form
 from nhc.language import Spec
 from nhc.language.units.derived import derive_units
-from nhc.mechanics.rotation import Rotation
+from nhc.mechanics.rotations.rotation import Rotation
 from nhc.records import record
 
 

@@ -9,7 +9,7 @@ from nhc.diagnostics import SpecError
 from nhc.language.spec import Parameter, Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
-from nhc.mechanics.scenes import kept_velocities, start_of
+from nhc.mechanics.starts.scenes import kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value
 from nhc.program.build import build_functions

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.mechanics.reduction.reduce import keep_everything
-from nhc.mechanics.scenes import kept_velocities
+from nhc.mechanics.starts.scenes import kept_velocities
 from nhc.program.build import build_function
 from nhc.program.ir import NO_DRIVING, Driving, Function, Program, Quantity, SceneData
 from nhc.program.model import build_program

@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from nhc.algebra.calculus import count
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import Unlucky
 from nhc.algebra.graph import Node
+from nhc.algebra.walks import count
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.choosing.conditioning import find_start
+from nhc.mechanics.energies.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import kept_forms
-from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.reduction.quadrature import find_closed
 from nhc.mechanics.reduction.reduce import Reduction, keep_everything, reduce_equations
 from nhc.mechanics.reduction.scene_frames import list_formulations, momentum_formulation
 from nhc.mechanics.regular.regularity import intervals
-from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import Form, System
 from nhc.program.ir import Function
 from nhc.program.lowering.lower import lower_function

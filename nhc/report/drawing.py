@@ -15,7 +15,7 @@ def describe_drawing(found: Trajectory) -> dict[str, object] | None:
     """Times, columns and shapes for the page; None where the spec draws nothing.
 
     A column is a list with one number for each time, or a single number where it stays the same; ``places`` of a shape
-    index the columns as ``nhc.mechanics.drawing.Outline`` says.  Long runs are thinned by a stride.
+    index the columns as ``nhc.mechanics.resolving.drawing.Outline`` says.  Long runs are thinned by a stride.
     """
     sketch = found.job.sketch
     if not sketch.outlines or not found.drawn:

@@ -8,7 +8,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.choosing.conditioning import Place
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.scenes import kept_velocities
+from nhc.mechanics.starts.scenes import kept_velocities
 from nhc.mechanics.system import System
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import prepare_reduced

@@ -11,10 +11,11 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from nhc.algebra.bounds.interval import Interval, bounds
-from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import NEG, Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.show import to_text
+from nhc.algebra.walks import reachable
 from nhc.program.runs.watch import Event
 
 _LEAST = 1000

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 
-from nhc.mechanics.scenes import Start
+from nhc.mechanics.starts.scenes import Start
 from nhc.program.runs.limits import LEAST_TOLERANCE, SAFETY
 from nhc.records import record
 from nhc.simulate.c.compile import CompileError, build, lane_flags

@@ -12,8 +12,8 @@ from nhc.language.expressions.parser import parse_expression
 from nhc.language.expressions.syntax import Name, Syntax, fold_tree, rebuild
 from nhc.language.scope import Declared, Scope
 from nhc.language.spec import Definition
-from nhc.mechanics.expressions import Resolver, define_names
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.expressions import Resolver, define_names
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.simulate.requests import RunError
 

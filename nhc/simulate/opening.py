@@ -10,8 +10,8 @@ from nhc.language.spec import Scene
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.regular.regularity import intervals
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import start_of
 from nhc.simulate.edges import continue_beyond
 from nhc.simulate.events import resolve_event
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE

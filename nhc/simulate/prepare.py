@@ -9,8 +9,8 @@ from nhc.emit.statements import list_statuses
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
-from nhc.mechanics.drawing import Sketch
-from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.mechanics.resolving.drawing import Sketch
+from nhc.mechanics.starts.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System
 from nhc.program.build import build_functions
 from nhc.program.ir import Beats, Driving, Function, Leaps, Program, Stop

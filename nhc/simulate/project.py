@@ -12,7 +12,7 @@ from nhc.diagnostics import SpecError
 from nhc.language.spec import Scene
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.trials import velocity_units
-from nhc.mechanics.scenes import Start, start_of, term_sizes
+from nhc.mechanics.starts.scenes import Start, start_of, term_sizes
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
 from nhc.simulate.methods.linear import SingularMatrix, solve

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.algebra.calculus import count
+from nhc.algebra.walks import count
 from nhc.emit.statements import list_statuses
 from nhc.mechanics.choosing.choose import Formulation
-from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.mechanics.starts.scenes import Start, kept_velocities
 from nhc.program.ir import Driving
 from nhc.program.model import build_program
 from nhc.program.planning.exchanges import ExchangePlanner

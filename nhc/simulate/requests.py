@@ -7,7 +7,7 @@ from nhc.language import Spec
 from nhc.language.advice import advise_need
 from nhc.language.expressions.names import ENERGIES, fold_typed
 from nhc.language.spec import Scene
-from nhc.mechanics.scenes import check_scene_name
+from nhc.mechanics.starts.scenes import check_scene_name
 
 
 class RunError(Exception):

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.show import to_text
+from nhc.algebra.walks import reachable
 from nhc.mechanics.properties.constancy import has_jumps
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import moving
 from nhc.program.planning.base import PlannerBase
 from nhc.records import record
 

@@ -16,7 +16,7 @@ from types import ModuleType
 
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import applicable
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit
 from tests.generate import write_spec
 from tests.metamorphic.models import State, accelerations, distance, draw_state, reactions, source_of

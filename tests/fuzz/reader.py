@@ -21,7 +21,7 @@ from nhc.language import decode, read
 from nhc.language.expressions.parser import parse_equation, parse_expression
 from nhc.language.expressions.syntax import same
 from nhc.language.expressions.unparse import unparse
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from tests.fuzz.inputs import draw_expression, draw_spec
 from tests.fuzz.watch import Watch
 

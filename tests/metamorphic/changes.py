@@ -14,7 +14,7 @@ from nhc.language import Differential, Name, Number, Prime, Syntax, decode, walk
 from nhc.language.expressions.syntax import Binary
 from nhc.mechanics.choosing.choose import NotApplicable, build
 from nhc.mechanics.regular.regularity import choose_dependent
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from tests.generate import Writer
 from tests.metamorphic.models import State
 from tests.metamorphic.texts import Draft, Row, change_trees, inline, replace_leaves, tree_of, value, write

@@ -12,7 +12,7 @@ import numpy
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import applicable
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit
 from tests.support import python_model
 

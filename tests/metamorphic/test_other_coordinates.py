@@ -11,7 +11,7 @@ import yaml
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.pairs.verdict import Comparison, compare_systems
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from tests.support import GALLERY, spec_path
 

@@ -21,7 +21,7 @@ from nhc.mechanics.choosing.choose import Formulation, applicable, formulate
 from nhc.mechanics.choosing.conditioning import conditioning, evaluate_rows, is_mass_sound
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.properties.singular import smallest_singular_value
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.program.model import build_program
 from nhc.simulate.interpreted import TextModel

@@ -19,8 +19,8 @@ from nhc.language.units.dimensions import parse_unit
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.choosing.conditioning import conditioning
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import default_values
 from nhc.program.model import build_program

@@ -18,7 +18,7 @@ import yaml
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import applicable
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, check, emit
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run

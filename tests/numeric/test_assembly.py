@@ -9,8 +9,8 @@ import pytest
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import decode
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.pipeline import check
 from nhc.simulate.starts import list_starts, read_starts

@@ -6,8 +6,8 @@ import random
 
 import pytest
 
-from nhc.algebra.calculus import count
 from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.walks import count
 from nhc.diagnostics import Source
 from nhc.mechanics.trees.bodies import read_bodies
 from nhc.mechanics.trees.chain import find_chain

@@ -14,7 +14,7 @@ from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.certificates.certificate import certify
 from nhc.mechanics.pairs.verdict import compare_systems
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit
 from tests.support import error, python_model, spec_path
 

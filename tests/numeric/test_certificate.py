@@ -19,7 +19,7 @@ from nhc.mechanics.certificates.certificate import Certificate, certify
 from nhc.mechanics.certificates.claims import Claim, wrong_claims
 from nhc.mechanics.certificates.file import is_sound, power_of_ten, verify, write
 from nhc.mechanics.choosing.choose import applicable
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from tests.support import GALLERY, spec_path
 

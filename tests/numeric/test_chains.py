@@ -8,13 +8,13 @@ from collections.abc import Iterator
 
 import pytest
 
-from nhc.algebra.calculus import count
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Node
+from nhc.algebra.walks import count
 from nhc.diagnostics import Source
+from nhc.mechanics.energies.whole_forms import whole_kinetic
 from nhc.mechanics.trees.choice import tree_of
 from nhc.mechanics.trees.tree import Elimination
-from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.pipeline import Model, Options, emit, model, reduce_scene
 from nhc.program.plan import factor, solve_factored
 from nhc.program.planning.held_tree import held_tree

@@ -31,7 +31,7 @@ from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
 from nhc.mechanics.properties.sampling import Sampler
 from nhc.mechanics.properties.singular import find_rank_loss
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.pipeline import check
 from tests.support import GALLERY, spec_path

@@ -14,7 +14,7 @@ import pytest
 
 from nhc.diagnostics import Source
 from nhc.language import decode, read
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit
 from nhc.program.runs.clock import find_stops
 from nhc.simulate.ensemble import run_ensemble

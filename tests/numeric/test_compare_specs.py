@@ -12,7 +12,7 @@ from nhc.cli.entry import main
 from nhc.diagnostics import Source, SpecError
 from nhc.language import decode, read
 from nhc.mechanics.pairs.verdict import Comparison, compare_systems
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from tests.support import spec_path
 
 SLEIGH = """

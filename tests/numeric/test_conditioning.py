@@ -13,8 +13,8 @@ from nhc.language import decode
 from nhc.mechanics.choosing.choose import build
 from nhc.mechanics.choosing.conditioning import conditioning, find_start, is_mass_sound
 from nhc.mechanics.regular.trials import trial_points
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
 
 HEAD = "nhc: 1\nsystem: s\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\n"

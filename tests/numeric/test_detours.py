@@ -19,7 +19,7 @@ from nhc.language import decode, read
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.detour import find_detour
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit
 from nhc.program.model import build_program
 from nhc.program.planning.planner import Planner

@@ -15,7 +15,7 @@ from nhc.diagnostics import Source, SpecError
 from nhc.dump import dump_decode
 from nhc.language import decode
 from nhc.language.schema import schema
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit
 from nhc.report.drawing import MOST_FRAMES, describe_drawing
 from nhc.resources import find_specs

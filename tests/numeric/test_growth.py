@@ -21,7 +21,7 @@ from nhc.mechanics.choosing.independence import independence
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.regular.trials import ordinary_points
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, check, program
 from nhc.program.model import build_program
 from nhc.program.plan import factor, solve_factored

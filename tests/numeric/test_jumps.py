@@ -13,7 +13,7 @@ from nhc.language import Source, decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.properties.conserved import find_conserved
 from nhc.mechanics.properties.facts import describe
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.pipeline import Options, check, reduce_scene
 from nhc.program.runs.limits import Limits

@@ -15,7 +15,7 @@ from nhc.mechanics.properties.conserved import find_conserved
 from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
 from nhc.mechanics.regular.regularity import choose_dependent
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 
 

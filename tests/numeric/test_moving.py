@@ -8,25 +8,27 @@ from functools import cache
 import pytest
 import yaml
 
-from nhc.algebra.calculus import count, substitute, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.exact.modular import are_equal, are_zero
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.gather import gather, split
 from nhc.algebra.rewriting.rules import WithoutRules
+from nhc.algebra.walks import count
 from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.associate import Row
 from nhc.mechanics.choosing.choose import applicable, formulate
+from nhc.mechanics.energies.kinetic import kinetic_structure
 from nhc.mechanics.formulate import _route, equations_of
 from nhc.mechanics.frame import coordinate_frame
-from nhc.mechanics.kinetic import kinetic_structure
 from nhc.mechanics.moving.move import move
 from nhc.mechanics.moving.vectors import Reader
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.rotations.turning import moving
+from nhc.mechanics.rotations.turns import Turn, add_spin, change_axes, cross
 from nhc.mechanics.row_factors import strip_factor
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import moving
-from nhc.mechanics.turns import Turn, add_spin, change_axes, cross
 from nhc.pipeline import Options, emit
 from nhc.program.build import build_functions
 from nhc.program.model import build_program

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 from nhc.language import decode, read
 from nhc.mechanics.certificates.certificate import certify
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, check, emit
 from tests.support import compile_c, error, python_model
 

@@ -15,7 +15,7 @@ import sympy as sp
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import applicable
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit
 from tests.support import error, python_model
 

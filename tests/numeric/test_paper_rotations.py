@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.emit.text import print_derivation
 from nhc.language import Source, decode, read
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import form_value
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.program.paper import derivation
 from nhc.program.sheets.draft import Desk, Part

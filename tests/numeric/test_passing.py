@@ -17,8 +17,8 @@ from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import start_of
 from nhc.pipeline import Options, emit
 from nhc.simulate.ensemble import run_ensemble
 from nhc.simulate.opening import open_scene

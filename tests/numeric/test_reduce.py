@@ -22,7 +22,7 @@ from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduction.reduce import _agree, _Model
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit, program, reduce_scene
 from nhc.program.reduced import build_scene_program
 from nhc.program.scene_model import SceneModel

@@ -25,8 +25,8 @@ from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.linearize import cyclic_of
 from nhc.mechanics.properties.symmetry import symmetries_of
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import start_of
 from nhc.pipeline import Options, emit
 from tests.support import ROOT, c_model, emitted_python, error, formulations, python_model, spec_path
 

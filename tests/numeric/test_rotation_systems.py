@@ -14,8 +14,8 @@ from nhc.cli.entry import main
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.certificates.certificate import certify
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import start_of
 from nhc.pipeline import Options, emit
 from tests.support import error, python_model
 

@@ -9,8 +9,8 @@ from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.properties.singular import find_rank_loss
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_ranges, scene_values
 from nhc.pipeline import Options, check, emit

@@ -20,8 +20,8 @@ from nhc.language.expressions.parser import parse_expression
 from nhc.language.expressions.syntax import Syntax
 from nhc.language.expressions.unparse import unparse
 from nhc.language.spec import Scene
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.report.ladder import reduced_spec
 from nhc.report.ladder_picture import draw_ladder, make_ladder_page
 from nhc.simulate.interpreted import InterpretedModel

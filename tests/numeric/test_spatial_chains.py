@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from nhc.algebra.calculus import count
 from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.walks import count
 from nhc.diagnostics import Source
 from nhc.pipeline import Options, emit, model, program
 from nhc.program.planning.planner import Planner

@@ -17,9 +17,9 @@ from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.energies.kinetic import energy_as_squares, kinetic_structure
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.kinetic import energy_as_squares, kinetic_structure
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.program.ir import Program
 from nhc.program.model import build_program

@@ -21,7 +21,7 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation, applicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.formulations import chaplygin, euler_lagrange, lagrange, multipliers, voronec
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.rows import associated_rows, energy_identity, motion_components, omega_of
 from nhc.mechanics.system import System
 

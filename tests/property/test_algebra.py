@@ -12,13 +12,14 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from nhc.algebra.calculus import derivative, gradient, substitute, tangent
+from nhc.algebra.calculus import derivative, gradient, tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import Floats, Mpmath, evaluate
 from nhc.algebra.exact.modular import FieldPoint, Unlucky, are_zero, is_zero
 from nhc.algebra.expand import Expander, TooLarge
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise, polynomial, to_node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.blocks import block_order
 from nhc.algebra.solving.linear import NotLinear, linear_form, solve
 from tests.property.expressions import (

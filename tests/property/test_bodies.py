@@ -16,7 +16,7 @@ import pytest
 from nhc.algebra.evaluate import evaluate
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 
 Path = Callable[[Any], Any]  # time -> value, as an mpmath number or matrix

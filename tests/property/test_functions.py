@@ -16,7 +16,7 @@ from nhc.algebra.solving.sizes import size_of
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.language.expressions.names import FUNCTIONS
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 
 # On all of the line where nothing else is said; (first operand, second operand), away from kinks.
 PLACES = {

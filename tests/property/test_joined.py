@@ -6,16 +6,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import NEG, Graph, Node
 from nhc.algebra.rewriting.angles import split_angles
 from nhc.algebra.rewriting.joined import join_sums
 from nhc.algebra.rewriting.paper import shortest
 from nhc.algebra.show import to_text
+from nhc.algebra.walks import reachable
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from tests.property.expressions import QUIET
 
 SPEC = "nhc: 1\nsystem: paper\ncoordinates: [a, b, c, v, w]\nparameters: [m, l, d, g]\nT: (a'^2 + b'^2 + c'^2 + v'^2 + w'^2)/2\n"

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from nhc.algebra.calculus import count, reachable
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rewriting.pieces import shorten_pieces
+from nhc.algebra.walks import count, reachable
 from tests.property.expressions import QUIET, Tree, build, rational_trees
 from tests.property.test_algebra import Fractions, X, Y, Z, num, points, values_at
 

@@ -14,7 +14,7 @@ from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.certificates.certificate import certify
 from nhc.mechanics.properties.integrability import classify
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 
 
 def root(graph: Graph, number: int, node: Node | None = None) -> Node:

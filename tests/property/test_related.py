@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.related import relate_angles
+from nhc.algebra.walks import reachable
 from tests.property.expressions import QUIET
 
 PLACE = (0.3, -1.1, 0.7)

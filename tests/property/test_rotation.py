@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics import turning
+from nhc.mechanics.energies.kinetic import exterior_derivative
 from nhc.mechanics.frame import make_frame
-from nhc.mechanics.kinetic import exterior_derivative
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.rotation import Rotation
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.rotations import turning
+from nhc.mechanics.rotations.rotation import Rotation
+from nhc.mechanics.rotations.turns import cross
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turns import cross
 
 SPEC = """
 nhc: 1
@@ -68,7 +69,7 @@ def test_the_kinematics_are_the_inverse_of_the_angular_velocity(both: tuple[Syst
 def test_what_the_spec_says_is_what_is_computed_with(both: tuple[System, Rotation]) -> None:
     """The formulas that `--dump decode` prints have the values of the nodes that stand for them."""
     from nhc.language.rotation import entries_of, velocities_of
-    from nhc.mechanics.resolve import Resolver
+    from nhc.mechanics.resolving.resolve import Resolver
 
     system, rotation = both
     declared = system.spec.rotations[0]

@@ -11,16 +11,16 @@ from hypothesis import assume, given
 from benchmarks.models import source
 from benchmarks.rules import PAGE, compile_without, count
 from benchmarks.systems import ROOT
-from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_equal, are_zero
 from nhc.algebra.graph import NUM, PI, SYM, Graph, Node
 from nhc.algebra.rewriting.rules import NAMES, RULES, WithoutRules
+from nhc.algebra.walks import reachable
 from nhc.emit import EmitOptions, render
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.program.planning.planner import Planner
 from tests.property.expressions import NAMES as SYMBOLS
 from tests.property.expressions import QUIET, Tree, build, rational_trees

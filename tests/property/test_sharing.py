@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nhc.algebra.calculus import count, reachable
 from nhc.algebra.exact.modular import are_equal, is_zero
 from nhc.algebra.graph import Graph
 from nhc.algebra.rewriting.angles import normalise_angles, split_angles
 from nhc.algebra.rewriting.sharing import share_parts
 from nhc.algebra.rewriting.sums import pair_terms
+from nhc.algebra.walks import count, reachable
 from tests.property.expressions import QUIET, Tree, build, smooth_trees
 
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from nhc.algebra.calculus import Derivation, Replacement, substitute, tangent
+from nhc.algebra.calculus import Derivation, tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.field import Unlucky
@@ -20,6 +20,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.minors import float_determinant, relative_minors
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.probe import probe_of
+from nhc.algebra.rebuilding import Replacement, substitute
 from nhc.algebra.solving.linear import degrees, is_clearly_linear, is_clearly_regular, linear_form, solve_rows
 from nhc.algebra.solving.sizes import form_size
 from tests.property.expressions import NAMES, QUIET, Tree, build, build_raw, smooth_trees

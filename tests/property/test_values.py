@@ -7,7 +7,6 @@ from fractions import Fraction
 import pytest
 from hypothesis import given
 
-from nhc.algebra.calculus import count, reachable
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.exact.residues import PRIMES, circle_point, circle_points, invert
@@ -15,6 +14,7 @@ from nhc.algebra.graph import ADD, POW, Graph, Node
 from nhc.algebra.rewriting.factors import find_factors
 from nhc.algebra.rewriting.rules import WithoutRules
 from nhc.algebra.rewriting.values import share_values
+from nhc.algebra.walks import count, reachable
 from tests.property.expressions import QUIET, Tree, build, rational_trees
 
 

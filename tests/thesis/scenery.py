@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import linear_form
 from nhc.exterior import Form as ExteriorForm
 from nhc.exterior import interior
@@ -20,7 +20,7 @@ from nhc.language import decode, read
 from nhc.mechanics.formulations import multipliers, voronec
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, total_derivative
 from nhc.mechanics.regular.regularity import choose_dependent
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import default_values
 

@@ -13,7 +13,7 @@ from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.certificates import wrong
 from nhc.mechanics.formulations import chaplygin, euler_lagrange, voronec
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from tests.thesis.scenery import (
     ROOT,

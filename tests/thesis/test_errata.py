@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.algebra.calculus import derivative, gradient, substitute
+from nhc.algebra.calculus import derivative, gradient
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_equal, are_zero, is_zero
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.exterior import Form, basis_form, d, one_form, wedge
 from nhc.mechanics.certificates import wrong
 from nhc.mechanics.formulations import chaplygin, euler_lagrange, lagrange, voronec

@@ -6,9 +6,10 @@ import math
 
 import pytest
 
-from nhc.algebra.calculus import derivative, gradient, substitute, tangent
+from nhc.algebra.calculus import derivative, gradient, tangent
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_equal, are_zero, is_zero
+from nhc.algebra.rebuilding import substitute
 from nhc.exterior import Form, basis_form, d, one_form, pullback, wedge
 from nhc.mechanics.formulations import euler_lagrange, lagrange, newton, voronec
 from nhc.mechanics.frame import form_value, total_derivative

@@ -12,7 +12,7 @@ from benchmarks.chart import draw_scaling
 from benchmarks.models import Compiled, difference, hand_sources, names, nhc_sources, parameters, source, states
 from benchmarks.systems import STYLES, drop_section, spec
 from nhc.language import decode
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 
 SYSTEMS = ("sleigh", "disk", "trailers3", "snake3", "pendulum3", "bicycle")
 SIZES = {

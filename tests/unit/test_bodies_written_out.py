@@ -11,7 +11,7 @@ from nhc.language import decode, read
 from nhc.language.expressions.unparse import unparse
 from nhc.language.spec import Spec
 from nhc.mechanics.pairs.verdict import compare_systems
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import derive
 
 HEAD = "nhc: 1\nsystem: s\ncoordinates: [x, z, phi]\nparameters: {m: 2, I: 0.3, a: 0.5, g: 9.81, k: 4}\n"

@@ -7,9 +7,9 @@ import time
 import pytest
 
 from nhc.algebra.bridge import Simplifier, from_sympy, to_sympy
-from nhc.algebra.calculus import count
 from nhc.algebra.exact.modular import is_zero
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.walks import count
 
 
 def samples(g: Graph) -> list[Node]:

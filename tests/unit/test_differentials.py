@@ -7,7 +7,7 @@ import pytest
 from nhc.algebra.exact.modular import is_zero
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.expressions import Resolver, define_names
+from nhc.mechanics.resolving.expressions import Resolver, define_names
 
 SPEC = """nhc: 1
 system: s

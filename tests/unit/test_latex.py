@@ -22,7 +22,7 @@ from nhc.emit.text.math import TextMath
 from nhc.language import Source, decode, read
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit
 from nhc.program.ir import Binary, Call, Number, Pi, Power
 from nhc.program.paper import Derivation, Mark, derivation

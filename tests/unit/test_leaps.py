@@ -8,7 +8,7 @@ from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.leaps import find_leaps
 

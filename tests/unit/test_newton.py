@@ -9,7 +9,7 @@ from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.formulations.newton import broken_hypotheses
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 
 COUPLED = ["the kinetic energy couples `x'` to another velocity", "the kinetic energy couples `y'` to another velocity"]

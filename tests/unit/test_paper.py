@@ -23,7 +23,7 @@ from nhc.language import Source, decode, read
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.program.ir import Binary, Negate, Number, Power, Ref
 from nhc.program.model import build_program
 from nhc.program.paper import SHEETS, Derivation, Statement, derivation

@@ -18,7 +18,7 @@ from nhc.language import Source, decode
 from nhc.mechanics.choosing.choose import applicable, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.properties.facts import describe
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.program.contents import walk
 from nhc.program.ir import Ref

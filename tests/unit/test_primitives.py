@@ -9,7 +9,7 @@ from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.properties.primitives import find_primitives
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import check
 
 TERMS = [

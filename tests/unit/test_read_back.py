@@ -15,7 +15,7 @@ from nhc.emit.text.math import TextMath, print_mark
 from nhc.language import Source, decode, read
 from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.program.paper import Derivation, Side, Statement, derivation
 from nhc.program.sheets.model import Mark

@@ -11,7 +11,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.language import decode, read
 from nhc.mechanics.properties.singular import smallest_singular_value
 from nhc.mechanics.regular.trials import trial_points
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from tests.support import GALLERY, spec_path
 
 

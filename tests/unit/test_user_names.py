@@ -7,7 +7,7 @@ from nhc.emit.text import print_derivation
 from nhc.language import Source, decode
 from nhc.mechanics.choosing.choose import applicable, formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.program.paper import derivation
 
 

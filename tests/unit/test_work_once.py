@@ -7,10 +7,10 @@ from collections import Counter
 
 import pytest
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Graph
 from nhc.algebra.probe import Probe
 from nhc.algebra.rewriting.digits import _Points
+from nhc.algebra.walks import reachable
 from nhc.diagnostics import Source
 from nhc.emit.names import Scope
 from nhc.mechanics.properties import integrability

@@ -8,11 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.calculus import reachable, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Singular, solve_positive
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.sizes import size_of
+from nhc.algebra.walks import reachable
 
 _STEPS, _TRIES = 40, 8
 _LARGE = 30_000  # nodes of the expressions and their derivatives

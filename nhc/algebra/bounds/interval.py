@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
+from nhc.algebra.walks import reachable
 
 Interval = tuple[float, float]
 EVERYTHING: Interval = (-math.inf, math.inf)

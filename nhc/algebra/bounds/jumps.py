@@ -19,9 +19,9 @@ from types import MappingProxyType
 from typing import Any
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
-from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import Floats, apply_function, evaluate, evaluate_into
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.walks import reachable
 from nhc.records import record
 
 _LINES = 6

@@ -10,8 +10,10 @@ import math
 from collections.abc import Mapping, Sequence
 
 from nhc.algebra.bounds.interval import EVERYTHING, Interval, excludes_zero, list_bounds
-from nhc.algebra.calculus import reachable, substitute, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import reachable
 
 _MOST_WORK = 400_000  # nodes that are bounded, over all boxes
 _SMALLEST = 2.0**-12  # of a side of the first box

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.walks import reachable
 
 MOST_DRAWS = 20_000
 _EXPONENT = 65537

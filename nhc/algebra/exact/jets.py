@@ -13,9 +13,10 @@ from functools import cache
 from itertools import product
 from operator import mul
 
-from nhc.algebra.calculus import partials, reachable
+from nhc.algebra.calculus import partials
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.walks import reachable
 from nhc.records import record
 
 Series = list[list[int]]

@@ -13,11 +13,11 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.exact.draw import ROOTS
 from nhc.algebra.exact.field import INVERSE, FieldPoint, Unlucky
 from nhc.algebra.exact.residues import FULL_TURN, PRIMES, square_root
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.walks import reachable
 
 _ROOTED = (*ROOTS, *INVERSE)
 _LARGEST = 2**61

@@ -15,13 +15,14 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
 
-from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.exact.draw import QuickPoint, draw_points
 from nhc.algebra.exact.field import INVERSE, FieldPoint, Unlucky
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.expand import TooLarge
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.polynomial import ONE, polynomial
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import reachable
 
 STEPS = ("sign", "abs", "min", "max")
 _HOLDERS = frozenset((*STEPS, "sqrt", "powf", *INVERSE))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import list_terms
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import count, reachable
 
 _MOST_TERMS = 4
 

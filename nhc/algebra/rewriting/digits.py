@@ -13,10 +13,10 @@ import random
 from collections.abc import Sequence
 from functools import cache
 
-from nhc.algebra.calculus import count, reachable
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, SYM, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.probe import UNIT, bounded
+from nhc.algebra.walks import count, reachable
 
 _RANGES = ((0.95, 1.05), (0.3, 3.3), (0.01, 0.05)) * 3
 _WORSE = 1000.0

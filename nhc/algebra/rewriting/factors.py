@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.calculus import count, reachable, rebuild_over
 from nhc.algebra.exact.residues import invert
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
+from nhc.algebra.rebuilding import rebuild_over
 from nhc.algebra.rewriting.values import draw_point, find_poles
+from nhc.algebra.walks import count, reachable
 
 _SIMPLE = frozenset({SYM, "sin", "cos", POW})
 _Pair = tuple[Node, Node, bool]  # factors, and whether the product has the other sign

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
 
-from nhc.algebra.calculus import reachable, rebuild
 from nhc.algebra.expand import Monomial, Polynomial
 from nhc.algebra.graph import ADD, NEG, Graph, Node
 from nhc.algebra.nodes import Rational
 from nhc.algebra.parts import list_terms, split_powers
+from nhc.algebra.rebuilding import rebuild
+from nhc.algebra.walks import reachable
 
 _OTHER = {"sin": "cos", "cos": "sin"}
 _MOST = 60  # terms of a sum that are looked at

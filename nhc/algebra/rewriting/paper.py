@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 
-from nhc.algebra.calculus import reachable, rebuild, substitute
 from nhc.algebra.expand import TooLarge
 from nhc.algebra.graph import ADD, POW, Graph, Node
 from nhc.algebra.polynomial import normalise, polynomial, to_node
+from nhc.algebra.rebuilding import rebuild, substitute
 from nhc.algebra.rewriting.joined import join_sums, join_terms, make_product, split_factors
+from nhc.algebra.walks import reachable
 
 Size = Callable[[Node], int]
 _TURNED = ("sin", "cos")

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping, Sequence
 
-from nhc.algebra.calculus import count, reachable, rebuild, rebuild_over, substitute
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.rebuilding import rebuild, rebuild_over, substitute
 from nhc.algebra.rewriting.digits import keep_digits
+from nhc.algebra.walks import count, reachable
 
 _TERMS = 24
 """Terms of a canonical form; longer ones are seldom shorter than the tree."""

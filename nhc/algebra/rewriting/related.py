@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.nodes import Rational
 from nhc.algebra.parts import list_terms
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import Pair, add_angles
+from nhc.algebra.walks import reachable
 
 Angle = tuple[tuple[Node, Rational], ...]
 """An angle as (term without its rational factor, factor), by increasing node."""

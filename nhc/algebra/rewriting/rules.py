@@ -44,7 +44,7 @@ RULES = (
     Rule(
         "completed squares",
         "an energy that was multiplied out becomes squares of velocities of points and of angular velocities again",
-        "mechanics/squares.py",
+        "mechanics/energies/squares.py",
     ),
     Rule(
         "moving axes",

@@ -6,10 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from nhc.algebra.calculus import reachable, rebuild_over
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import rebuild_over
 from nhc.algebra.rewriting.products import share_factors
 from nhc.algebra.rewriting.sums import share_terms
+from nhc.algebra.walks import reachable
 
 
 def share_parts(graph: Graph, roots: Sequence[Node], constants: int) -> list[Node]:

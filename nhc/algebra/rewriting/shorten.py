@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import count
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise_all
 from nhc.algebra.rewriting.digits import keep_digits
+from nhc.algebra.walks import count
 
 _TERMS = 40
 """Terms of a canonical polynomial that may still be shorter than what it came from."""

@@ -14,10 +14,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from nhc.algebra.calculus import reachable, rebuild_over
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.exact.residues import PRIMES, circle_points
 from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
+from nhc.algebra.rebuilding import rebuild_over
+from nhc.algebra.walks import reachable
 
 _LEAST = (0, 1)  # the nodes of these numbers: what vanishes is found, too
 _POINTS, _DRAWS, _AT_ONCE = 2, 20, 4

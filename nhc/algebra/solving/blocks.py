@@ -13,7 +13,6 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import count, reachable
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import NEG, POW, Graph, Node
@@ -22,6 +21,7 @@ from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.rewriting.joined import make_product, split_factors
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.sizes import row_scale
+from nhc.algebra.walks import count, reachable
 
 _LARGEST_AT_ONCE = 3
 LARGEST_CORE = 4

@@ -9,17 +9,19 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
-from nhc.algebra.calculus import gradient, reachable, rebuild, substitute, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.field import INVERSE
 from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.exact.signs import STEPS
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.probe import probe_of
+from nhc.algebra.rebuilding import rebuild, substitute
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import Pivots, Weakness, block_order, solve_block
 from nhc.algebra.solving.peel import coefficients, peel
 from nhc.algebra.solving.sizes import form_size, row_scale
+from nhc.algebra.walks import reachable
 from nhc.records import fresh, record, structure
 
 _NO_POLYNOMIAL = 99

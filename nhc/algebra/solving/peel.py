@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.modular import is_zero
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.records import record
 
 Single = tuple[int, int, Node]

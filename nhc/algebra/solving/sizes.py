@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.parts import list_factors
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.walks import reachable
 
 _FEW_TERMS = 12
 

@@ -14,7 +14,6 @@ import hashlib
 import math
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.degree import Degrees
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
@@ -22,6 +21,7 @@ from nhc.algebra.exact.modular import FieldPoint, Unlucky
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.signs import Signs, may_hold, points_for
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.walks import reachable
 from nhc.mechanics.certificates.claims import (
     Claim,
     Velocities,
@@ -34,9 +34,9 @@ from nhc.mechanics.certificates.claims import (
 )
 from nhc.mechanics.certificates.distances import Distance, measure, states_of
 from nhc.mechanics.choosing.choose import applicable
+from nhc.mechanics.energies.kinetic import kinetic_structure
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import Frame, coordinate_frame
-from nhc.mechanics.kinetic import kinetic_structure
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.system import System
 from nhc.records import record

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeVar
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.dense import solve_double, solve_modulo
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import FieldPoint
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import linear_form
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.certificates import wrong

@@ -11,7 +11,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.diagnostics import SpecError
 from nhc.mechanics.certificates.claims import Claim, Guards, Velocities, solve_in_doubles
 from nhc.mechanics.regular.trials import trial_points
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.records import record
 

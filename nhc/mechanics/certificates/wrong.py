@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from nhc.algebra.calculus import derivative, gradient, substitute
+from nhc.algebra.calculus import derivative, gradient
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.mechanics.formulations import euler_lagrange
 from nhc.mechanics.formulations.voronec import Reduced, applied_force, motion_rate
 from nhc.mechanics.frame import Frame, total_derivative

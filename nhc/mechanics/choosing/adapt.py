@@ -28,9 +28,9 @@ from nhc.mechanics.regular.regularity import (
     weak_where_constraints_are_not,
 )
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
+from nhc.mechanics.rotations.turning import rows_in_base
 from nhc.mechanics.row_factors import without_common
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turning import rows_in_base
 
 _MOST_ROWS = 3
 _MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together

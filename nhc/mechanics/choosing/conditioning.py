@@ -17,7 +17,7 @@ from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build, tur
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import balanced_units, sampled_rows, trial_points, velocity_units
-from nhc.mechanics.scenes import Start
+from nhc.mechanics.starts.scenes import Start
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 

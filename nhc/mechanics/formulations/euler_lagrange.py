@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.exterior import Coframe, Form, basis_form, d, general_coframe, one_form, pullback, wedge
 from nhc.mechanics.frame import Frame
-from nhc.mechanics.turning import along, moving, virtual_work
+from nhc.mechanics.rotations.turning import along, moving, virtual_work
 from nhc.thesis.tie import equation
 
 

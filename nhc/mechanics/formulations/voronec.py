@@ -8,8 +8,9 @@ with p_alpha = dT/dq'_alpha from the full T.  (I.4.9) is the case b_alpha = 0 wi
 
 from __future__ import annotations
 
-from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.exterior import Coframe, Form, basis_form, one_form, wedge
 from nhc.mechanics.frame import Frame, dependent_coefficients
 from nhc.mechanics.system import System

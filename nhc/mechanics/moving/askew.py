@@ -13,13 +13,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.algebra.calculus import Derivation, Replacement
+from nhc.algebra.calculus import Derivation
 from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
+from nhc.algebra.rebuilding import Replacement
 from nhc.algebra.rewriting.digits import shorter_kept
+from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.frame import Frame, make_frame
-from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.rotations.turns import Path, Turn
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turns import Path, Turn
 from nhc.records import record
 
 _TERMS = 40  # of a canonical form that is tried

@@ -16,9 +16,9 @@ from nhc.algebra.calculus import Derivation
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.moving.signatures import Signatures
 from nhc.mechanics.moving.vectors import Chained, Part, Reader
+from nhc.mechanics.rotations.turns import Path, Turn, Vector, add_spin, add_vectors, change_axes, climb, cross
 from nhc.mechanics.row_factors import Bare
 from nhc.mechanics.system import System
-from nhc.mechanics.turns import Path, Turn, Vector, add_spin, add_vectors, change_axes, climb, cross
 from nhc.records import fresh, record, structure
 
 

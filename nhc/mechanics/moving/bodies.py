@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations_with_replacement
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
-from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.vectors import Chained
-from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes, cross, turn_in
+from nhc.mechanics.rotations.turns import Path, Vector, add_vectors, change_axes, cross, turn_in
 from nhc.records import record
 
 Placed = tuple[tuple[int, ...], Chained, bool]

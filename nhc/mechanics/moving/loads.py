@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.bodies import Bodies
-from nhc.mechanics.turns import Vector, change_axes, cross
+from nhc.mechanics.rotations.turns import Vector, change_axes, cross
 
 
 def find_loads(setting: Setting, bodies: Bodies, forms: int) -> tuple[tuple[Node, ...], Node, dict[Node, Node]]:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.field import Unlucky
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import NamedBlock, solve_rows
-from nhc.mechanics.directions import Sided, along_direction
+from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.frame import Frame, form_value
-from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving.askew import count_from_joint, find_lean
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.bodies import Bodies, Placed, gather_bodies
@@ -31,9 +31,10 @@ from nhc.mechanics.moving.signatures import Signatures
 from nhc.mechanics.moving.spin import Spin, find_turning, recognise, spatial_paths, spin_weights
 from nhc.mechanics.moving.vectors import Chained, Reader
 from nhc.mechanics.regular.regularity import pivot_weakness
+from nhc.mechanics.rotations.directions import Sided, along_direction
+from nhc.mechanics.rotations.turns import Turn, change_axes
 from nhc.mechanics.row_factors import strip_factor
 from nhc.mechanics.system import System
-from nhc.mechanics.turns import Turn, change_axes
 
 _LEANS = 4  # leaning joints that are looked for
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from nhc.algebra.graph import Node
+from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.frame import Frame
-from nhc.mechanics.kinetic import Kinetic
-from nhc.mechanics.turns import Vector
+from nhc.mechanics.rotations.turns import Vector
 from nhc.records import record
 
 

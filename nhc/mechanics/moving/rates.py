@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from nhc.algebra.calculus import Derivation, Replacement, substitute, tangent
+from nhc.algebra.calculus import Derivation, tangent
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import Replacement, substitute
 from nhc.algebra.solving.linear import NamedBlock
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.vectors import Chained, Part
-from nhc.mechanics.turns import Path, Vector, add_vectors, climb, cross
+from nhc.mechanics.rotations.turns import Path, Vector, add_vectors, climb, cross
 from nhc.records import fresh, record
 
 

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
-from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import list_terms
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import reachable
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.straight import straighten
 from nhc.mechanics.moving.vectors import Chained
-from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes
+from nhc.mechanics.rotations.turns import Path, Vector, add_vectors, change_axes
 from nhc.records import record
 
 

@@ -8,12 +8,12 @@ from itertools import permutations
 
 from nhc.algebra.graph import NEG, SYM, Graph, Node
 from nhc.algebra.parts import list_terms
-from nhc.mechanics.directions import Sided, along_direction
-from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.vectors import Chained
+from nhc.mechanics.rotations.directions import Sided, along_direction
+from nhc.mechanics.rotations.turns import Vector, change_axes
 from nhc.mechanics.system import System
-from nhc.mechanics.turns import Vector, change_axes
 
 
 def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:

@@ -8,14 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import Node
-from nhc.mechanics.kinetic import Kinetic, exterior_derivative
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import reachable
+from nhc.mechanics.energies.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.bodies import Bodies
 from nhc.mechanics.moving.rates import Solution
-from nhc.mechanics.turning import Direction
-from nhc.mechanics.turns import Path, Turn, Vector, cross
+from nhc.mechanics.rotations.turning import Direction
+from nhc.mechanics.rotations.turns import Path, Turn, Vector, cross
 from nhc.records import record
 
 

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import Replacement, gradient, reachable, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import ADD, Graph, Node
+from nhc.algebra.rebuilding import Replacement, substitute
 from nhc.algebra.rewriting.digits import normalise_kept, shorter_kept
+from nhc.algebra.walks import reachable
 from nhc.mechanics.moving.axes import Setting
-from nhc.mechanics.turns import Path, Vector, change_axes, turn_in, turn_out
+from nhc.mechanics.rotations.turns import Path, Vector, change_axes, turn_in, turn_out
 
 _TERMS = 60
 

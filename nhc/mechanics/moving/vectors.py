@@ -10,12 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import gradient, reachable, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import list_factors, list_terms
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.digits import normalise_kept
-from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
+from nhc.algebra.walks import reachable
+from nhc.mechanics.rotations.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
 from nhc.records import fresh, identity_record, record, structure
 
 _PLANES = ((0, 1), (1, 2), (2, 0))

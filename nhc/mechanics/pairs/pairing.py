@@ -11,12 +11,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.diagnostics import Bag, Span, quote, suggest
 from nhc.language import Name, Parameter, Prime, Spec, walk
 from nhc.mechanics.about import Pair, read_pairs
-from nhc.mechanics.expressions import Resolver, define_names
+from nhc.mechanics.resolving.expressions import Resolver, define_names
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import parameter_value
 from nhc.records import record

@@ -13,7 +13,7 @@ from nhc.diagnostics import SpecError
 from nhc.mechanics.certificates.claims import Claim, reference_claim, solve_in_doubles
 from nhc.mechanics.pairs.points import PairPoints
 from nhc.mechanics.regular.trials import scattered_points, trial_points
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import default_values
 from nhc.records import record

@@ -16,7 +16,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.pairs.pairing import Pairing, pair
 from nhc.mechanics.pairs.points import Found, PairPoints
 from nhc.mechanics.pairs.states import Measured, count_fitting, measure_pair
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value
 from nhc.records import record

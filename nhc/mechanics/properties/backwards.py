@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from operator import mul
 
-from nhc.algebra.calculus import pullback_gradient, reachable
+from nhc.algebra.calculus import pullback_gradient
 from nhc.algebra.dense import pack, unpack
 from nhc.algebra.exact.jets import WIDTH, Box, Jets, Series
 from nhc.algebra.graph import ADD, MUL, NEG, Graph, Node
+from nhc.algebra.walks import reachable
 
 _WIDEST = 76
 """Bits of a factor's entries: a sum of two times 2^20 products with residues is less than 256^WIDTH."""

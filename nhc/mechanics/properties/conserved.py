@@ -13,18 +13,20 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations
 
-from nhc.algebra.calculus import count, gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero, rank
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.relations import find_relations, without
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import count
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.properties.candidates import Candidate, combine, combine_by_parameters, spell
 from nhc.mechanics.properties.constancy import are_constant, has_jumps, jumps, rates_of
 from nhc.mechanics.properties.named import energy_name, momentum_name
 from nhc.mechanics.properties.sampling import Sampler
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import moving
 from nhc.mechanics.values import default_values
 from nhc.records import record
 from nhc.thesis.tie import equation

@@ -10,10 +10,10 @@ from types import MappingProxyType
 from nhc.algebra.bounds.interval import Interval
 from nhc.algebra.bounds.jumps import TooLong, find_breaks
 from nhc.algebra.bounds.jumps import jumps as find_jumps
-from nhc.algebra.calculus import reachable
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.signs import Signs, may_hold, points_for
 from nhc.algebra.graph import Node
+from nhc.algebra.walks import reachable
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.properties.sampling import Sampler
 from nhc.mechanics.system import System

@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from nhc.algebra.bounds.common_zero import find_common_zero
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import degrees
 from nhc.diagnostics import Bag, several
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent

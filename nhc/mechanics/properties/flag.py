@@ -20,7 +20,7 @@ from functools import cache, cached_property
 from itertools import islice
 from operator import mul
 
-from nhc.algebra.calculus import reachable, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Echelon, extend_echelon, pack, unpack
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
 from nhc.algebra.exact.field import FieldPoint, Unlucky
@@ -28,6 +28,7 @@ from nhc.algebra.exact.jets import WIDTH, Jets, Series, make_box, plan_jets
 from nhc.algebra.exact.modular import enough_points
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.walks import reachable
 from nhc.mechanics.properties.backwards import Backwards, Sweep
 
 Field = tuple[Node, ...]

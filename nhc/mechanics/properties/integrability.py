@@ -12,11 +12,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from nhc.algebra.calculus import count, gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import depends
+from nhc.algebra.walks import count
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.properties.flag import Field, growth_vector, terminal_rank
 from nhc.mechanics.properties.leaf import leaf_of

@@ -12,12 +12,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations_with_replacement
 
-from nhc.algebra.calculus import gradient, reachable, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
 from nhc.algebra.exact.modular import Unlucky, are_zero
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.relations import find_relations, without
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
+from nhc.algebra.walks import reachable
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.properties.candidates import Candidate, combine
 from nhc.mechanics.properties.leaf import Leaf, has_values, leaf_of, parts_on, rank_on

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import derivative, reachable, substitute
+from nhc.algebra.calculus import derivative
 from nhc.algebra.dense import null_space, rank_modulo
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
 from nhc.algebra.exact.field import FieldPoint, Unlucky
@@ -17,6 +17,8 @@ from nhc.algebra.exact.modular import is_zero, rank
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.residues import square_root
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import reachable
 from nhc.mechanics.system import System
 from nhc.records import record
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.rewriting.joined import join_sums
 from nhc.algebra.show import to_text

@@ -6,8 +6,8 @@ from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
+from nhc.algebra.walks import reachable
 from nhc.diagnostics import Bag, quote
 from nhc.mechanics.properties.constancy import has_jumps
 from nhc.mechanics.system import Form, System

@@ -11,19 +11,20 @@ from operator import and_
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
-from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import ADD, MUL, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.shared import find_shared
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.choosing.adapt import set_pivots_aside
 from nhc.mechanics.regular.regularity import intervals
+from nhc.mechanics.rotations.turning import along, from_base, rows_in_base
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import along, from_base, rows_in_base
 from nhc.records import record
 
 _MOST_ROWS = 3

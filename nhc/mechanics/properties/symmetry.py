@@ -15,7 +15,7 @@ from fractions import Fraction
 from functools import partial
 from itertools import pairwise
 
-from nhc.algebra.calculus import reachable, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import null_space
 from nhc.algebra.exact.families import draw_parameters, find_families
 from nhc.algebra.exact.modular import FieldPoint, Unlucky, are_zero
@@ -23,9 +23,10 @@ from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.relations import find_relations
 from nhc.algebra.graph import Node
 from nhc.algebra.solving.linear import STEPPED
+from nhc.algebra.walks import reachable
 from nhc.mechanics.flow import Flow, jacobian_residues, solve_at
 from nhc.mechanics.frame import Frame
-from nhc.mechanics.rotation import Rotation
+from nhc.mechanics.rotations.rotation import Rotation
 
 Generator = Mapping[tuple[int, int], Node]
 """S by its entries (row, column) over the state, functions of the parameters; s in the column after the last."""

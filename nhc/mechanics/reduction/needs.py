@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.language.spec import Need, Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
-from nhc.mechanics.turning import moving
+from nhc.mechanics.rotations.turning import moving
 from nhc.records import record
 
 

@@ -15,9 +15,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
-from nhc.algebra.calculus import substitute
 from nhc.algebra.exact.modular import Unlucky, are_zero
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.digits import normalise_kept
 from nhc.algebra.show import to_text
 from nhc.algebra.solving.linear import NotLinear, linear_form

@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
-from nhc.algebra.calculus import count, substitute
 from nhc.algebra.exact.modular import FieldPoint, Unlucky
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.signs import MOST, Signs, may_hold, points_for
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import count
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import Unlucky
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build
 from nhc.mechanics.dependence import find_vanishing
+from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.frame import (
     complete_basis,
@@ -22,10 +24,9 @@ from nhc.mechanics.frame import (
     total_derivative,
     velocity_symbol,
 )
-from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.properties.constancy import has_jumps
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turning import moving
 
 
 def list_formulations(system: System, base: Formulation, kinetic: Kinetic, scene: Scene) -> list[Formulation]:

@@ -8,8 +8,8 @@ from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.modular import are_zero, rank
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Span, quote
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import moving
 
 
 def check_determined(system: System, mass: Sequence[Sequence[Node]], *, bordered: bool) -> None:

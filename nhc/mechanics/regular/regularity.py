@@ -7,13 +7,13 @@ from collections.abc import Callable, Sequence
 from itertools import combinations
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
-from nhc.algebra.calculus import reachable
 from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate_into
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.minors import list_entries, relative_minors, row_size, subtract
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.solving.blocks import block_order, determinant_of
+from nhc.algebra.walks import reachable
 from nhc.mechanics.regular.trials import sampled_rows, scattered_points, start_points, trial_points
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import coordinate_ranges, parameter_ranges

@@ -7,11 +7,11 @@ import random
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate, evaluate_into
 from nhc.algebra.graph import Node
 from nhc.algebra.minors import balance_columns
 from nhc.algebra.solving.sizes import size_of
+from nhc.algebra.walks import reachable
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value, default_values
 

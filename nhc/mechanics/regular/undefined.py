@@ -6,10 +6,11 @@ import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 
-from nhc.algebra.calculus import gradient, reachable
+from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import evaluate, evaluate_into
 from nhc.algebra.graph import Node
 from nhc.algebra.show import to_text
+from nhc.algebra.walks import reachable
 from nhc.diagnostics import Span
 from nhc.mechanics.system import System
 

@@ -10,21 +10,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from nhc.algebra.calculus import gradient, reachable, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.field import Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.linear import NotLinear, linear_form
-from nhc.mechanics.kinetic import Kinetic
+from nhc.algebra.walks import reachable
+from nhc.mechanics.energies.kinetic import Kinetic
+from nhc.mechanics.energies.whole_forms import whole_kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.signatures import Signatures
+from nhc.mechanics.rotations.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.frames import ZERO, Frame, Frames
 from nhc.mechanics.trees.points import Components, Point, Points, Unread
 from nhc.mechanics.trees.rates import Rates
 from nhc.mechanics.trees.recursion import Recursion, Terms
 from nhc.mechanics.trees.triples import list_squares, place_of
-from nhc.mechanics.turns import Vector, add_vectors, cross, scale_vector
-from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.records import fresh, structure
 
 _FEW = 3  # coordinates of what moves in another way than by turning

@@ -12,17 +12,19 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from nhc.algebra.calculus import gradient, pullback_gradient, reachable, substitute, tangent
+from nhc.algebra.calculus import gradient, pullback_gradient, tangent
 from nhc.algebra.graph import NEG, Graph, Node
 from nhc.algebra.parts import split_parameters, tidy
-from nhc.mechanics.kinetic import Kinetic
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import reachable
+from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.bodies import Spatial
 from nhc.mechanics.trees.covectors import Covector, Sweeps
 from nhc.mechanics.trees.recursion import Recursion, Terms, Weights, read_recursion
 from nhc.mechanics.trees.units import common_mass, scales
-from nhc.mechanics.turning import moving
 from nhc.records import record
 
 _MANY = 6  # forms per rate beyond which no recursion is sought: they are the forms of a few bodies under constraints
@@ -58,7 +60,7 @@ class Chain:
 
 
 def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatial | None = None) -> Chain | None:
-    """The recursion of T's velocity forms (:func:`nhc.mechanics.whole_forms.whole_kinetic`) along a motion, with forces;
+    """The recursion of T's velocity forms (:func:`nhc.mechanics.energies.whole_forms.whole_kinetic`) along a motion, with forces;
     None where the forms are not sums and products.  ``spatial`` is a recursion that was read from the bodies' positions.
     """
     if len(kinetic.u) > _MANY * len(motion.w):

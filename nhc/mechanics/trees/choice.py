@@ -5,11 +5,11 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import count, reachable
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import SYM, Graph, Node
-from nhc.mechanics.kinetic import Kinetic
+from nhc.algebra.walks import count, reachable
+from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.bodies import read_bodies

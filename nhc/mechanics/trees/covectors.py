@@ -12,12 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.calculus import pullback_gradient, substitute, tangent
+from nhc.algebra.calculus import pullback_gradient, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.mechanics.rotation import Rotation, name_entries
+from nhc.algebra.rebuilding import substitute
+from nhc.mechanics.rotations.rotation import Rotation, name_entries
+from nhc.mechanics.rotations.turning import along as seeds_along
+from nhc.mechanics.rotations.turns import Vector, add_vectors, cross
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import along as seeds_along
-from nhc.mechanics.turns import Vector, add_vectors, cross
 from nhc.records import record
 
 ZERO: Vector = (0, 0, 0)

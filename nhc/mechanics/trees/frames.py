@@ -20,8 +20,8 @@ from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import list_factors, list_terms
 from nhc.mechanics.moving.signatures import Signature, Signatures
+from nhc.mechanics.rotations.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.trees.rates import Rates
-from nhc.mechanics.turns import Vector, add_vectors, cross, scale_vector
 from nhc.records import identity_record, record
 
 ZERO: Vector = (0, 0, 0)

@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import permutations
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, NEG, Node
 from nhc.algebra.parts import list_factors, list_terms, split_parameters
+from nhc.algebra.walks import reachable
 from nhc.mechanics.moving.signatures import Signature
+from nhc.mechanics.rotations.turns import Vector, add_vectors, scale_vector
 from nhc.mechanics.trees.frames import ROOT, ZERO, Frame, Frames
-from nhc.mechanics.turns import Vector, add_vectors, scale_vector
 from nhc.records import fresh, structure
 
 _FEW = 3  # coordinates of what moves in another way than by turning

@@ -9,14 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.graph import SYM, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import linear_form
 from nhc.mechanics.motion import Motion
+from nhc.mechanics.rotations.turns import Vector, cross
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.covectors import Sweeps
 from nhc.mechanics.trees.recursion import Terms
-from nhc.mechanics.turns import Vector, cross
 
 
 class Rates:

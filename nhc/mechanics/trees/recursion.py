@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Container, Sequence
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, Graph, Node
 from nhc.algebra.parts import Factor, split_parameters, tidy
+from nhc.algebra.walks import reachable
 from nhc.records import fresh, structure
 
 Terms = dict[int, Node]

@@ -14,8 +14,9 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import reachable, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.graph import NEG, Graph, Node
+from nhc.algebra.walks import reachable
 from nhc.mechanics.trees.chain import Chain, join
 from nhc.records import fresh, structure
 

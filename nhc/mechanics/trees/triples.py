@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nhc.algebra.graph import Graph, Node
-from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.system import System
 
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, UNARY, Graph, Node
+from nhc.algebra.walks import reachable
 from nhc.program.contents import count_operations
 from nhc.program.ir import (
     Binary,

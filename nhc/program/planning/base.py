@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import Matrix, find_eliminated, without_sign
 from nhc.algebra.solving.determinants import in_determinants
+from nhc.algebra.walks import count, reachable
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.frame import describe_added
 from nhc.mechanics.regular.trials import usual_digits, usual_part
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import moving
 from nhc.program.ir import Argument, Function, Origin, Quantity
 from nhc.program.lowering.lower import lower_function
 from nhc.program.plan import Entry, FunctionPlan, GuardPlan, SolvePlan, Target

@@ -10,14 +10,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from nhc.algebra.calculus import gradient, pullback_gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, pullback_gradient, tangent
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.peel import coefficients
 from nhc.mechanics.choosing.choose import build
 from nhc.mechanics.formulate import bordered_system, equations_of
 from nhc.mechanics.frame import form_value, total_derivative
 from nhc.mechanics.motion import Motion
-from nhc.mechanics.turning import from_base, moving
+from nhc.mechanics.rotations.turning import from_base, moving
 from nhc.program.ir import Function
 from nhc.program.plan import Entry, FunctionPlan, GuardPlan, SolvePlan, SweepPlan, Target
 from nhc.program.planning.base import SINGULAR_FRAME

@@ -15,10 +15,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.mechanics.associate import Equations
+from nhc.mechanics.energies.whole_forms import whole_kinetic
 from nhc.mechanics.frame import form_value, total_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.regular.given_rank import given_states
@@ -26,7 +27,6 @@ from nhc.mechanics.system import Form, System
 from nhc.mechanics.trees.choice import tree_of
 from nhc.mechanics.trees.tree import Elimination
 from nhc.mechanics.values import scene_values
-from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.program.plan import factor, solve_factored
 from nhc.records import record
 

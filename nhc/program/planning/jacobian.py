@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
+from nhc.algebra.calculus import gradient, pullback_gradient, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.walks import count, reachable
 from nhc.program.plan import Entry, FunctionPlan, SolvePlan, SweepPlan, Target
 from nhc.program.planning.base import PlannerBase
 from nhc.program.planning.mass_route import Solver

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.detour import Detour, find_detour
@@ -130,8 +130,8 @@ def _other_tree(equations: Equations) -> Elimination | None:
     size, motion = len(equations.motion.w), equations.motion
     if size < 2 or (size <= FEW and motion.velocities != motion.w):
         return None
+    from nhc.mechanics.energies.whole_forms import whole_kinetic
     from nhc.mechanics.trees.choice import tree_of
-    from nhc.mechanics.whole_forms import whole_kinetic
 
     kinetic = whole_kinetic(equations.system)
     return tree_of(equations.system, motion, kinetic) if kinetic is not None else None

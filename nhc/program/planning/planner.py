@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 
-from nhc.algebra.calculus import count, reachable
 from nhc.algebra.graph import POW, Node
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import without_sign
+from nhc.algebra.walks import count, reachable
 from nhc.mechanics.formulate import accelerations, reaction_ways
 from nhc.mechanics.frame import form_value, kept_forms
 from nhc.mechanics.system import Form

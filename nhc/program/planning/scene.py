@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import MUL, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import Matrix, without_sign
+from nhc.algebra.walks import reachable
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.reduction.reduce import Reduction
-from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.mechanics.starts.scenes import Start, kept_velocities
 from nhc.program.ir import Quantity
 from nhc.program.plan import Entry, FunctionPlan
 from nhc.program.planning.planner import Planner

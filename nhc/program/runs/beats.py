@@ -11,8 +11,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nhc.algebra.calculus import count, derivative
+from nhc.algebra.calculus import derivative
 from nhc.algebra.graph import POW, Node
+from nhc.algebra.walks import count
 from nhc.mechanics.system import System
 from nhc.program.ir import Beats
 from nhc.program.planning.base import PlannerBase

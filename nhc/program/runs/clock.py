@@ -16,9 +16,9 @@ from functools import lru_cache
 from itertools import pairwise
 from math import exp, inf, isfinite, nan, sin, ulp
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate_into
 from nhc.algebra.graph import POW, Graph, Node
+from nhc.algebra.walks import reachable
 from nhc.mechanics.system import System
 from nhc.program.ir import Stop
 from nhc.records import record

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.mechanics.scenes import Start
+from nhc.mechanics.starts.scenes import Start
 from nhc.mechanics.system import System
 from nhc.program.ir import NO_DRIVING, Driving, Needed, SceneData, Stop
 from nhc.program.planning.planner import Planner

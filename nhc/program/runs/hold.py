@@ -13,14 +13,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.constancy import has_jumps
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turning import moving
 from nhc.program.ir import Function, Hold
 from nhc.program.plan import SolvePlan
 from nhc.program.planning.planner import Planner

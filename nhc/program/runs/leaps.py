@@ -14,10 +14,11 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from nhc.algebra.bounds.interval import Interval, bounds, cannot_vanish
-from nhc.algebra.calculus import count, reachable, substitute
 from nhc.algebra.graph import POW, Graph, Node
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import count, reachable
 from nhc.mechanics.regular.regularity import intervals
-from nhc.mechanics.turning import moving
+from nhc.mechanics.rotations.turning import moving
 from nhc.program.ir import Leaps
 from nhc.program.planning.base import PlannerBase
 from nhc.program.runs.clock import CORNERS, HIGH, STEPS, list_reached

@@ -16,13 +16,13 @@ from fractions import Fraction
 from itertools import islice
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
-from nhc.algebra.calculus import count
 from nhc.algebra.dense import Singular, pivot_signs, solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.algebra.solving.sizes import size_of
+from nhc.algebra.walks import count
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.values import scene_values
 from nhc.program.plan import SolvePlan

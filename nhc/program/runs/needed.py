@@ -9,16 +9,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.exact.modular import Unlucky
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.dependence import find_dependence
-from nhc.mechanics.drawing import Sketch, sketch_of
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
-from nhc.mechanics.turning import moving
+from nhc.mechanics.resolving.drawing import Sketch, sketch_of
+from nhc.mechanics.rotations.turning import moving
 from nhc.program.ir import Function
 from nhc.program.planning.planner import Planner
 from nhc.program.planning.scene import ScenePlanner

@@ -15,7 +15,7 @@ from nhc.language.spec import Scene
 from nhc.mechanics.regular.given_rank import find_dependent_as_given, find_dependent_row, given_states
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.regular.undefined import find_pole, find_undefined
-from nhc.mechanics.scenes import Start, kept_velocities, left_at_zero, place_of
+from nhc.mechanics.starts.scenes import Start, kept_velocities, left_at_zero, place_of
 from nhc.program.planning.planner import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
+from nhc.mechanics.rotations.turning import regular_energy
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import regular_energy
 from nhc.program.ir import Argument, Function
 from nhc.program.lowering.lower import lower_function
 from nhc.program.plan import FunctionPlan, Target

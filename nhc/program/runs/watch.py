@@ -14,11 +14,12 @@ from fractions import Fraction
 from itertools import chain
 
 from nhc.algebra.bounds.interval import cannot_vanish
-from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.algebra.solving.sizes import row_scale, size_of
+from nhc.algebra.walks import count
 from nhc.mechanics.properties.singular import find_rank_loss, find_vanishing_factors, find_vanishing_minors
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.regular.trials import usual_digits, usual_part

@@ -6,17 +6,18 @@ import re
 from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass, field, replace
 
-from nhc.algebra.calculus import count, substitute
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import NEG, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.paper import shortest
+from nhc.algebra.walks import count
 from nhc.exterior import Form
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
-from nhc.mechanics.rotation import name_entries
+from nhc.mechanics.rotations.rotation import name_entries
+from nhc.mechanics.rotations.turning import rows_in_base
 from nhc.mechanics.system import Form as VelocityForm
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import rows_in_base
 from nhc.program.sheets.model import LATIN, OTHER, Formula, Mark, Prose, Table
 from nhc.records import record
 

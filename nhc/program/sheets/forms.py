@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.algebra.calculus import count, gradient, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import count
 from nhc.exterior import Form, basis_form, one_form, wedge
 from nhc.mechanics.formulations import euler_lagrange, lagrange, multipliers, voronec
 from nhc.mechanics.rows import omega_of

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
+from nhc.algebra.walks import count
 from nhc.diagnostics import quote
 from nhc.mechanics.frame import Frame
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from nhc.algebra.calculus import count
+from nhc.algebra.walks import count
 from nhc.diagnostics import Bag
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.facts import describe
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.program.sheets.draft import Desk, DraftSheet
 

@@ -5,18 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.algebra.calculus import count, derivative, gradient, substitute
+from nhc.algebra.calculus import derivative, gradient
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import solve
+from nhc.algebra.walks import count
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.formulations.euler_lagrange import quasi_energy
 from nhc.mechanics.formulations.lagrange import momenta
 from nhc.mechanics.formulations.multipliers import multiplier_symbols
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.properties.constancy import has_jumps
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
-from nhc.mechanics.turning import moving
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
 from nhc.program.sheets.forms import Forms
 from nhc.program.sheets.formulas import CONTRACTION, CONTRACTION_QUASI, ENERGY_THEOREM, EQUATIONS, POINCARE, REACTION

@@ -10,11 +10,12 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from nhc.algebra.calculus import count, reachable, rebuild, substitute
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.rebuilding import rebuild, substitute
 from nhc.algebra.rewriting.joined import find_whole, join_sums
+from nhc.algebra.walks import count, reachable
 from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftSheet, Part
 
 _REPEATED = 8  # operations from which a repeated expression gets a name

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import NEG, SYM, Node
+from nhc.algebra.walks import reachable
 from nhc.program.ir import Expr, Negate, Power, Ref
 from nhc.program.lowering.lower import Lowering
 from nhc.program.lowering.naming import identifier

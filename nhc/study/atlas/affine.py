@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, open_system
 from nhc.study.stability.bench import open_bench
 from nhc.study.stability.drift import LongRun, long_run

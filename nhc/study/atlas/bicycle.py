@@ -8,7 +8,7 @@ from scipy.linalg import expm
 from nhc.mechanics.about import scene_about, state_of
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, open_runner, open_system
 from nhc.study.linearization.field import SteadyModel

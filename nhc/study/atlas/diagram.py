@@ -12,7 +12,7 @@ from nhc.algebra.graph import Node
 from nhc.mechanics.certificates.claims import Claim, reference_claim, solve_in_doubles, wrong_claims
 from nhc.mechanics.choosing.choose import applicable, dependent_of
 from nhc.mechanics.frame import coordinate_frame
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, open_runner, open_system
 

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from nhc.mechanics.about import scene_about
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.simulate.task import CROSSED, DONE
 from nhc.study.atlas.scenario import Measure, Runner, Scenario, Verdict, open_runner, open_system

@@ -8,7 +8,7 @@ import numpy as np
 
 from nhc.diagnostics import SpecError
 from nhc.mechanics.about import scene_about
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings
 from nhc.simulate.run import run as run_scene

@@ -5,7 +5,7 @@ from __future__ import annotations
 from nhc.mechanics.about import scene_about
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.simulate.prepare import Recipe, prepare
 from nhc.simulate.task import DONE, Task
 from nhc.simulate.workshop import load

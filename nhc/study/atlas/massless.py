@@ -9,8 +9,8 @@ from nhc.algebra.evaluate import evaluate
 from nhc.diagnostics import Source, SpecError
 from nhc.language import decode
 from nhc.mechanics.about import scene_about
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import start_of
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, open_runner, open_system
 
 _TWICE = """nhc: 1

@@ -8,7 +8,7 @@ from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.certificates.claims import wrong_claims
 from nhc.mechanics.choosing.choose import applicable
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings
 from nhc.simulate.run import run as run_scene

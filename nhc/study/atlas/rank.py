@@ -9,7 +9,7 @@ import numpy as np
 from nhc.algebra.evaluate import evaluate
 from nhc.diagnostics import SpecError
 from nhc.mechanics.about import scene_about
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.values import default_values
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings

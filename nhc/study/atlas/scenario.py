@@ -14,8 +14,8 @@ from nhc.language import decode, read
 from nhc.mechanics.about import scene_about
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.program.runs.watch import Watch
 from nhc.records import record

@@ -9,7 +9,7 @@ from nhc.diagnostics import Bag
 from nhc.language.spec import Scene, Spec
 from nhc.language.units.derived import derive_units
 from nhc.language.units.dimensions import UnitError, base_words, parse_unit
-from nhc.mechanics.scenes import report_scene
+from nhc.mechanics.starts.scenes import report_scene
 from nhc.simulate.requests import list_needs
 
 

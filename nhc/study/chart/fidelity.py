@@ -12,8 +12,8 @@ from nhc.language import decode
 from nhc.language.spec import Scene, Spec
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import start_of
 from nhc.program.scene_model import SceneModel, count_operations_of, scene_model
 from nhc.records import record
 from nhc.simulate.auto import choose_method

@@ -9,7 +9,7 @@ from nhc.language.spec import FORMULATIONS, Need, Scene, Spec
 from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduction.reduce import Reduction
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.program.ir import Function, Let, Origin, Result, Section, Statement, Store, Sweep
 from nhc.program.scene_model import reduce_one, scene_model

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from nhc.language.spec import Scene
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.simulate.methods import STRUCTURE
 from nhc.simulate.natural import NaturalModel

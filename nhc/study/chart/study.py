@@ -9,7 +9,7 @@ from dataclasses import replace
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.language.spec import Scene
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.simulate.c.compile import CompileError, find_compiler
 from nhc.simulate.interpreted import InterpretedModel

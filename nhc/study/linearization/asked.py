@@ -7,12 +7,12 @@ from contextlib import suppress
 
 import numpy as np
 
-from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.language.spec import Initial, Scene
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.linearize import quantity
-from nhc.mechanics.turning import moving
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.values import coordinate_ranges
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.steady import NotSteady, Steady, find_steady

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from nhc.algebra.calculus import gradient, reachable
+from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import Mpmath, evaluate_into
 from nhc.algebra.graph import Node
+from nhc.algebra.walks import reachable
 from nhc.study.linearization.field import RANK, Hold, SteadyModel
 from nhc.study.linearization.roots import Equations
 from nhc.study.linearization.turns import Turn, combined

@@ -10,8 +10,9 @@ from functools import cached_property
 
 import numpy as np
 
-from nhc.algebra.calculus import gradient, reachable
+from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Node
+from nhc.algebra.walks import reachable
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.linearize import HiddenLeaf

@@ -32,7 +32,7 @@ from nhc.mechanics.linearize import (
 )
 from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.regular.regularity import choose_dependent
-from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record

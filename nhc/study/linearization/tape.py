@@ -9,9 +9,10 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from nhc.algebra.calculus import gradient, reachable
+from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, SYM, Graph, Node
+from nhc.algebra.walks import reachable
 
 _ADD, _MUL, _NEG, _POW, _SIN, _COS, _SQRT, _OTHER = range(8)
 _CODES = {ADD: _ADD, MUL: _MUL, NEG: _NEG, POW: _POW, "sin": _SIN, "cos": _COS, "sqrt": _SQRT}

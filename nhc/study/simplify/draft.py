@@ -15,7 +15,7 @@ from nhc.language.spec import Scene
 from nhc.language.yaml_tree.extend import merge_bases
 from nhc.language.yaml_tree.nodes import Table
 from nhc.language.yaml_tree.reader import read_nodes
-from nhc.mechanics.scenes import Start
+from nhc.mechanics.starts.scenes import Start
 from nhc.records import record
 from nhc.study.simplify.candidate import Candidate, expand, group, hold
 from nhc.study.simplify.zero import ZERO, is_infinite, is_zero, list_terms, replace_parts

@@ -17,8 +17,8 @@ from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.regular.undefined import are_defined
-from nhc.mechanics.scenes import Start
-from nhc.mechanics.turning import mass_matrix
+from nhc.mechanics.rotations.turning import mass_matrix
+from nhc.mechanics.starts.scenes import Start
 from nhc.program.build import build_functions
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.limits import LEAST_TOLERANCE, SAFETY

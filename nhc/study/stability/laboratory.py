@@ -9,7 +9,7 @@ from typing import TypeVar
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation, build
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.records import record
 from nhc.simulate.requests import find_scene
 from nhc.study.stability.bench import Bench, open_bench

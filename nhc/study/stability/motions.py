@@ -16,7 +16,7 @@ from nhc.mechanics.flow import Flow
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import kept_forms
 from nhc.mechanics.linearize import reduced
-from nhc.mechanics.scenes import Start, kept_velocities, start_of
+from nhc.mechanics.starts.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel

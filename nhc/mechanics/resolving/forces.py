@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from nhc.algebra.graph import Node
 from nhc.language.spec import Definition
-from nhc.mechanics.expressions import Resolver, tangent_slopes
+from nhc.mechanics.resolving.expressions import Resolver, tangent_slopes
+from nhc.mechanics.rotations.turning import spread
 from nhc.mechanics.system import Form
-from nhc.mechanics.turning import spread
 
 
 def resolve_forces(

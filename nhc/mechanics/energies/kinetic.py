@@ -15,15 +15,16 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import cached_property
 
-from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import is_zero
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import degrees, linear_form
-from nhc.mechanics import turning
+from nhc.mechanics.rotations import turning
+from nhc.mechanics.rotations.turning import Direction
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turning import Direction
 from nhc.mechanics.values import scene_values
 from nhc.records import fresh, record
 
@@ -121,7 +122,7 @@ def energy_as_squares(system: System) -> Node:
         memo[system.T] = system.T
         may = not system.rotations and "completed squares" not in g.off
         if may and _has_products(g, system.T, degrees(g, system.v)) and _has_moving_products(system):
-            from nhc.mechanics.squares import complete_squares  # here, for few specs need it
+            from nhc.mechanics.energies.squares import complete_squares  # here, for few specs need it
 
             memo[system.T] = complete_squares(system) or system.T
     return memo[system.T]

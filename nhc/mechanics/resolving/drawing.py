@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.graph import Graph, Node
 from nhc.language.spec import Figure, Place
-from nhc.mechanics.expressions import Resolver, define_names
+from nhc.mechanics.resolving.expressions import Resolver, define_names
 from nhc.mechanics.system import System
 from nhc.records import record
 

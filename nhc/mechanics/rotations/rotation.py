@@ -18,9 +18,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.mechanics.turns import Vector, cross
+from nhc.algebra.rebuilding import substitute
+from nhc.mechanics.rotations.turns import Vector, cross
 from nhc.records import fresh, identity_record
 
 Turning = tuple[Node, Node, Node, Node]

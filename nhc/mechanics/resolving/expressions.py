@@ -17,7 +17,7 @@ from nhc.language import Spec
 from nhc.language.expressions.numbers import DOUBLES
 from nhc.language.expressions.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.language.spec import Rotation
-from nhc.mechanics import rotation as mechanics
+from nhc.mechanics.rotations import rotation as mechanics
 from nhc.mechanics.system import Form
 
 _LARGEST = Fraction(sys.float_info.max)

@@ -16,10 +16,10 @@ from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Span, quote, several, suggest
 from nhc.language.expressions.syntax import Syntax
 from nhc.language.spec import Scene, Spec
-from nhc.mechanics.assembly import assemble
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.regular.trials import velocity_units
+from nhc.mechanics.starts.assembly import assemble
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
 from nhc.records import record

@@ -1,17 +1,18 @@
 """T's velocity forms with the functions that stand in front of them.
 
-:mod:`nhc.mechanics.kinetic` takes every factor out of a form, which leaves the fewest forms; where forms continue one another
-the first of them, y1' = l sin(th1) th1', has to stay what the next ones, y2' = y1' + l sin(th2) th2', are made of.
+:mod:`nhc.mechanics.energies.kinetic` takes every factor out of a form, which leaves the fewest forms; where forms continue one
+another the first of them, y1' = l sin(th1) th1', has to stay what the next ones, y2' = y1' + l sin(th2) th2', are made of.
 """
 
 from __future__ import annotations
 
 from collections.abc import Container
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import MUL, NEG, Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import degrees
-from nhc.mechanics.kinetic import Kinetic, energy_as_squares, list_atoms
+from nhc.mechanics.energies.kinetic import Kinetic, energy_as_squares, list_atoms
 from nhc.mechanics.system import System
 
 

@@ -9,9 +9,9 @@ from fractions import Fraction
 from nhc.algebra.graph import Graph, Node
 from nhc.language import Spec
 from nhc.language.expressions.syntax import Syntax
-from nhc.mechanics.expressions import Resolver, define_names, tangent_slopes
-from nhc.mechanics.forces import resolve_forces
 from nhc.mechanics.regular.dependent_rows import check_freedom, check_rank
+from nhc.mechanics.resolving.expressions import Resolver, define_names, tangent_slopes
+from nhc.mechanics.resolving.forces import resolve_forces
 from nhc.mechanics.system import Form, System
 
 _LARGEST = Fraction(sys.float_info.max)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import list_factors, list_terms
-from nhc.mechanics.turns import Path, Turn
+from nhc.mechanics.rotations.turns import Path, Turn
 from nhc.records import record
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import NotLinear, linear_form
-from nhc.mechanics.rotation import Rotation, put, square
+from nhc.mechanics.rotations.rotation import Rotation, put, square
+from nhc.mechanics.rotations.turns import Vector
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.turns import Vector
 
 # --- vectors ------------------------------------------------------------------------------------------------
 

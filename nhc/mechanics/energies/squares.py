@@ -17,15 +17,17 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
 
-from nhc.algebra.calculus import count, derivative, reachable, substitute, tangent
+from nhc.algebra.calculus import derivative, tangent
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.expand import Coefficient, Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, Node
 from nhc.algebra.parts import split_parameters
 from nhc.algebra.polynomial import polynomial, to_node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.terms import divide, put, root
+from nhc.algebra.walks import count, reachable
+from nhc.mechanics.rotations.turning import along
 from nhc.mechanics.system import System
-from nhc.mechanics.turning import along
 from nhc.records import record
 
 _TERMS = 1000

@@ -1,0 +1,68 @@
+"""Walks over the graph: which nodes others are made of, and how many.
+
+All passes loop over node numbers (children come before parents), so deep expressions need no deep stack.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable, Sequence
+
+from nhc.algebra.graph import NEG, POW, Graph, Node
+
+_WALKS = 32  # that are remembered
+
+
+def reachable(
+    graph: Graph, roots: Iterable[Node], within: int = -1, known: Container[Node] | None = None
+) -> list[Node]:
+    """The nodes that the roots are made of, in increasing order.
+
+    With ``within``, only those that contain one of its symbols; what is ``known`` is left out, and not walked into.
+    """
+    if within == -1 and known is None:
+        return _list_below(graph, roots).copy()
+    kids, deps = graph.kids, graph.deps
+    every, passed = within == -1, known or ()
+    seen = {root for root in roots if root not in passed and (every or deps[root] & within)}
+    stack = list(seen)
+    while stack:
+        for child in kids[stack.pop()]:
+            if child not in seen and child not in passed and (every or deps[child] & within):
+                seen.add(child)
+                if kids[child]:
+                    stack.append(child)
+    return sorted(seen)
+
+
+def _list_below(graph: Graph, roots: Iterable[Node]) -> list[Node]:
+    """The nodes that the roots are made of, in increasing order: the graph's own list, which nobody else may change."""
+    asked, reached = tuple(roots), graph.reached
+    if asked in reached:  # passes ask for the same roots one after the other, and each point for those of all claims
+        return reached[asked]
+    kids = graph.kids
+    seen = set(asked)
+    stack = list(seen)
+    while stack:
+        for child in kids[stack.pop()]:
+            if child not in seen:
+                seen.add(child)
+                if kids[child]:
+                    stack.append(child)
+    found = sorted(seen)
+    if len(reached) == _WALKS:
+        del reached[next(iter(reached))]
+    reached[asked] = found
+    return found
+
+
+def count(graph: Graph, roots: Sequence[Node]) -> int:
+    """Operations that the shared roots cost; leaves and signs are free, and powers are products."""
+    op, kids, exponents, total = graph.op, graph.kids, graph.b, 0
+    for node in _list_below(graph, roots):
+        kind = op[node]
+        if kind == POW:
+            size = abs(exponents[node])  # multiplications by squaring, and the division of a negative one
+            total += size.bit_length() + size.bit_count() - 2 + (exponents[node] < 0)
+        elif kids[node] and kind != NEG:
+            total += 1
+    return total

@@ -1,0 +1,1 @@
+"""Rotations and turns: quaternions, chains of axes, components along directions."""

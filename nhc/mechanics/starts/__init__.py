@@ -1,0 +1,1 @@
+"""Where a scene starts: loops closed, velocities completed so that the constraints hold."""
