@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from nhc.study.linearization.steady import NotSteady, Steady, find_steady
 
 SNAP = 1e-11
 """What differs by no more, relative to its size, is the same."""
+_NOTHING = 1e-15
 _LOST = 0.1  # of the kinetic energy: a motion with less is not the one that was asked about
 _SLIGHT = 1e-3  # of the kinetic energy: a velocity of a scene with less is a disturbance
 _FARTHER = 2.0  # times the way to the nearest steady motion: where the velocities of a scene must not lead
@@ -79,7 +81,18 @@ def keep_speeds(
                 continue
             best = other
         holds = kept
-    return best
+    return _as_given(model, guess, best)
+
+
+def _as_given(model: SteadyModel, guess: Sequence[float], steady: Steady) -> Steady:
+    """With the values of the guess where the search's differ from them by rounding only, if that is as steady."""
+    pairs = zip(steady.y, guess, strict=True)
+    y = tuple(own if abs(x - own) <= SNAP * (1.0 + abs(x)) else x for x, own in pairs)
+    if steady.turning is not None or y == steady.y:
+        return steady
+    rest = list(model.rest)
+    left, before = (float(np.max(np.abs(model.field(at)[0])[rest], initial=0.0)) for at in (y, steady.y))
+    return replace(steady, y=y) if left <= max(before, _NOTHING * (1.0 + max(map(abs, y)))) else steady
 
 
 def _way(model: SteadyModel, guess: Sequence[float], steady: Steady) -> float:
