@@ -7,7 +7,10 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from fractions import Fraction
 
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.solving.linear import depends, solve_rows
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language import Initial, Name, Number, Override, Prime, Scene, Spec, Syntax, walk
 from nhc.language.expressions.names import fold_typed
@@ -15,6 +18,7 @@ from nhc.language.expressions.parser import parse_expression
 from nhc.language.orientation import scaled
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, kept_forms
+from nhc.mechanics.linearize import quantity
 from nhc.mechanics.resolving.expressions import Resolver
 from nhc.mechanics.starts.scenes import Start, kept_velocities, report_scene
 from nhc.records import record
@@ -129,7 +133,13 @@ def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
     parameters = tuple(p.name for p in spec.parameters)
     allowed = ("pi",) if pair.name in parameters else (*parameters, "pi")
     place = spec.key_span("coordinates")  # what is wrong with the start is reported in the spec's text
+    named = (*spec.definitions, *spec.quasi_velocities, *spec.outputs)
+    variables = {*(c.name for c in spec.coordinates), *(one.name for one in named), *parameters, "t", "pi"}
     for node in walk(pair.value):
+        if isinstance(node, Name) and node.name not in variables:
+            help = suggest(node.name, allowed, f"a value holds numbers and {quote(allowed[:12])}")
+            bag.error("E0302", f"unknown name `{node.name}`", node.span, help=(help,))
+            return scene
         if isinstance(node, Prime) or (isinstance(node, Name) and node.name not in allowed):
             help = "a value holds numbers, `pi` and parameters only, that of a parameter no other parameters"
             bag.error("E0314", f"`{pair.name}` has a value that is not constant", node.span, help=(help,))
@@ -168,17 +178,39 @@ def state_of(flow: Flow, frame: Frame | None, start: Start) -> tuple[float, ...]
 
 
 def point_of(flow: Flow, scene: Scene) -> dict[Node, Node] | None:
-    """The scene's start as nodes over the parameters; None where a given velocity is not one that the state keeps, or where a
-    coordinate follows from the others.
+    """The scene's start as nodes over the parameters; None where velocities or coordinates follow from others by no formula.
+
+    Velocities that the state does not keep are solved for as many of those that it keeps; whatever else is free is zero.
     """
     system, build = flow.system, Resolver(flow.system.spec)
     build.graph = g = system.graph
     names = {"pi": g.pi(), **{p.name: node for p, node in zip(system.spec.parameters, system.p, strict=True)}}
     point = dict.fromkeys(flow.y, g.zero)
     point.update((node, g.number(c.start)) for node, c in zip(system.q, system.spec.coordinates, strict=True))
+    given, rows = set[Node](), list[Node]()
     for entry in scene.initial:
         name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
-        if name not in flow.names or entry.near:
+        node = None if entry.near else quantity(flow, name)
+        if node is None:
             return None
-        point[flow.y[flow.names.index(name)]] = build.node(entry.value, names)
-    return point
+        value = build.node(entry.value, names)
+        if name in flow.names:
+            point[node] = value
+            given.add(node)
+        else:
+            rows.append(g.sub(node, value))
+    return _completed(flow, point, given, rows) if rows else point
+
+
+def _completed(flow: Flow, point: dict[Node, Node], given: set[Node], rows: Sequence[Node]) -> dict[Node, Node] | None:
+    """The point with as many of its velocities that were not given as there are rows, which are linear in them and vanish."""
+    g, free = flow.graph, [w for w in flow.y[flow.system.n :] if w not in given]
+    rows = substitute(g, rows, {symbol: value for symbol, value in point.items() if symbol not in free})
+    asked = [w for w in free if any(depends(g, rows, [w]))]
+    if len(asked) != len(rows):
+        return None
+    try:
+        values, _ = solve_rows(g, rows, asked)
+    except Singular:
+        return None
+    return {**point, **dict(zip(asked, values, strict=True))}

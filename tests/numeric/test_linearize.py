@@ -472,7 +472,7 @@ def test_a_force_that_is_switched_on_makes_nothing_steady() -> None:
     [
         (Request("nothing"), "E0503"),
         (Request("thete=1"), "E0419"),
-        (Request("theta=oops"), "E0314"),
+        (Request("theta=oops"), "E0302"),
         (Request("theta"), "E0503"),
         (Request("theta=1, 2"), "E0208"),
         (Request("1, theta=1=2, 2"), "E0208 E0208 E0208"),
@@ -586,6 +586,34 @@ def test_what_only_rounding_has_moved_is_as_it_was_given() -> None:
     steady = dict(zip(found.flow.names, found.linearisation.steady.y, strict=True))
     assert (steady["psi"], steady["psi'"]) == (0.3, 0.4)
     assert abs(steady["th"]) < 1e-11  # this was a disturbance
+
+
+def test_velocities_that_the_state_does_not_keep_give_it_expressions() -> None:
+    """The disk's rolling speed x' = -R w_n in place of w_n."""
+    kept = find("rolling_disk", "theta=pi/2, w_n=-3")
+    given = find("rolling_disk", "theta=pi/2, x'=1.5")
+    assert given.linearisation.steady.y == pytest.approx(kept.linearisation.steady.y, abs=1e-14)
+    assert given.paper == kept.paper and any(entry not in ("0", "1") for row in given.paper for entry in row)
+
+
+def test_a_start_that_is_completed_in_another_way_has_no_expressions() -> None:
+    """One given velocity of two that are free: which of the kept ones it is about is not for a formula to say."""
+    source = Source(
+        "pair.yaml",
+        "nhc: 1\nsystem: pair\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nU: -x^2\nconstraints: [z' = x' + y']\n",
+    )
+    found = linearize(source, Request("z'=1"), Options(formulation="voronec"))
+    assert found.paper == () and found.why == "the state is no expression in the parameters"
+
+
+def test_an_unknown_name_in_a_value_of_a_motion_is_named() -> None:
+    with pytest.raises(SpecError) as caught:
+        find("rolling_disk", "theta=pi/2, x'=r*3")
+    (one,) = caught.value.diagnostics
+    assert (one.code, one.message, one.help) == ("E0302", "unknown name `r`", ("did you mean `R`?",))
+    with pytest.raises(SpecError) as caught:
+        find("rolling_disk", "theta=pi/2, x'=theta")
+    assert caught.value.diagnostics[0].code == "E0314"
 
 
 def test_a_search_that_runs_off_says_so() -> None:

@@ -216,6 +216,8 @@ def _exact_place(
     for i, (symbol, value) in enumerate(zip(flow.y, steady.y, strict=True)):
         turns = round(value / (math.pi / 2))
         if i in model.cyclic or abs(value - guess[symbol]) <= SNAP * (1.0 + abs(value)):
+            if abs(model.value(steady.y, point[symbol]) - guess[symbol]) > SNAP * (1.0 + abs(value)):
+                return None  # the start is completed in another way
             place[symbol] = point[symbol]
         elif abs(value - turns * math.pi / 2) <= SNAP and symbol in flow.system.q:
             place[symbol] = g.mul(g.div(g.number(turns), g.number(2)), g.pi())
