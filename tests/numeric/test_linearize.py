@@ -586,6 +586,11 @@ def test_what_only_rounding_has_moved_is_as_it_was_given() -> None:
     steady = dict(zip(found.flow.names, found.linearisation.steady.y, strict=True))
     assert (steady["psi"], steady["psi'"]) == (0.3, 0.4)
     assert abs(steady["th"]) < 1e-11  # this was a disturbance
+    made = model(Source("carriage.yaml", CARRIAGE))
+    assert (
+        steady_motion(made.equations, made.formulation, Search("roll")).linearisation.steady.y[4:]
+        == (found.linearisation.steady.y[4:])
+    )
 
 
 def test_velocities_that_the_state_does_not_keep_give_it_expressions() -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.graph import Node
+from nhc.language import Scene
 from nhc.mechanics.about import scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
@@ -19,12 +20,14 @@ from nhc.mechanics.linearize import reduced
 from nhc.mechanics.starts.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
+from nhc.study.linearization.asked import keep_ranges, keep_speeds
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.linearize import Linearisation, linearise_at
 from nhc.study.linearization.motion import branch_of, nearest_of, read_holds, steady_model
 from nhc.study.linearization.steady import Locked, NotSteady, SingularFrame, Steady, check_smooth, find_steady
 from nhc.study.linearization.sweep import Sweep, sweep
 
+START = "the start"
 SweepRange = tuple[str, float, float, int]
 
 
@@ -71,27 +74,36 @@ def steady_motion(
     """
     system = equations.system
     better = reduced(system, formulation)
-    start = start_of(system, scene_about(system.spec, search.about, search.settings))
+    scene = scene_about(system.spec, search.about, search.settings)
+    start = start_of(system, scene)
     try:
-        return _motion(
-            equations if better is formulation else equations_of(system, better), better, search, start, beside
-        )
+        own = equations if better is formulation else equations_of(system, better)
+        return _motion(own, better, search, scene, start, beside)
     except SingularFrame:
 
         def study(own: System, other: Formulation) -> Motion:
-            return _motion(equations_of(own, other), other, search, start, beside)
+            return _motion(equations_of(own, other), other, search, scene, start, beside)
 
         return nearest_of(system, start, study, lambda made: (made.model, made.linearisation.steady))
 
 
 def _motion(
-    equations: Equations, better: Formulation, search: Search, start: Start, beside: Sequence[tuple[float, Start]]
+    equations: Equations,
+    better: Formulation,
+    search: Search,
+    scene: Scene,
+    start: Start,
+    beside: Sequence[tuple[float, Start]],
 ) -> Motion:
     model = steady_model(equations, better, start.p)
     guess = state_of(model.flow, better.frame, start)
     held = tuple(Hold(text, node, model.value(guess, node)) for text, node in search.hidden)
     holds = tuple(hold for text in search.holds for hold in read_holds(model, text, guess))
     steady, holds, place, regularity = _find(model, guess, (holds, held), beside)
+    if regularity > SINGULAR and place == START:
+        nearest = keep_ranges(model, guess, steady, holds)
+        steady = keep_speeds(model, scene, guess, nearest, holds)
+        regularity = model.regularity(steady.y)
     if regularity > SINGULAR:
         check_smooth(model, steady)
     made = linearise_at(model, steady)
@@ -119,7 +131,7 @@ def _find(
 ) -> tuple[Steady, tuple[Hold, ...], str, float]:
     """The steady motion, what was held for it, from where it was found, and how regular the coordinates are there."""
     asked, hidden = holds
-    guesses = [("the start", tuple(guess))]
+    guesses = [(START, tuple(guess))]
     forms = kept_forms(model.flow.system, model.frame)
     for t, start in beside:
         guesses.append((f"the scene at t = {t:.6g}", (*start.q, *kept_velocities(model.flow.system, forms, start))))
