@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.exact.modular import are_zero, is_zero, rank
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.linear import is_clearly_regular
-from nhc.diagnostics import Bag, several
+from nhc.diagnostics import Bag, quote, several
 from nhc.language import Spec
 from nhc.mechanics.regular.given_rank import find_dependent_as_given
 from nhc.mechanics.system import Form, System
@@ -29,12 +30,12 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
     rows = sorted(zip(system.constraints, spans, strict=True), key=lambda row: row[0].name not in norms)
     for form, span in rows:  # what a rotation brings comes first: what repeats it is the user's
         linear = [list(f.coefficients) for f in (*kept, form)]
-        if rank(g, linear) == len(linear) and not loses_rank(g, linear):
+        if _are_independent(g, linear):
             kept.append(form)
             continue
         full = [[*f.coefficients, f.constant] for f in (*kept, form)]
         empty = all(are_zero(g, form.coefficients))
-        if (rank(g, full) == len(full) and not loses_rank(g, full)) or _is_apart(g, system, form, kept):
+        if _are_independent(g, full) or _is_apart(g, system, form, kept):
             bag.error(
                 "E0403",
                 f"the constraint `{form.name}` " + ("cannot hold" if empty else "contradicts those before it"),
@@ -50,10 +51,29 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
                 notes=(
                     "no velocity is left in it"
                     if empty
-                    else f"the rows have rank {len(kept)} with it as without it, so the reactions would not be unique",
+                    else f"{_tell_sources(g, form, kept, norms)}, so the reactions would not be unique",
                 ),
                 help=(_advise_repeated(form, kept, empty),),
             )
+
+
+def _are_independent(g: Graph, matrix: Sequence[Sequence[Node]]) -> bool:
+    return rank(g, matrix) == len(matrix) and not loses_rank(g, matrix)
+
+
+def _tell_sources(g: Graph, form: Form, kept: Sequence[Form], norms: AbstractSet[str]) -> str:
+    """Of which rows a dependent one is made: those without which it is independent of the rest."""
+    sources = list(kept)
+    for other in kept:
+        fewer = [one for one in sources if one is not other]
+        if fewer and not _are_independent(g, [list(f.coefficients) for f in (*fewer, form)]):
+            sources = fewer
+    names = [f.name for f in sources if f.name not in norms]
+    if not names:
+        return f"it says what the rotation `{sources[0].name.removesuffix('_norm')}` says by itself"
+    if len(names) == 1:
+        return f"it is `{names[0]}` times a factor"
+    return f"it is a combination of {quote(names[:-1])} and {quote(names[-1:])}"
 
 
 def _advise_repeated(form: Form, kept: Sequence[Form], empty: bool) -> str:
