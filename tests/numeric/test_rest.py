@@ -96,6 +96,52 @@ def test_what_cancels_beside_entries_that_are_zero_is_rounding(method: str, comp
     assert found.rows[-1] == pytest.approx([-0.5, -4.905, 0.0, 0.0], abs=1e-9)
 
 
+def circle(count: int) -> float:
+    """theta(10) of a pendulum that goes round at nearly one height, theta'' = sin(theta) (cos(theta) phi'^2 - g), with
+    sin(theta)^2 phi' constant, by ``count`` steps of the classical method.
+    """
+    momentum = math.sin(1) ** 2 * 4.261055115606757
+
+    def force(theta: float) -> float:
+        return math.cos(theta) * momentum**2 / math.sin(theta) ** 3 - 9.81 * math.sin(theta)
+
+    theta, speed, h = 1.0, 0.0, 10.0 / count
+    for _ in range(count):
+        a = force(theta)
+        b = force(theta + h / 2 * speed)
+        c = force(theta + h / 2 * (speed + h / 2 * a))
+        d = force(theta + h * (speed + h / 2 * b))
+        theta += h * (speed + h / 6 * (a + b + c))
+        speed += h / 6 * (a + 2 * b + 2 * c + d)
+    return theta
+
+
+@pytest.mark.parametrize(
+    ("method", "compiled", "most"),
+    [("dop853", True, 10000), ("dop853", False, 10000), ("dopri5", True, 25000), ("radau5", True, 150000)],
+)
+@pytest.mark.parametrize("needs", [(), ("theta", "phi")])
+def test_lengths_do_not_follow_rounding_down(method: str, compiled: bool, most: int, needs: tuple[str, ...]) -> None:
+    """theta' is 1e-6, of terms of order ten that cancel: beside a tolerance of 1e-12 their rounding is motion, and no step is
+    refused while the next one is always hardly shorter, and none the better for it.
+    """
+    job = open_scene(read(str(spec_path("spherical_pendulum"))), "conical", method=method, needs=needs)
+    found = run(job, Settings(method, 1e-12, 0.0, 2, compiled, most=200_000))
+    assert found.ended == "done" and found.outcome.calls <= most
+    assert found.rows[-1][0] == pytest.approx(circle(40_000), abs=1e-12)
+
+
+def test_lengths_do_not_follow_rounding_down_in_a_driver(tmp_path: Path) -> None:
+    files = emit(read(str(spec_path("spherical_pendulum"))), "c", Options(driver=True))
+    counted = files["spherical_pendulum_main.c"].replace("s->tried % STRIDE", "s->tried % 2000")
+    assert counted != files["spherical_pendulum_main.c"]
+    counted = counted.replace("s->stalls >= PATIENCE", "1")  # gives up at the 2000th step
+    program = compile_c({**files, "spherical_pendulum_main.c": counted}, tmp_path, "spherical_pendulum", library=False)
+    done = subprocess.run([program, "conical", "2", "1e-13"], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert float(done.stdout.splitlines()[-1].split(",")[1]) == pytest.approx(circle(40_000), abs=1e-12)
+
+
 SWIMMER = """nhc: 1
 system: swimmer
 about: A sleigh on an edge that a wheel turns to and fro; at the start everything is exactly zero, the wheel's torque too.

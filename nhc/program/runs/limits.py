@@ -34,6 +34,11 @@ class Limits:
     """The power of the time with which entries may grow in such a step; dop853, whose end weighs 1/22, sees none above 22."""
     faint: float = 1e-10
     """The part of the largest entry below which another one may be made by rounding."""
+    steady: float = 16.0
+    """How many times as long as the step after which it was asked what rounding makes of the slopes another one may be for the
+    answer to hold."""
+    shorter: float = 0.25
+    """The part of the longest step since then to which steps have to come down before it is asked again."""
     opening: float = 0.09549150281252627
     """The first step of an explicit method from rest, as a part of the run: a tenth, but sin(18 deg)^2, since round parts of a
     run may be whole numbers of a force's periods."""

@@ -37,7 +37,8 @@ class Step:
     - ``coming``: magnitudes that the ends of refused steps foretell; ``ahead``: the longest of these steps;
     - ``hoping``: steps are taken that count on such magnitudes, ``hope``, which must have come by the time ``until``; ``seen``:
       what came meanwhile, ``drift``: the errors meanwhile, added up; ``returns``: how often it did not come and the run went back;
-    - ``noise``: what rounding may make of the slopes;
+    - ``noise``: what rounding may make of the slopes; ``still``: the length of the step at whose end that was asked, if it had been
+      taken (else 0); ``longest``: of the steps since;
     - ``wrong``: the square of the last refused step's error; ``stuck``: how often in a row a shorter step did not lessen it;
     - ``spared``: of each entry, the part of the largest entry that its error may count relative to (empty: of none);
     - ``push``, ``asked``: what clocks do to the slopes, and how often that was asked (:mod:`nhc.simulate.stepping.beating`).
@@ -63,6 +64,8 @@ class Step:
     returns: int = 0
     errors: Vector = field(default_factory=list)
     noise: Vector = field(default_factory=list)
+    still: float = 0.0
+    longest: float = 0.0
     wrong: float = 0.0
     stuck: int = 0
     spared: Vector = field(default_factory=list)
@@ -99,8 +102,9 @@ class Step:
     def find_sizes(self, reached: Vector) -> Vector:
         """What the errors of entries are relative to: their own sizes in the run so far, this end included.
 
-        They are no less than what rounding may make, but of that a millionth of the largest entry at most: past a singular place,
-        where a refused step may end, slopes are so sensitive that it would be anything.
+        They are no less than what rounding may make.  Of what was asked at the end of a refused step that is a millionth of the
+        largest entry at most: past a singular place slopes are so sensitive that it would be anything.  What was asked on the
+        motion itself counts in steps up to ``LIMITS.steady`` times as long as the one that was taken there.
         """
         rows = zip(self.size, self.coming, reached, strict=True)
         sizes = [max(size, coming, abs(end)) for size, coming, end in rows]
@@ -108,7 +112,8 @@ class Step:
         if self.spared:
             sizes = [max(x, part * largest) for x, part in zip(sizes, self.spared, strict=True)]
         step = abs(self.h) / (self.tolerance or 1.0)
-        noises = [min(step * noise, 1e-6 * largest) for noise in self.noise]
+        sure = min(abs(self.h), LIMITS.steady * self.still) / (self.tolerance or 1.0)
+        noises = [max(min(step * noise, 1e-6 * largest), sure * noise) for noise in self.noise]
         return [max(x, noise) for x, noise in zip(sizes, noises, strict=True)]
 
     def allowed(self, reached: Vector) -> Vector:

@@ -18,7 +18,7 @@ from nhc.simulate.stepping.holding import Held, hold_end
 from nhc.simulate.stepping.hoping import count_on_hopes, find_hollow, go_back, look_on
 from nhc.simulate.stepping.leaping import Placed, find_most
 from nhc.simulate.stepping.lengths import find_growth, guess_length, limit_growth
-from nhc.simulate.stepping.rounding import is_faint, reconsider
+from nhc.simulate.stepping.rounding import is_faint, look_at_length, reconsider
 from nhc.simulate.stepping.stops import cross, foresee, next_bound
 from nhc.simulate.stepping.watching import (
     MOST_HALVINGS,
@@ -284,6 +284,8 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     if s.hoping:
         look_on(s, run.method)
     s.move(reach)
+    if task.step <= 0 and reach != run.bound:
+        look_at_length(s)
     run.news.t = reach
     if reach == task.times[-1]:
         return run.leave(DONE)
@@ -308,7 +310,7 @@ def _pass_stop(run: _Run) -> Outcome | None:
     run.stop, run.bound = next_bound(task, s.t, run.stop)
     if s.t == task.times[-1]:
         return run.leave(DONE)
-    s.first = True
+    s.first, s.longest = True, 0.0
     s.slope = s.rhs(s.t, s.y)
     return None
 

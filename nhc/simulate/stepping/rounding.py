@@ -58,6 +58,20 @@ def _call(s: Step, t: float, y: Vector, p: Vector, slope: Vector) -> Vector:
         return slope
 
 
+def look_at_length(s: Step) -> None:
+    """A step of a length of its own is taken: where steps have become four times shorter, it is asked at its end what rounding
+    makes of the slopes, for lengths that go down smoothly may follow rounding down while no step is refused.
+    """
+    h = abs(s.h)
+    if h >= LIMITS.shorter * s.longest:
+        s.longest = max(s.longest, h)
+        return
+    measure_noise(s, s.t, s.y, s.slope)
+    s.longest = s.still = h
+    rows = zip(s.noise, s.size, strict=True)
+    s.noise = [noise if LIMITS.steady * h * noise > s.tolerance * size else 0.0 for noise, size in rows]
+
+
 def is_noisy(s: Step) -> bool:
     """Whether rounding allows some entry more than its size does."""
     rows = zip(s.size, s.noise, s.reached, strict=True)
@@ -81,15 +95,15 @@ def reconsider(s: Step, error: float, twice: bool, again: Callable[[], float]) -
     Raises:
         NoSolution: an implicit step has none with what rounding allows.
     """
-    former = s.noise
+    former, still, s.still = s.noise, s.still, 0.0
     measure_noise(s, s.t + s.h, s.reached, s.arrived)
     if twice:
         s.spare()
     try:
         found = again() if s.spared or is_noisy(s) else error
     except (ArithmeticError, NoSolution):
-        s.noise = former
+        s.noise, s.still = former, still
         raise
     if not 0.0 <= found <= 1.0:
-        s.noise = former
+        s.noise, s.still = former, still
     return found
