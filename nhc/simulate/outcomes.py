@@ -62,7 +62,7 @@ def find_lost(job: Job, outcome: Outcome) -> int:
 
 def _why_singular(job: Job, outcome: Outcome) -> str:
     """What the model's status means, unless an expression of the spec has no value there: then no block has one either."""
-    undefined = find_undefined(job.system, _place_of(job, outcome)) if outcome.kind == SINGULAR else ""
+    undefined = find_undefined(job.system, _place_of(job, outcome))[0] if outcome.kind == SINGULAR else ""
     if undefined:
         return f"`{undefined}` has no real, finite value"
     beside = ", or the expression of `--until` has no value within the next step" if job.events else ""
