@@ -179,6 +179,31 @@ def test_a_search_that_leaves_the_range_of_a_coordinate_begins_again_within_it(s
         Source("top.yaml", TOP.replace("[pi/2, 3*pi/2]", "[-1000, 1000]")), Request("phi=1.575"), Options()
     )
     assert abs(free.linearisation.steady.y[0] - math.pi) > 1
+    made = model(Source("top.yaml", TOP))
+    motion = steady_motion(made.equations, made.formulation, Search(f"phi={start}"))  # of `nhc stability`
+    assert motion.linearisation.steady.y[0] == pytest.approx(math.pi, abs=1e-12)
+
+
+FIN = """\
+nhc: 1
+system: fin
+about: a plate in a fluid; its tensor of added masses couples sliding to gliding (Fedorov and Garcia-Naranjo 2010)
+coordinates: [x, y, th]
+quasi_velocities: {v: cos(th)*x' + sin(th)*y', w: th'}
+define: {u: -sin(th)*x' + cos(th)*y'}
+T: (3*v^2 - 0.8*v*u + 2.5*u^2 + 0.85*w^2)/2 + w*(0.15*u + 0.2*v)
+constraints: [u = 0]
+scenes: {go: {initial: {v: 1, w: 0.5}, time: [0, 10]}}
+"""
+
+
+def test_both_verbs_find_the_motion_with_the_speed_that_a_scene_starts_with() -> None:
+    """p_u w = 0 leaves rest, and turns on which p_u = -0.4 v + 0.15 w vanishes: rest is nearer, but has lost the speed."""
+    found = linearize(Source("fin.yaml", FIN), Request("go"), Options())
+    made = model(Source("fin.yaml", FIN))
+    motion = steady_motion(made.equations, made.formulation, Search("go"))
+    for steady in (found.linearisation.steady, motion.linearisation.steady):
+        assert steady.y[3:] == pytest.approx((1, 0.4 / 0.15), abs=1e-9)
 
 
 def test_a_motion_outside_the_range_of_a_coordinate_is_noted(

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.graph import Node
+from nhc.language.spec import Scene
 from nhc.mechanics.about import scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
@@ -19,6 +20,7 @@ from nhc.mechanics.linearize import reduced
 from nhc.mechanics.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
+from nhc.study.linearization.asked import keep_ranges, keep_speeds
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.linearize import Linearisation, linearise_at
 from nhc.study.linearization.motion import branch_of, nearest_of, read_holds, steady_model
@@ -71,27 +73,33 @@ def steady_motion(
     """
     system = equations.system
     better = reduced(system, formulation)
-    start = start_of(system, scene_about(system.spec, search.about, search.settings))
+    scene = scene_about(system.spec, search.about, search.settings)
+    start = start_of(system, scene)
     try:
         return _motion(
-            equations if better is formulation else equations_of(system, better), better, search, start, beside
+            equations if better is formulation else equations_of(system, better), better, search, scene, start, beside
         )
     except SingularFrame:
 
         def study(own: System, other: Formulation) -> Motion:
-            return _motion(equations_of(own, other), other, search, start, beside)
+            return _motion(equations_of(own, other), other, search, scene, start, beside)
 
         return nearest_of(system, start, study, lambda made: (made.model, made.linearisation.steady))
 
 
 def _motion(
-    equations: Equations, better: Formulation, search: Search, start: Start, beside: Sequence[tuple[float, Start]]
+    equations: Equations,
+    better: Formulation,
+    search: Search,
+    scene: Scene,
+    start: Start,
+    beside: Sequence[tuple[float, Start]],
 ) -> Motion:
     model = steady_model(equations, better, start.p)
     guess = state_of(model.flow, better.frame, start)
     held = tuple(Hold(text, node, model.value(guess, node)) for text, node in search.hidden)
     holds = tuple(hold for text in search.holds for hold in read_holds(model, text, guess))
-    steady, holds, place, regularity = _find(model, guess, (holds, held), beside)
+    steady, holds, place, regularity = _find(model, scene, guess, (holds, held), beside)
     if regularity > SINGULAR:
         check_smooth(model, steady)
     made = linearise_at(model, steady)
@@ -113,13 +121,15 @@ def _spelled(flow: Flow, name: str) -> str:
 
 def _find(
     model: SteadyModel,
+    scene: Scene,
     guess: Sequence[float],
     holds: tuple[tuple[Hold, ...], tuple[Hold, ...]],
     beside: Sequence[tuple[float, Start]],
 ) -> tuple[Steady, tuple[Hold, ...], str, float]:
     """The steady motion, what was held for it, from where it was found, and how regular the coordinates are there."""
     asked, hidden = holds
-    guesses = [("the start", tuple(guess))]
+    begun = tuple(guess)
+    guesses = [("the start", begun)]
     forms = kept_forms(model.flow.system, model.frame)
     for t, start in beside:
         guesses.append((f"the scene at t = {t:.6g}", (*start.q, *kept_velocities(model.flow.system, forms, start))))
@@ -127,7 +137,9 @@ def _find(
     for place, y in guesses:
         for kept in ((*asked, *hidden), asked) if hidden else (asked,):
             try:
-                found = find_steady(model, y, kept)
+                found = keep_ranges(model, y, find_steady(model, y, kept), kept)
+                if y is begun:  # what was asked for is a start, not what a scene comes to later
+                    found = keep_speeds(model, scene, y, found, kept)
                 return found, kept, place, model.regularity(found.y)
             except Locked as error:
                 return error.steady, kept, place, error.regularity
