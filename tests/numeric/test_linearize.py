@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 import json
 import math
+import re
 from functools import cache
 from pathlib import Path
 
@@ -204,6 +205,20 @@ def test_both_verbs_find_the_motion_with_the_speed_that_a_scene_starts_with() ->
     motion = steady_motion(made.equations, made.formulation, Search("go"))
     for steady in (found.linearisation.steady, motion.linearisation.steady):
         assert steady.y[3:] == pytest.approx((1, 0.4 / 0.15), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("potential", "what"),
+    [
+        ("log(x)", "`log(x)` has no real, finite value where"),
+        ("asin(k)*x", "`asin(k)` has no real, finite value where"),
+        ("x^0.5", "`V` has no finite value, or slope, where"),
+    ],
+)
+def test_a_start_without_a_value_is_told_in_the_words_of_the_spec(potential: str, what: str) -> None:
+    text = f"nhc: 1\nsystem: s\ncoordinates: [x]\nparameters: {{k: 2}}\nT: x'^2/2\nV: {potential}\n"
+    with pytest.raises(NotSteady, match=re.escape(what)):
+        linearize(Source("s.yaml", text), Request("x=0"), Options())
 
 
 def test_a_motion_outside_the_range_of_a_coordinate_is_noted(
