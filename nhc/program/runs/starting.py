@@ -25,8 +25,8 @@ _LOST = "the functions refuse that start; the formulation `multipliers` has no c
 def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...]:
     """A line for each scene that starts where the planner's own formulation is singular, though another may not be."""
     g, system = planner.graph, planner.system
-    moving = g.mask((system.t, *system.q))
-    pairs = [pair for pair in planner.full_equations.guards if g.deps[pair[0]] & moving]
+    told = g.mask((system.t, *system.q, *system.p))  # a determinant of parameters alone may vanish for their values
+    pairs = [pair for pair in planner.full_equations.guards if g.deps[pair[0]] & told]
     guards = planner.frame_determinants() if pairs else ()
     if planner.exchanges:
         pairs = [(guard.value, guard.scale) for guard in guards]
