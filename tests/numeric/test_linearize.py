@@ -198,6 +198,13 @@ scenes: {go: {initial: {v: 1, w: 0.5}, time: [0, 10]}}
 """
 
 
+def test_a_field_that_a_parameter_makes_singular_does_not_depend_on_the_time() -> None:
+    """w = L th' says nothing of th where L = 0: the motion is found in another coframe."""
+    text = FIN.replace("w: th'}", "w: L*th'}\nparameters: {L: 0}").replace("0.85*w^2)/2 + w*", "0.85*th'^2)/2 + th'*")
+    found = linearize(Source("fin.yaml", text.replace("w: 0.5", "th': 0.5")), Request("go"), Options())
+    assert found.linearisation.steady.residual < 1e-9
+
+
 def test_both_verbs_find_the_motion_with_the_speed_that_a_scene_starts_with() -> None:
     """p_u w = 0 leaves rest, and turns on which p_u = -0.4 v + 0.15 w vanishes: rest is nearer, but has lost the speed."""
     found = linearize(Source("fin.yaml", FIN), Request("go"), Options())
