@@ -267,6 +267,8 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
     from nhc.simulate.task import CROSSED
 
     job, outcome = found.job, found.outcome
+    if lost and outcome.t == job.start.time[0]:
+        return ["there the constraints lose rank, and no formulation has a motion: let the scene start elsewhere"]
     if lost:
         return ["there the constraints lose rank, and no formulation has a motion beyond: end the scene before"]
     if outcome.kind != CROSSED:

@@ -61,8 +61,10 @@ def cyclic_of(flow: Flow) -> tuple[int, ...]:
 def is_autonomous(flow: Flow, p: Sequence[float]) -> bool:
     """Whether the field is free of the time at these values of the parameters (only those that vanish are looked at)."""
     g = flow.graph
-    absent = {symbol: g.zero for symbol, value in zip(flow.system.p, p, strict=True) if value == 0.0}
     nodes = [*flow.velocities, *flow.flat]
+    if not any(g.depends(node, g.deps[flow.system.t]) for node in nodes):
+        return True  # a field that these values make singular does not depend on the time for that
+    absent = {symbol: g.zero for symbol, value in zip(flow.system.p, p, strict=True) if value == 0.0}
     try:
         nodes = substitute(g, nodes, absent)
     except ZeroDivisionError:

@@ -200,7 +200,8 @@ class _Search:
             values = [abs(float(x)) for x in evaluate(self.system.graph, nodes, self.start.values(self.system))]
         except (ArithmeticError, ValueError):
             return True
-        return any(value < _WEAK * scale for value, scale in zip(values[::2], values[1::2], strict=True))
+        # the scale of a determinant of parameters may be zero with it
+        return not all(value > _WEAK * scale for value, scale in zip(values[::2], values[1::2], strict=True))
 
     def _is_known(self, formulation: Formulation) -> bool:
         """Whether its free velocities were tried before, perhaps under another name."""

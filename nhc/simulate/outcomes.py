@@ -5,7 +5,7 @@ from __future__ import annotations
 from nhc.algebra.graph import Node
 from nhc.mechanics.choosing.conditioning import conditioning
 from nhc.mechanics.properties.singular import smallest_singular_value
-from nhc.mechanics.regular.undefined import find_undefined
+from nhc.mechanics.regular.undefined import find_pole, find_undefined
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import (
     CROSSED,
@@ -61,12 +61,23 @@ def find_lost(job: Job, outcome: Outcome) -> int:
 
 
 def _why_singular(job: Job, outcome: Outcome) -> str:
-    """What the model's status means, unless an expression of the spec has no value there: then no block has one either."""
-    undefined = find_undefined(job.system, _place_of(job, outcome)) if outcome.kind == SINGULAR else ""
+    """What the model's status means, unless an expression of the spec has no value there: then no block has one either.
+
+    Where a result is not finite although all have values, a slope of T, the potential or a force may have none.
+    """
+    if outcome.kind != SINGULAR:
+        return ""
+    place = _place_of(job, outcome)
+    undefined = find_undefined(job.system, place)[0]
     if undefined:
         return f"`{undefined}` has no real, finite value"
+    if outcome.status in job.meanings:
+        return job.meanings[outcome.status]
+    pole = find_pole(job.system, place)[0]
+    if pole:
+        return pole.removesuffix(",")
     beside = ", or the expression of `--until` has no value within the next step" if job.events else ""
-    return job.meanings.get(outcome.status, f"a result is not finite{beside}")
+    return f"a result is not finite{beside}"
 
 
 def _place_of(job: Job, outcome: Outcome) -> dict[Node, float]:

@@ -109,6 +109,26 @@ def test_what_the_user_names_is_kept_and_other_scenes_are_as_they_were() -> None
     assert len(told) == 1 and "Why: quasi-velocities of the spec" in text
 
 
+ARMLESS = SPEC.replace("w: phi'}", "w: L*phi'}").replace("system: two", "system: two\nparameters: {L: 0}", 1)
+
+
+@pytest.mark.parametrize("fold", [False, True])
+def test_a_coframe_that_a_parameter_makes_singular(fold: bool) -> None:
+    """w = L phi' says nothing of phi where L = 0, at whatever place a scene starts."""
+    told: list[str] = []
+    spec = ARMLESS.replace("w: 0.1}", "phi': 0.1}")
+    (text,) = emit(Source("two.yaml", spec), "python", Options(), told.append).values()
+    assert "the scene `good` starts where the coframe is singular" in " ".join(told)
+    model = python_model(text, "two")
+    with pytest.raises(model.SingularModelError):
+        model.rhs(0.0, [0.0, 0.0, 0.0, 1.0, 0.0])
+    told.clear()
+    (text,) = emit(Source("two.yaml", spec), "python", Options(scene="good", fold=fold), told.append).values()
+    assert not told and "Why: chosen for the start of the scene good" in text
+    model = python_model(text, "two")
+    assert all(math.isfinite(rate) for rate in model.rhs(0.0, [0.0] * len(model.STATE)))
+
+
 def test_where_the_constraints_lose_rank_no_choice_is_called_better() -> None:
     """Wheels straight across the board: no velocities can be solved for, and rounding must not tell which are better."""
     text = (SPECS / "snakeboard.yaml").read_text()

@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 import json
 import math
+import re
 from functools import cache
 from pathlib import Path
 
@@ -179,6 +180,52 @@ def test_a_search_that_leaves_the_range_of_a_coordinate_begins_again_within_it(s
         Source("top.yaml", TOP.replace("[pi/2, 3*pi/2]", "[-1000, 1000]")), Request("phi=1.575"), Options()
     )
     assert abs(free.linearisation.steady.y[0] - math.pi) > 1
+    made = model(Source("top.yaml", TOP))
+    motion = steady_motion(made.equations, made.formulation, Search(f"phi={start}"))  # of `nhc stability`
+    assert motion.linearisation.steady.y[0] == pytest.approx(math.pi, abs=1e-12)
+
+
+FIN = """\
+nhc: 1
+system: fin
+about: a plate in a fluid; its tensor of added masses couples sliding to gliding (Fedorov and Garcia-Naranjo 2010)
+coordinates: [x, y, th]
+quasi_velocities: {v: cos(th)*x' + sin(th)*y', w: th'}
+define: {u: -sin(th)*x' + cos(th)*y'}
+T: (3*v^2 - 0.8*v*u + 2.5*u^2 + 0.85*w^2)/2 + w*(0.15*u + 0.2*v)
+constraints: [u = 0]
+scenes: {go: {initial: {v: 1, w: 0.5}, time: [0, 10]}}
+"""
+
+
+def test_a_field_that_a_parameter_makes_singular_does_not_depend_on_the_time() -> None:
+    """w = L th' says nothing of th where L = 0: the motion is found in another coframe."""
+    text = FIN.replace("w: th'}", "w: L*th'}\nparameters: {L: 0}").replace("0.85*w^2)/2 + w*", "0.85*th'^2)/2 + th'*")
+    found = linearize(Source("fin.yaml", text.replace("w: 0.5", "th': 0.5")), Request("go"), Options())
+    assert found.linearisation.steady.residual < 1e-9
+
+
+def test_both_verbs_find_the_motion_with_the_speed_that_a_scene_starts_with() -> None:
+    """p_u w = 0 leaves rest, and turns on which p_u = -0.4 v + 0.15 w vanishes: rest is nearer, but has lost the speed."""
+    found = linearize(Source("fin.yaml", FIN), Request("go"), Options())
+    made = model(Source("fin.yaml", FIN))
+    motion = steady_motion(made.equations, made.formulation, Search("go"))
+    for steady in (found.linearisation.steady, motion.linearisation.steady):
+        assert steady.y[3:] == pytest.approx((1, 0.4 / 0.15), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("potential", "what"),
+    [
+        ("log(x)", "`log(x)` has no real, finite value where"),
+        ("asin(k)*x", "`asin(k)` has no real, finite value where"),
+        ("x^0.5", "`V` has no finite value, or slope, where"),
+    ],
+)
+def test_a_start_without_a_value_is_told_in_the_words_of_the_spec(potential: str, what: str) -> None:
+    text = f"nhc: 1\nsystem: s\ncoordinates: [x]\nparameters: {{k: 2}}\nT: x'^2/2\nV: {potential}\n"
+    with pytest.raises(NotSteady, match=re.escape(what)):
+        linearize(Source("s.yaml", text), Request("x=0"), Options())
 
 
 def test_a_motion_outside_the_range_of_a_coordinate_is_noted(

@@ -339,3 +339,23 @@ def test_a_factor_that_only_the_minors_share_ends_the_run(
     assert main(["run", str(path), "--project", "--points", "2", "-f", formulation]) == 3
     said = capsys.readouterr().err
     assert "t = 0.50643" in said and "constraints lose rank" in said
+
+
+@pytest.mark.parametrize("python", [False, True])
+@pytest.mark.parametrize(
+    ("rest", "said"),
+    [
+        ("V: sqrt(x) + y\n", "`V` has no finite value, or slope\n"),
+        ("constraints: [\"x*x' + y*y' = 0\"]\n", "no formulation has a motion: let the scene start elsewhere"),
+    ],
+)
+def test_what_ends_a_run_at_its_start(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], rest: str, said: str, python: bool
+) -> None:
+    """A slope that is infinite where its function has a value; a start at which there is no `before` to end the scene."""
+    path = tmp_path / "begin.yaml"
+    head = "nhc: 1\nsystem: begin\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\n"
+    path.write_text(f"{head}{rest}scenes: {{go: {{initial: {{z': 1}}, time: [0, 1]}}}}\n")
+    assert main(["run", str(path), *(["--python"] if python else [])]) == 3
+    out, err = capsys.readouterr()
+    assert said in err and out == ""

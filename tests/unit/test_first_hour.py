@@ -335,6 +335,23 @@ def test_a_start_that_was_forgotten(potential: str, inertia: str) -> None:
     assert found.help == ("let it start elsewhere",)
 
 
+@pytest.mark.parametrize(
+    ("potential", "advice"),
+    [
+        ("x^0.5 + y", "say in `initial` where `x` starts"),  # y is as well left out, and has nothing to do with it
+        ("1/x + y", "say in `initial` where `x` starts"),
+        ("x/(k - 1)", "give `k` another value, under `parameters:` or in the scene"),
+        ("sqrt(-k)*x", "give `k` another value, under `parameters:` or in the scene"),
+        ("asin(k + l)*x", "give `k`, `l` other values, under `parameters:` or in the scene"),
+    ],
+)
+def test_what_has_no_value_at_a_start(potential: str, advice: str) -> None:
+    """The advice is about what the expression without a value depends on, not about whatever else was left out."""
+    head = "nhc: 1\nsystem: s\ncoordinates: [x, y, z]\nparameters: {k: 1, l: 2}\nT: (x'^2 + y'^2 + exp(x)*z'^2)/2\n"
+    (found,) = find(f"{head}V: {potential}\nscenes: {{go: {{initial: {{z: 1}}, time: [0, 1]}}}}\n")
+    assert (found.code, found.help) == ("W0421", (advice,))
+
+
 def test_dissipation_is_a_force() -> None:
     (found,) = find(SPEC + "D: m*x'^2\n")
     assert found.help == ("friction is given as forces: `forces: {x: -c*x'}`",)

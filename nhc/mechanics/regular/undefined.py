@@ -8,7 +8,7 @@ from contextlib import suppress
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import evaluate, evaluate_into
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.show import to_text
 from nhc.algebra.walks import reachable
 from nhc.diagnostics import Span
@@ -17,20 +17,25 @@ from nhc.mechanics.system import System
 _LONGEST = 60  # characters that a message shows of an expression
 
 
-def find_undefined(system: System, place: dict[Node, float]) -> str:
-    """The first part of T, the potential, the forces and the constraints without a real, finite value; empty where all have one.
+def find_undefined(system: System, place: dict[Node, float]) -> tuple[str, Node | None]:
+    """The first part of T, the potential, the forces and the constraints without a real, finite value, as a text and as it is.
 
-    ``place`` gives every symbol of the system its value.
+    ``place`` gives every symbol of the system its value.  The text is empty, and the part is None, where all have a value.
     """
     graph = system.graph
     roots = [system.T, system.U, *system.Q]
     for form in system.constraints:
         roots += [*form.coefficients, form.constant]
+    wrong = _first_undefined(graph, roots, place)
+    return (to_text(graph, wrong, _LONGEST) if wrong is not None else ""), wrong
+
+
+def _first_undefined(graph: Graph, roots: Sequence[Node], place: Mapping[Node, float]) -> Node | None:
+    """The first node on the way to the roots without a real, finite value at a place; None where all have one."""
     known, order = dict(place), reachable(graph, roots)
     with suppress(ArithmeticError, ValueError):  # at the first node that is not known
         evaluate_into(known, graph, order)
-    wrong = next((node for node in order if not math.isfinite(known.get(node, math.nan))), None)
-    return to_text(graph, wrong, _LONGEST) if wrong is not None else ""
+    return next((node for node in order if not math.isfinite(known.get(node, math.nan))), None)
 
 
 def are_defined(system: System, nodes: Sequence[Node], place: Mapping[Node, float]) -> list[bool]:
@@ -49,10 +54,11 @@ def are_defined(system: System, nodes: Sequence[Node], place: Mapping[Node, floa
     return found
 
 
-def find_pole(system: System, values: Mapping[Node, float]) -> tuple[str, Span]:
-    """What of T, the potential and the forces has no finite value or slope at a state, in words, and its place in the spec.
+def find_pole(system: System, values: Mapping[Node, float]) -> tuple[str, Span, Node | None]:
+    """What of T, the potential and the forces has no finite value or slope at a state, in words, with its place in the spec and
+    the part of it, or of its slope, that has none.
 
-    The words are empty where all have.
+    The words are empty, and the part is None, where all have.
     """
     g, spec, moving = system.graph, system.spec, (*system.q, *system.v)
     forces = {force.name: force.span for force in spec.forces}
@@ -62,10 +68,11 @@ def find_pole(system: System, values: Mapping[Node, float]) -> tuple[str, Span]:
     for name, node in zip(system.q_names, system.Q, strict=True):
         parts += [(f"the force on `{name}`", node, (), forces.get(name, spec.key_span("forces")))]
     for name, node, symbols, span in parts:
+        wanted = [node, *gradient(g, node, symbols)]
         try:
-            found = [float(x) for x in evaluate(g, [node, *gradient(g, node, symbols)], dict(values))]
+            found = [float(x) for x in evaluate(g, wanted, values)]
         except (ArithmeticError, ValueError):
             found = [math.nan]
         if not all(map(math.isfinite, found)):
-            return f"{name} has no finite value, or slope,", span
-    return "", spec.kinetic.span
+            return f"{name} has no finite value, or slope,", span, _first_undefined(g, wanted, values)
+    return "", spec.kinetic.span, None

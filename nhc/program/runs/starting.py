@@ -25,8 +25,8 @@ _LOST = "the functions refuse that start; the formulation `multipliers` has no c
 def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...]:
     """A line for each scene that starts where the planner's own formulation is singular, though another may not be."""
     g, system = planner.graph, planner.system
-    moving = g.mask((system.t, *system.q))
-    pairs = [pair for pair in planner.full_equations.guards if g.deps[pair[0]] & moving]
+    told = g.mask((system.t, *system.q, *system.p))  # a determinant of parameters alone may vanish for their values
+    pairs = [pair for pair in planner.full_equations.guards if g.deps[pair[0]] & told]
     guards = planner.frame_determinants() if pairs else ()
     if planner.exchanges:
         pairs = [(guard.value, guard.scale) for guard in guards]
@@ -46,27 +46,23 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     """Add a warning (W0421) where a scene starts at a singular mass matrix, where the constraints lose their rank, or where an
     expression has no value or no slope.
     """
-    undefined = ""
+    system, values = planner.system, start.values(planner.system)
+    nodes = [system.T, *(a for form in system.constraints for a in form.coefficients)]
     what, zero = _find_dependent(planner, start)
     if not what:
         what, zero = find_undetermined(planner, start)
+    part = None
     if not what:
-        undefined = find_undefined(planner.system, start.values(planner.system))
+        undefined, part = find_undefined(system, values)
         what = f"`{undefined}` has no real, finite value" if undefined else ""
     if not what:
-        what, _ = find_pole(planner.system, start.values(planner.system))
+        what, _, part = find_pole(system, values)
     if not what:
         return
-    names = quote(zero)
-    notes = (f"{names} {'is' if len(zero) == 1 else 'are'} zero there",) if zero else ()
-    help = f"give {names} a value, under `parameters:` or in the scene" if zero else "let it start elsewhere"
-    system = planner.system
-    nodes = [system.T, *(a for form in system.constraints for a in form.coefficients)]
-    nodes += [system.U, *system.Q] if undefined else []
-    left = "" if zero else left_at_zero(system, start.scene, start.values(system), nodes)
-    if left:
-        notes = (f"{left} at 0, since `initial` does not give a value",)
-        help = f"say in `initial` where {left}"
+    held: tuple[str, ...] = ()
+    if part is not None:
+        nodes, held = [part], _held_by(planner, part)
+    notes, help = _advise(planner, start, nodes, zero, held)
     bag.warning(
         "W0421",
         f"the scene `{start.scene.name}` cannot run: {what} at its start",
@@ -74,6 +70,33 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
         notes=notes,
         help=(help,),
     )
+
+
+def _advise(
+    planner: Planner, start: Start, nodes: Sequence[Node], zero: Sequence[str], held: Sequence[str]
+) -> tuple[tuple[str, ...], str]:
+    """Notes and help on a scene that cannot run: by the parameters that are zero, by those alone that an expression without a value
+    depends on, or by the coordinates in the nodes whose start was left out.
+    """
+    names, where = quote(zero or held), "under `parameters:` or in the scene"
+    if zero:
+        return (f"{names} {'is' if len(zero) == 1 else 'are'} zero there",), f"give {names} a value, {where}"
+    if held:
+        value = "another value" if len(held) == 1 else "other values"
+        return ("no start changes this: it depends on parameters alone",), f"give {names} {value}, {where}"
+    left = left_at_zero(planner.system, start.scene, start.values(planner.system), nodes)
+    if left:
+        return (f"{left} at 0, since `initial` does not give a value",), f"say in `initial` where {left}"
+    return (), "let it start elsewhere"
+
+
+def _held_by(planner: Planner, node: Node) -> tuple[str, ...]:
+    """The parameters of an expression that depends on nothing else; empty where it varies with the state or the time."""
+    g, system = planner.graph, planner.system
+    if g.depends(node, g.mask((system.t, *system.q, *system.v))):
+        return ()
+    named = zip(system.p, system.spec.parameters, strict=True)
+    return tuple(parameter.name for symbol, parameter in named if g.depends(node, g.deps[symbol]))
 
 
 def warn_as_given(planner: Planner, bag: Bag) -> None:
@@ -103,8 +126,8 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
     if form is not None or system.spec.scenes:
         return
     poles = [find_pole(system, place) for place in given_states(system)]
-    if poles and all(what for what, _ in poles):
-        what, span = poles[0]
+    if poles and all(what for what, _, _ in poles):
+        what, span, _ = poles[0]
         real = "keep arguments where functions are real, or give a scene a start where they are"
         seen, advice = (
             ("with the values under `parameters:`", "give the parameters other values")

@@ -11,6 +11,7 @@ import numpy as np
 
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import sampled_rows
+from nhc.mechanics.regular.undefined import find_pole, find_undefined
 from nhc.study.linearization.equations import all_but, bound, equations, exact_equations, turned
 from nhc.study.linearization.field import RANK, SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.roots import newton_step, refined, undecided
@@ -134,8 +135,23 @@ def _tell_singular(model: SteadyModel, guess: Sequence[float], error: Arithmetic
     if len(idle) == 1:
         why = _IDLE.format(idle[0])
         return NotSteady(f"the coordinates are singular where the search begins: {why}", math.inf, guess, _OTHER_POLE)
+    what = _name_undefined(model, guess)
+    if what:
+        return NotSteady(f"{what} where the search for a steady motion begins", math.inf, guess)
     far = "the search for a steady motion runs off" if isinstance(error, OverflowError) else ""
     return NotSteady(far or f"the model is singular on the way: {error}", math.inf, guess)
+
+
+def _name_undefined(model: SteadyModel, y: Sequence[float]) -> str:
+    """What of the spec has no value, or no slope, at the state y, in words; empty where all has."""
+    system = model.flow.system
+    try:
+        rates = [model.value(y, node) for node in model.flow.velocities]
+    except ArithmeticError:  # a singular coframe
+        return ""
+    place = {**model.values(y), **dict(zip(system.v, rates, strict=True))}
+    text, _ = find_undefined(system, place)
+    return f"`{text}` has no real, finite value" if text else find_pole(system, place)[0]
 
 
 def _tell_way(model: SteadyModel, y: Vector, error: NotSteady) -> NotSteady:

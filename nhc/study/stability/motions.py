@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.graph import Node
-from nhc.language import Scene
+from nhc.language.spec import Scene
 from nhc.mechanics.about import scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
@@ -27,7 +27,6 @@ from nhc.study.linearization.motion import branch_of, nearest_of, read_holds, st
 from nhc.study.linearization.steady import Locked, NotSteady, SingularFrame, Steady, check_smooth, find_steady
 from nhc.study.linearization.sweep import Sweep, sweep
 
-START = "the start"
 SweepRange = tuple[str, float, float, int]
 
 
@@ -77,8 +76,9 @@ def steady_motion(
     scene = scene_about(system.spec, search.about, search.settings)
     start = start_of(system, scene)
     try:
-        own = equations if better is formulation else equations_of(system, better)
-        return _motion(own, better, search, scene, start, beside)
+        return _motion(
+            equations if better is formulation else equations_of(system, better), better, search, scene, start, beside
+        )
     except SingularFrame:
 
         def study(own: System, other: Formulation) -> Motion:
@@ -99,11 +99,7 @@ def _motion(
     guess = state_of(model.flow, better.frame, start)
     held = tuple(Hold(text, node, model.value(guess, node)) for text, node in search.hidden)
     holds = tuple(hold for text in search.holds for hold in read_holds(model, text, guess))
-    steady, holds, place, regularity = _find(model, guess, (holds, held), beside)
-    if regularity > SINGULAR and place == START:
-        nearest = keep_ranges(model, guess, steady, holds)
-        steady = keep_speeds(model, scene, guess, nearest, holds)
-        regularity = model.regularity(steady.y)
+    steady, holds, place, regularity = _find(model, scene, guess, (holds, held), beside)
     if regularity > SINGULAR:
         check_smooth(model, steady)
     made = linearise_at(model, steady)
@@ -125,13 +121,15 @@ def _spelled(flow: Flow, name: str) -> str:
 
 def _find(
     model: SteadyModel,
+    scene: Scene,
     guess: Sequence[float],
     holds: tuple[tuple[Hold, ...], tuple[Hold, ...]],
     beside: Sequence[tuple[float, Start]],
 ) -> tuple[Steady, tuple[Hold, ...], str, float]:
     """The steady motion, what was held for it, from where it was found, and how regular the coordinates are there."""
     asked, hidden = holds
-    guesses = [(START, tuple(guess))]
+    begun = tuple(guess)
+    guesses = [("the start", begun)]
     forms = kept_forms(model.flow.system, model.frame)
     for t, start in beside:
         guesses.append((f"the scene at t = {t:.6g}", (*start.q, *kept_velocities(model.flow.system, forms, start))))
@@ -139,7 +137,9 @@ def _find(
     for place, y in guesses:
         for kept in ((*asked, *hidden), asked) if hidden else (asked,):
             try:
-                found = find_steady(model, y, kept)
+                found = keep_ranges(model, y, find_steady(model, y, kept), kept)
+                if y is begun:  # what was asked for is a start, not what a scene comes to later
+                    found = keep_speeds(model, scene, y, found, kept)
                 return found, kept, place, model.regularity(found.y)
             except Locked as error:
                 return error.steady, kept, place, error.regularity
