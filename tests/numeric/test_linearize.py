@@ -648,6 +648,14 @@ def test_velocities_that_the_state_does_not_keep_give_it_expressions() -> None:
     assert given.paper == kept.paper and any(entry not in ("0", "1") for row in given.paper for entry in row)
 
 
+def test_a_negative_mass_is_no_gimbal_lock() -> None:
+    """T < 0 for some motion is warned of elsewhere; the equations of a skate are what they are."""
+    spec = "nhc: 1\nsystem: odd\nparameters: {m: -1}\ncoordinates: [x, y, th]\nT: m/2*(x'^2 + y'^2) + th'^2/2\n"
+    spec += "constraints: [\"sin(th)*x' = cos(th)*y'\"]\n"
+    found = linearize(Source("odd.yaml", spec), Request("x'=1"))
+    assert found.linearisation.steady.y[3:] == (1.0, 0.0)
+
+
 def test_a_start_that_is_completed_in_another_way_has_no_expressions() -> None:
     """One given velocity of two that are free: which of the kept ones it is about is not for a formula to say."""
     source = Source(

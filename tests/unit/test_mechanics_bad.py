@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from nhc.diagnostics import Diagnostic, Source, SpecError, render_text
-from nhc.language import read
+from nhc.language import decode, read
+from nhc.mechanics.choosing.choose import formulate
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import check
 from tests.unit.test_language_bad import expectations
 
@@ -123,3 +125,27 @@ scenes: {{go: {{time: [0, 1], initial: {{x: 0.5}}}}}}
 """
     found = [d.code for d in diagnose(Source("units.yaml", text)) if d.code != "W0410"]
     assert found == (["W0423"] if warned else [])
+
+
+@pytest.mark.parametrize(
+    ("row", "flat"), [("holonomic: ['(x - y)^2 = 0']", True), ("constraints: [\"(x - y)*x' = (x - y)*y'\"]", False)]
+)
+def test_an_equation_whose_slopes_vanish_has_advice_of_its_own(row: str, flat: bool) -> None:
+    text = f"nhc: 1\nsystem: flat\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\n{row}\n"
+    text += "scenes: {go: {initial: {x: 1, y: 1}, time: [0, 1]}}\n"
+    (found,) = (d for d in diagnose(Source("flat.yaml", text)) if d.code == "W0421")
+    advice = "if the slopes of `h1` vanish wherever it holds, write `x = y` for `(x - y)^2 = 0`"
+    assert found.message.endswith("restricts no velocity at its start")
+    assert found.help == ("let it start elsewhere", *([advice] if flat else []))
+
+
+@pytest.mark.parametrize(
+    ("more", "place"),
+    [("", "x'^2 + y'^2"), ("holonomic: [x = y^2]\n", "holonomic"), ("constraints: [y*x' = y']\n", "constraints")],
+)
+def test_where_a_formulation_that_is_asked_for_does_not_apply(more: str, place: str) -> None:
+    source = Source("free.yaml", f"nhc: 1\nsystem: free\ncoordinates: [x, y]\nT: x'^2 + y'^2\n{more}")
+    with pytest.raises(SpecError) as caught:
+        formulate(resolve(decode(source)), "lagrange" if more else "chaplygin")
+    (found,) = caught.value.diagnostics
+    assert (found.code, source.text[found.span.start : found.span.end]) == ("E0411", place)

@@ -67,7 +67,9 @@ def formulate(system: System, name: str = "") -> Formulation:
     try:
         return choose(system) if wanted == "auto" else build(system, wanted)
     except NotApplicable as error:
-        _refuse(system, error, system.spec.key_span(error.key if name else "formulation"))
+        spans = dict(system.spec.key_spans)
+        written = [spans[key] for key in (error.key if name else "formulation", "holonomic") if key in spans]
+        _refuse(system, error, written[0] if written else system.spec.kinetic.span)
         raise
 
 

@@ -68,8 +68,16 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
         f"the scene `{start.scene.name}` cannot run: {what} at its start",
         start.scene.span,
         notes=notes,
-        help=(help,),
+        help=(help, *_advise_flat(planner, values)),
     )
+
+
+def _advise_flat(planner: Planner, values: dict[Node, float]) -> tuple[str, ...]:
+    """Help where the slopes of a holonomic equation vanish at a state that satisfies it, as those of a square do everywhere."""
+    form = find_dependent_row(planner.system, values)
+    if form is None or form.equation is None or any(evaluate(planner.graph, form.coefficients, values)):
+        return ()
+    return (f"if the slopes of `{form.name}` vanish wherever it holds, write `x = y` for `(x - y)^2 = 0`",)
 
 
 def _advise(

@@ -331,11 +331,13 @@ def _solve(matrix: Matrix, right: Matrix) -> Matrix:
 
 
 def scaled_least(mass: Matrix) -> float:
-    """The smallest eigenvalue of the mass matrix scaled to ones on its diagonal: 0 in a gimbal lock."""
+    """The least size of an eigenvalue of the mass matrix scaled to ones on its diagonal: 0 in a gimbal lock, and not because T is
+    negative for some motion.
+    """
     scale = np.sqrt(np.abs(np.diag(mass)))
     if not np.all(scale > 0):
         return 0.0
-    return float(max(np.linalg.eigvalsh(mass / np.outer(scale, scale))[0], 0.0))
+    return float(np.min(np.abs(np.linalg.eigvalsh(mass / np.outer(scale, scale)))))
 
 
 def _around(y: Sequence[float]) -> list[list[float]]:
