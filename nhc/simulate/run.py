@@ -106,6 +106,8 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
         notes += (more,)
     if adaptive and settings.step <= 0:
         notes += tell_finest(tolerance)
+    if method in PEERS:
+        notes += _tell_passed(method, task)
     legs = follower.run(task)
     seconds = time.perf_counter() - before - workshop.seconds
     found = _gather(workshop, legs)
@@ -127,6 +129,18 @@ def _tell_jumps(legs: Sequence[Leg]) -> tuple[str, ...]:
         if (job := leg.job).jumping is not None
     ]
     return tuple(dict.fromkeys(note for notes in found for note in notes))
+
+
+def _tell_passed(method: str, task: Task) -> tuple[str, ...]:
+    """A note where functions of the time jump, bend or pulse, and the solver does not know of that."""
+    if not task.stops:
+        return ()
+    first = ", ".join(f"{stop[0]:.6g}" for stop in task.stops[:3])
+    more = f" and at {len(task.stops) - 3} more times" if len(task.stops) > 3 else ""
+    return (
+        f"functions of the time jump, bend or pulse at t = {first}{more}, where the steps of {method} do not end: it may pass over"
+        " them; nhc's own adaptive methods end steps there",
+    )
 
 
 def tell_finest(tolerance: float) -> tuple[str, ...]:

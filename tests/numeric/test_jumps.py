@@ -336,3 +336,28 @@ def test_fixed_steps_tell_what_they_go_over(force: str, method: str, step: float
     notes = [note for note in run(job, Settings(method, 1e-6, step, 201, compiled)).notes if "forces jump" in note]
     assert len(notes) == (changes > 0)
     assert all(f"`x'`, which changes {changes} times" in note for note in notes)
+
+
+PULSE = """nhc: 1
+system: pulse
+coordinates: [x]
+T: x'^2/2
+forces: {x: "max(0, 0.01 - abs(t - 5))*1e4"}
+scenes: {go: {time: [0, 10]}}
+"""
+
+
+@pytest.mark.parametrize(("method", "seen"), [("dop853", True), ("scipy-dop853", False), ("scipy-bdf", False)])
+def test_a_solver_from_elsewhere_does_not_know_of_pulses_and_that_is_said(method: str, seen: bool) -> None:
+    pytest.importorskip("scipy")
+    found = run(open_scene(Source("pulse.yaml", PULSE), method=method), Settings(method, points=3))
+    (told,) = found.notes or ("",)
+    assert told.startswith("functions of the time jump, bend or pulse at t = 4.99, 5, 5.01,") is not seen
+    assert found.rows[-1][0] == (pytest.approx(5.0, rel=1e-8) if seen else 0.0)
+
+
+def test_where_nothing_pulses_nothing_is_said() -> None:
+    pytest.importorskip("scipy")
+    spec = PULSE.replace("max(0, 0.01 - abs(t - 5))*1e4", "cos(t)")
+    found = run(open_scene(Source("pulse.yaml", spec), method="scipy-dop853"), Settings("scipy-dop853", points=3))
+    assert found.notes == ()
