@@ -275,7 +275,7 @@ def linearize(source: Source, request: Request, options: Options = DEFAULT) -> F
 
     Raises:
         SpecError: the spec or the request has errors.
-        nhc.study.linearization.steady.NotSteady: no steady motion is found.
+        nhc.study.linearization.found.NotSteady: no steady motion is found.
     """
     from nhc.study.linearization.motion import linearise, linearise_whole
 

@@ -70,8 +70,8 @@ def command(
     source = open_spec(spec)
     about = about or take_first_scene(source, "to start from", "give values, such as `--about x=0`")
     from nhc.pipeline import Options, linearize
+    from nhc.study.linearization.found import NotSteady
     from nhc.study.linearization.motion import Request
-    from nhc.study.linearization.steady import NotSteady
 
     try:
         request = Request(about, settings, holds, sweep)

@@ -25,9 +25,10 @@ from nhc.mechanics.about import scene_about
 from nhc.mechanics.values import constant_value
 from nhc.pipeline import Options, linearize, model
 from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import eigenvalues, verdict
 from nhc.study.linearization.motion import Findings, Request, named_quantity, steady_model
-from nhc.study.linearization.steady import NotSteady, find_steady
+from nhc.study.linearization.steady import find_steady
 from nhc.study.linearization.sweep import Branch
 from nhc.study.linearization.tape import Tape
 from nhc.study.stability.motions import Search, steady_motion

@@ -12,9 +12,9 @@ import pytest
 
 from nhc.language import Source
 from nhc.pipeline import Options, linearize
+from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import eigenvalues, verdict
 from nhc.study.linearization.motion import Findings, Request
-from nhc.study.linearization.steady import NotSteady
 
 SPEC = """\
 nhc: 1

@@ -15,9 +15,9 @@ import pytest
 
 from nhc.language import Source
 from nhc.pipeline import linearize
+from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import eigenvalues, verdict
 from nhc.study.linearization.motion import Findings, Request
-from nhc.study.linearization.steady import NotSteady
 from tests.numeric.test_linearize import find, matches
 
 

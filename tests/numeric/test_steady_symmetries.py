@@ -18,9 +18,9 @@ from nhc.cli import main
 from nhc.language import Source, read
 from nhc.pipeline import Options, linearize
 from nhc.study.linearization.field import SteadyModel
+from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import eigenvalues, verdict
 from nhc.study.linearization.motion import Findings, Request
-from nhc.study.linearization.steady import NotSteady
 from nhc.study.linearization.turns import list_rates
 from tests.numeric.test_linearize import IN_A_CYLINDER, matches
 from tests.support import spec_path

@@ -16,7 +16,8 @@ from nhc.mechanics.linearize import quantity
 from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.values import coordinate_ranges
 from nhc.study.linearization.field import Hold, SteadyModel
-from nhc.study.linearization.steady import NotSteady, Steady, find_steady
+from nhc.study.linearization.found import NotSteady, Steady
+from nhc.study.linearization.steady import find_steady
 
 SNAP = 1e-11
 """What differs by no more, relative to its size, is the same."""

@@ -15,8 +15,9 @@ import numpy as np
 
 from nhc.records import record
 from nhc.study.linearization.field import RANK, SteadyModel
+from nhc.study.linearization.found import Steady
 from nhc.study.linearization.roots import undecided
-from nhc.study.linearization.steady import Steady, find_steady
+from nhc.study.linearization.steady import find_steady
 from nhc.study.linearization.turns import Turn
 from nhc.study.linearization.units import Matrix, balance
 

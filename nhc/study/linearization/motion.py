@@ -39,8 +39,9 @@ from nhc.records import record
 from nhc.simulate.switching import SOUND
 from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_ranges, keep_speeds
 from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.found import NotSteady, SingularFrame, Steady, check_frame, check_smooth
 from nhc.study.linearization.linearize import Linearisation, linearise_at
-from nhc.study.linearization.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
+from nhc.study.linearization.steady import find_steady
 from nhc.study.linearization.sweep import Branch, Sweep, sweep
 from nhc.study.linearization.tape import Tapes
 

@@ -10,8 +10,9 @@ import numpy as np
 
 from nhc.records import record
 from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
-from nhc.study.linearization.steady import NotSteady, find_steady
+from nhc.study.linearization.steady import find_steady
 
 _STEPS = 150
 _DIGITS = 32.0

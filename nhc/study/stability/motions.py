@@ -22,9 +22,10 @@ from nhc.mechanics.system import System
 from nhc.records import record
 from nhc.study.linearization.asked import keep_ranges, keep_speeds
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
+from nhc.study.linearization.found import Locked, NotSteady, SingularFrame, Steady, check_smooth
 from nhc.study.linearization.linearize import Linearisation, linearise_at
 from nhc.study.linearization.motion import branch_of, nearest_of, read_holds, steady_model
-from nhc.study.linearization.steady import Locked, NotSteady, SingularFrame, Steady, check_smooth, find_steady
+from nhc.study.linearization.steady import find_steady
 from nhc.study.linearization.sweep import Sweep, sweep
 
 SweepRange = tuple[str, float, float, int]
