@@ -25,12 +25,16 @@ LARGEST_TABLE = 256 * MIB
 _TABLE = "name a CSV table with a header of names, or `-` for standard input"
 
 
-def check_options(method: str, step: float, until: str, project: bool, target: Path | None) -> None:
+def check_options(
+    method: str, step: float, until: str, project: bool, changes: tuple[str, ...], target: Path | None
+) -> None:
     """Refuse what an ensemble does not do."""
     from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 
     if until or project:
         raise click.UsageError(f"`--ensemble` and `{'--until' if until else '--project'}` exclude one another")
+    if changes:
+        raise click.UsageError("`--ensemble` takes values from its table; make those of `--set` columns of it")
     if method not in RUNGE_KUTTA:
         raise click.UsageError(f"`--ensemble` takes one of {', '.join(RUNGE_KUTTA)}, not `{method}`")
     if not step and not is_adaptive(method):

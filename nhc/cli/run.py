@@ -54,11 +54,20 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
 @click.command(
     "run",
     epilog=list_examples(
-        "nhc run chaplygin_sleigh -o sleigh.html", "nhc run rolling_disk --scene lean --tol 1e-10 --points 501"
+        "nhc run chaplygin_sleigh -o sleigh.html",
+        "nhc run rolling_disk --scene lean --tol 1e-10 --points 501",
+        "nhc run rolling_disk --scene lean --set 'R=0.3, w_n=5'",
     ),
 )
 @spec_argument
 @click.option("--scene", metavar="NAME", default="", help="The scene to run; default: the first.")
+@click.option(
+    "--set",
+    "changes",
+    metavar="A=1,...",
+    multiple=True,
+    help="Change values of the scene: of its start or of parameters.",
+)
 @click.option("-o", "output", metavar="FILE", help="A .csv, .npz, .svg or .html file; default: CSV on stdout (`-`).")
 @click.option(
     "--need",
@@ -108,6 +117,7 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
 def command(
     spec: str,
     scene: str,
+    changes: tuple[str, ...],
     output: str | None,
     needs: tuple[str, ...],
     points: int | None,
@@ -135,7 +145,7 @@ def command(
         from nhc.simulate.methods import DEFAULT
 
         method = DEFAULT if method == "auto" else method
-        check_options(method, step, until, project, target)
+        check_options(method, step, until, project, changes, target)
     source = open_spec(spec)
     from nhc.simulate.opening import open_scene
     from nhc.simulate.run import POINTS, Settings
@@ -148,6 +158,7 @@ def command(
         source,
         scene,
         formulation or "",
+        changes=changes,
         needs=needs,
         until=until,
         method=method,

@@ -43,7 +43,8 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
     bag, pairs = Bag(source), list[Pair]()
     for start, part in _split(text):
         name, equals, value = part.partition("=")
-        span = Span(start, start + len(part))
+        blank = len(part) - len(part.lstrip())
+        span = Span(start + blank, start + len(part.rstrip()))
         if not equals:
             bag.error("E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, separated by commas",))
             continue
@@ -113,7 +114,7 @@ def _scaled(spec: Spec, scene: Scene, given: AbstractSet[str]) -> Scene:
     for rotation in spec.rotations:
         if given.isdisjoint(rotation.coordinates):
             continue
-        place = spec.key_span("coordinates")
+        place = scene.span
         parts: dict[str, Syntax] = {
             c.name: Number(c.start, place) for c in spec.coordinates if c.name in rotation.coordinates
         }
@@ -132,7 +133,7 @@ def _scaled(spec: Spec, scene: Scene, given: AbstractSet[str]) -> Scene:
 def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
     parameters = tuple(p.name for p in spec.parameters)
     allowed = ("pi",) if pair.name in parameters else (*parameters, "pi")
-    place = spec.key_span("coordinates")  # what is wrong with the start is reported in the spec's text
+    place = scene.span
     named = (*spec.definitions, *spec.quasi_velocities, *spec.outputs)
     variables = {*(c.name for c in spec.coordinates), *(one.name for one in named), *parameters, "t", "pi"}
     for node in walk(pair.value):

@@ -7,6 +7,7 @@ from dataclasses import replace
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.language.spec import Scene
+from nhc.mechanics.about import scene_about
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.regular.regularity import intervals
@@ -29,6 +30,7 @@ def open_scene(
     scene: str = "",
     formulation: str = "",
     *,
+    changes: tuple[str, ...] = (),
     needs: tuple[str, ...] = (),
     until: str = "",
     method: str = AUTO,
@@ -42,20 +44,23 @@ def open_scene(
 ) -> Job:
     """The job of a scene (default: the first) in a formulation (default: the spec's, or the one that nhc chooses).
 
-    ``needs``: names of quantities (default: the scene's); ``until``: an expression in the spec's names whose zero ends the run;
-    ``hold``: bring states back to the constraints; ``project``: replace a start that violates them by the nearest that does not;
-    ``checks``: compute energy and residuals as well, with ``draw`` what the spec draws; ``whole``: keep states that this start
-    alone does not need; ``stay``: keep to the formulation where it becomes singular (an ensemble, which is whole, always does);
-    ``beside``: scenes that the spec does not have, whose values of the parameters the job must be right for, too.
+    ``changes``: other values of its start or of parameters, such as ``a=1, v=2``; ``needs``: names of quantities (default: the
+    scene's); ``until``: an expression in the spec's names whose zero ends the run; ``hold``: bring states back to the
+    constraints; ``project``: replace a start that violates them by the nearest that does not; ``checks``: compute energy and
+    residuals as well, with ``draw`` what the spec draws; ``whole``: keep states that this start alone does not need; ``stay``:
+    keep to the formulation where it becomes singular (an ensemble, which is whole, always does); ``beside``: scenes that the
+    spec does not have, whose values of the parameters the job must be right for, too.
 
     Raises:
         nhc.diagnostics.SpecError: the spec or the expression has errors.
         RunError: no such scene or quantity.
     """
     spec = decode(source, until)
-    chosen = find_scene(spec, scene)
+    chosen = asked = find_scene(spec, scene)
+    if changes:
+        chosen = scene_about(spec, asked.name, changes)
     wanted = tuple(dict.fromkeys(find_need(spec, need) for need in needs))
-    spec = replace(spec, scenes=(*spec.scenes, *beside))
+    spec = replace(spec, scenes=(*(chosen if one is asked else one for one in spec.scenes), *beside))
     if until and (method in STRUCTURE or method in SUNDIALS):
         raise RunError(f"the method `{method}` does not look for events", ("take dop853 with `--until`",))
     system, event = resolve_event(spec, until) if until else (resolve(spec), None)

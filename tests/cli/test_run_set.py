@@ -1,0 +1,78 @@
+"""``nhc run --set``: a scene with other values than the spec gives."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nhc.cli import main
+
+SPEC = """nhc: 1
+system: throw
+parameters: {{g: {g}, m: 2}}
+coordinates: [x, y]
+T: m/2*(x'^2 + y'^2)
+U: -m*g*y
+quasi_velocities: {{v: x'}}
+outputs: {{height: m*y/m}}
+scenes:
+  drop: {{initial: {{y: {y}, v: {v}}}, time: [0, 1], need: [x, height]}}
+"""
+USUAL = {"g": "9.81", "y": "1", "v": "0"}
+
+
+def write(folder: Path, **values: str) -> str:
+    path = folder / "throw.yaml"
+    path.write_text(SPEC.format(**{**USUAL, **values}))
+    return str(path)
+
+
+@pytest.mark.parametrize(
+    ("options", "values"),
+    [
+        (["--set", "g=1.62"], {"g": "1.62"}),
+        (["--set", "g=1.62, y=3"], {"g": "1.62", "y": "3"}),
+        (["--set", "v=g/2", "--set", "y=pi"], {"v": "g/2", "y": "pi"}),
+        (["--set", "x'=2", "--scene", "drop"], {"v": "2"}),
+        (["--set", "g=0"], {"g": "0"}),
+    ],
+)
+@pytest.mark.parametrize("how", [[], ["--python"]])
+def test_it_runs_as_if_the_spec_said_so(
+    options: list[str], values: dict[str, str], how: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if values == {"v": "2"}:  # the velocity itself, beside the quasi-velocity of the spec, which says the same
+        options = ["--set", "v=2", *options]
+    assert main(["run", write(tmp_path), *options, *how]) == 0
+    found = capsys.readouterr().out
+    assert main(["run", write(tmp_path, **values), *how]) == 0
+    assert found == capsys.readouterr().out
+    assert main(["run", write(tmp_path), *how]) == 0
+    assert found != capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "place"),
+    [
+        (["--set", "g=1, z=3"], "E0419", "--set:1:6"),
+        (["--set", "height=3"], "E0419", "--set:1:1"),
+        (["--set", "y=x"], "E0314", "--set:1:3"),
+        (["--set", "y"], "E0208", "--set:1:1"),
+        (["--set", "y=1/0"], "E0417", "--set:1:5"),
+        (["--set", "v=1, x'=2"], "E0409", "throw.yaml:"),
+    ],
+)
+def test_what_is_wrong_with_a_value_is_shown(
+    options: list[str], code: str, place: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["run", write(tmp_path), *options]) == 1
+    out = capsys.readouterr()
+    assert out.out == "" and f"error[{code}]" in out.err and place in out.err
+
+
+def test_an_ensemble_has_a_table_for_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    table = tmp_path / "starts.csv"
+    table.write_text("y\n1\n")
+    assert main(["run", write(tmp_path), "--ensemble", str(table), "--set", "g=1"]) == 2
+    assert "columns of it" in capsys.readouterr().err
