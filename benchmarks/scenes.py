@@ -75,14 +75,10 @@ def take(job: Job, model: ChartModel) -> Cost:
     """One measurement; an infinite time where the run does not reach its end."""
     task = Task(job.p, job.y, job.time, TOLERANCE, 0.0, MOST)
     outcome = model.integrate(task, METHOD, model.news())
-    rhs = time_repeats(lambda n: _use(model.repeat_rhs(job.time[:1], (job.y,), job.p, n)), BUDGET)[0]
+    rhs = time_repeats(model.rhs_at(job.time[:1], (job.y,), job.p), BUDGET)[0]
     if outcome.kind != DONE:
         return Cost(rhs, float("inf"), outcome.calls)
     return Cost(rhs, time_repeats(lambda n: model.repeat(task, METHOD, n), BUDGET)[0], outcome.calls)
-
-
-def _use(value: float) -> None:
-    """A result that only had to be computed."""
 
 
 def print_row(pair: Pair, full: Cost, reduced: Cost) -> str:

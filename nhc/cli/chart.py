@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import FINEST_TOLERANCE, FORMULATIONS, json_option, list_examples, specs_argument
+from nhc.cli.options import (
+    FINEST_TOLERANCE,
+    FORMULATIONS,
+    json_option,
+    list_examples,
+    scene_set_option,
+    scene_time_option,
+    specs_argument,
+)
 from nhc.cli.progress import show_part
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_text, say
@@ -72,6 +80,8 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
 )
 @specs_argument
 @click.option("--scene", metavar="NAME", default="", help="The scene to chart; default: the first.")
+@scene_set_option
+@scene_time_option
 @click.option(
     "--need",
     "needs",
@@ -120,6 +130,8 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
 def command(
     specs: tuple[str, ...],
     scene: str,
+    values: tuple[str, ...],
+    time: str,
     needs: tuple[str, ...],
     formulations: tuple[str, ...],
     methods: tuple[str, ...],
@@ -148,10 +160,11 @@ def command(
     sources = [open_spec(spec) for spec in specs]
     finest = open_spec(against) if against else None
     from nhc import pipeline
+    from nhc.simulate.changes import Changes
     from nhc.study.chart.grid import Grid
     from nhc.study.chart.reference import NoReference
 
-    grid = Grid(scene, needs, formulations, methods, languages, tolerances, not no_peers)
+    grid = Grid(scene, needs, formulations, methods, languages, tolerances, not no_peers, Changes(values, time))
     try:
         if finest is not None:
             _deliver_comparison(pipeline.compare_models(sources, finest, grid, show_part), target, as_json, force)

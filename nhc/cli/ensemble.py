@@ -19,21 +19,22 @@ if TYPE_CHECKING:
 
 SHOWN = 20
 """Failures that are told one by one."""
+
 _TABLE = "name a CSV table with a header of names, or `-` for standard input"
 
 LARGEST_TABLE = 256 * MIB
-_TABLE = "name a CSV table with a header of names, or `-` for standard input"
 
 
 def check_options(
-    method: str, step: float, until: str, project: bool, changes: tuple[str, ...], target: Path | None
-) -> None:
-    """Refuse what an ensemble does not do."""
-    from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
+    method: str, step: float, until: str, project: bool, values: tuple[str, ...], target: Path | None
+) -> str:
+    """The method of an ensemble; what an ensemble does not do is refused."""
+    from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, is_adaptive
 
+    method = DEFAULT if method == "auto" else method
     if until or project:
         raise click.UsageError(f"`--ensemble` and `{'--until' if until else '--project'}` exclude one another")
-    if changes:
+    if values:
         raise click.UsageError("`--ensemble` takes values from its table; make those of `--set` columns of it")
     if method not in RUNGE_KUTTA:
         raise click.UsageError(f"`--ensemble` takes one of {', '.join(RUNGE_KUTTA)}, not `{method}`")
@@ -41,12 +42,14 @@ def check_options(
         raise click.UsageError(f"`--ensemble` with `{method}` needs `--step`")
     if target is not None and target.suffix != ".csv":
         raise click.UsageError("`--ensemble` writes a .csv file")
+    return method
 
 
 def run_starts(
     source: Source,
     table: str,
     scene: str,
+    time: str,
     formulation: str,
     needs: tuple[str, ...],
     hold: bool,
@@ -55,6 +58,7 @@ def run_starts(
 ) -> int:
     """Read the table, integrate every start, write one CSV."""
     from nhc.language import decode
+    from nhc.simulate.changes import Changes
     from nhc.simulate.ensemble import run_ensemble
     from nhc.simulate.opening import open_scene
     from nhc.simulate.requests import RunError, find_scene
@@ -67,7 +71,15 @@ def run_starts(
         rows = read_starts(text, spec)
         beside = extreme_scenes(chosen, rows)
         job = open_scene(
-            source, scene, formulation, needs=needs, method=settings.method, hold=hold, whole=True, beside=beside
+            source,
+            scene,
+            formulation,
+            changes=Changes(time=time),
+            needs=needs,
+            method=settings.method,
+            hold=hold,
+            whole=True,
+            beside=beside,
         )
         starts = list_starts(job.system, job.scene, rows)
     except RunError as error:

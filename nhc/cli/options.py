@@ -27,6 +27,13 @@ def split_names(context: click.Context, parameter: click.Parameter, value: str |
     return names
 
 
+def refuse_empty(context: click.Context, parameter: click.Parameter, value: str | None) -> str:
+    """The text, empty where the option is not given; one that is given an empty text (an unset variable?) is refused."""
+    if value is not None and not value.strip():
+        raise click.BadParameter("it is empty; leave it out, or give it a value", context, parameter)
+    return value or ""
+
+
 def check_steps(step: float, start: float, end: float) -> None:
     """Refuse fixed steps that are longer than a scene, or more than any run takes.
 
@@ -99,6 +106,19 @@ set_option = click.option(
     metavar="A=1,...",
     multiple=True,
     help="Change values of MOTION: of its state or of parameters.",
+)
+scene_set_option = click.option(
+    "--set",
+    "values",
+    metavar="A=1,...",
+    multiple=True,
+    help="Change values of the scene: of its start or of parameters.",
+)
+scene_time_option = click.option(
+    "--time",
+    metavar="[START:]END",
+    callback=refuse_empty,
+    help="When to end, and to start, in place of the scene's `time`.",
 )
 hold_option = click.option(
     "--hold",

@@ -10,7 +10,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import FINEST_TOLERANCE, check_steps, formulation_option, list_examples, spec_argument, split_names
+from nhc.cli.options import (
+    FINEST_TOLERANCE,
+    check_steps,
+    formulation_option,
+    list_examples,
+    scene_set_option,
+    scene_time_option,
+    spec_argument,
+    split_names,
+)
 from nhc.cli.progress import Progress
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
@@ -56,18 +65,13 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
     epilog=list_examples(
         "nhc run chaplygin_sleigh -o sleigh.html",
         "nhc run rolling_disk --scene lean --tol 1e-10 --points 501",
-        "nhc run rolling_disk --scene lean --set 'R=0.3, w_n=5'",
+        "nhc run rolling_disk --scene lean --set 'R=0.3, w_n=5' --time 60",
     ),
 )
 @spec_argument
 @click.option("--scene", metavar="NAME", default="", help="The scene to run; default: the first.")
-@click.option(
-    "--set",
-    "changes",
-    metavar="A=1,...",
-    multiple=True,
-    help="Change values of the scene: of its start or of parameters.",
-)
+@scene_set_option
+@scene_time_option
 @click.option("-o", "output", metavar="FILE", help="A .csv, .npz, .svg or .html file; default: CSV on stdout (`-`).")
 @click.option(
     "--need",
@@ -117,7 +121,8 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
 def command(
     spec: str,
     scene: str,
-    changes: tuple[str, ...],
+    values: tuple[str, ...],
+    time: str,
     output: str | None,
     needs: tuple[str, ...],
     points: int | None,
@@ -142,23 +147,22 @@ def command(
     _check_accuracy(method, tolerance, step)
     if ensemble:
         from nhc.cli.ensemble import check_options, run_starts
-        from nhc.simulate.methods import DEFAULT
 
-        method = DEFAULT if method == "auto" else method
-        check_options(method, step, until, project, changes, target)
+        method = check_options(method, step, until, project, values, target)
     source = open_spec(spec)
+    from nhc.simulate.changes import Changes
     from nhc.simulate.opening import open_scene
     from nhc.simulate.run import POINTS, Settings
 
     settings = Settings(method, tolerance, step, points or (2 if ensemble else POINTS), not interpreted)
     if ensemble:
-        return run_starts(source, ensemble, scene, formulation or "", needs, not drift, settings, target)
+        return run_starts(source, ensemble, scene, time, formulation or "", needs, not drift, settings, target)
     page = target is not None and target.suffix == ".html"
     job = open_scene(
         source,
         scene,
         formulation or "",
-        changes=changes,
+        changes=Changes(values, time),
         needs=needs,
         until=until,
         method=method,

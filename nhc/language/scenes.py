@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.diagnostics import nearest, quote
+from nhc.diagnostics import Bag, Span, nearest, quote
 from nhc.language.advice import advise_need, meant_rate, meant_scene_key
 from nhc.language.expressions.names import ENERGIES, fold
 from nhc.language.expressions.parser import parse_expression
@@ -55,6 +55,15 @@ def decode_scenes(
         elif scene is not None:
             found[name] = scene
     return tuple(found.values())
+
+
+def check_time(bag: Bag, time: tuple[Fraction, Fraction], span: Span) -> bool:
+    """Whether start and end are some thousand doubles apart at least; reports where they are not."""
+    if time[1] - time[0] >= LEAST_PART * max(map(abs, time)):
+        return True
+    help = "doubles hold some 16 digits; begin at 0, and let the forces count from there"
+    bag.error("E0313", "`time` is too short for so late a time: its times are not told apart", span, help=(help,))
+    return False
 
 
 class _SceneReader:
@@ -264,15 +273,8 @@ class _SceneReader:
         return Need(name, name, text.span) if name in self.own_needs else None
 
     def _time(self, node: Node) -> tuple[Fraction, Fraction] | None:
-        """The scene's start and end, some thousand doubles apart at least."""
         time = self.shapes.interval(node, "`time`")
-        if time is not None and time[1] - time[0] < LEAST_PART * max(map(abs, time)):
-            help = "doubles hold some 16 digits; begin at 0, and let the forces count from there"
-            self.bag.error(
-                "E0313", "`time` is too short for so late a time: its times are not told apart", node.span, help=(help,)
-            )
-            return None
-        return time
+        return time if time is not None and check_time(self.bag, time, node.span) else None
 
     def _tolerance(self, node: Node | None) -> Fraction:
         value = self.shapes.number(node, "`tolerance`") if node is not None else None

@@ -130,6 +130,20 @@ def _scaled(spec: Spec, scene: Scene, given: AbstractSet[str]) -> Scene:
     return scene
 
 
+def known_pairs(spec: Spec, settings: Sequence[str]) -> tuple[str, ...]:
+    """The pairs of ``settings`` whose names the spec has: a coarser model lacks some that a finer one has.
+
+    Raises:
+        nhc.diagnostics.SpecError: what is no pair.
+    """
+    parameters, found = {p.name for p in spec.parameters}, list[str]()
+    for text in settings:
+        for pair in read_pairs(text, "--set")[1]:
+            if pair.name in parameters or _target(spec, pair.name) is not None:
+                found.append(text[pair.span.start : pair.span.end])
+    return tuple(found)
+
+
 def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
     parameters = tuple(p.name for p in spec.parameters)
     allowed = ("pi",) if pair.name in parameters else (*parameters, "pi")

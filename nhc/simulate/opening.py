@@ -7,12 +7,12 @@ from dataclasses import replace
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.language.spec import Scene
-from nhc.mechanics.about import scene_about
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.starts.scenes import start_of
+from nhc.simulate.changes import UNCHANGED, Changes, changed
 from nhc.simulate.edges import continue_beyond
 from nhc.simulate.events import resolve_event
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
@@ -30,7 +30,7 @@ def open_scene(
     scene: str = "",
     formulation: str = "",
     *,
-    changes: tuple[str, ...] = (),
+    changes: Changes = UNCHANGED,
     needs: tuple[str, ...] = (),
     until: str = "",
     method: str = AUTO,
@@ -44,7 +44,7 @@ def open_scene(
 ) -> Job:
     """The job of a scene (default: the first) in a formulation (default: the spec's, or the one that nhc chooses).
 
-    ``changes``: other values of its start or of parameters, such as ``a=1, v=2``; ``needs``: names of quantities (default: the
+    ``changes``: other values and another time than it has; ``needs``: names of quantities (default: the
     scene's); ``until``: an expression in the spec's names whose zero ends the run; ``hold``: bring states back to the
     constraints; ``project``: replace a start that violates them by the nearest that does not; ``checks``: compute energy and
     residuals as well, with ``draw`` what the spec draws; ``whole``: keep states that this start alone does not need; ``stay``:
@@ -56,11 +56,9 @@ def open_scene(
         RunError: no such scene or quantity.
     """
     spec = decode(source, until)
-    chosen = asked = find_scene(spec, scene)
-    if changes:
-        chosen = scene_about(spec, asked.name, changes)
+    spec, chosen = changed(spec, find_scene(spec, scene), changes)
     wanted = tuple(dict.fromkeys(find_need(spec, need) for need in needs))
-    spec = replace(spec, scenes=(*(chosen if one is asked else one for one in spec.scenes), *beside))
+    spec = replace(spec, scenes=(*spec.scenes, *beside))
     if until and (method in STRUCTURE or method in SUNDIALS):
         raise RunError(f"the method `{method}` does not look for events", ("take dop853 with `--until`",))
     system, event = resolve_event(spec, until) if until else (resolve(spec), None)

@@ -1,4 +1,4 @@
-"""``nhc run --set``: a scene with other values than the spec gives."""
+"""``nhc run --set`` and ``--time``: a scene with other values and another time than the spec gives."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ U: -m*g*y
 quasi_velocities: {{v: x'}}
 outputs: {{height: m*y/m}}
 scenes:
-  drop: {{initial: {{y: {y}, v: {v}}}, time: [0, 1], need: [x, height]}}
+  drop: {{initial: {{y: {y}, v: {v}}}, time: {time}, need: [x, height]}}
 """
-USUAL = {"g": "9.81", "y": "1", "v": "0"}
+USUAL = {"g": "9.81", "y": "1", "v": "0", "time": "[0, 1]"}
 
 
 def write(folder: Path, **values: str) -> str:
@@ -36,6 +36,8 @@ def write(folder: Path, **values: str) -> str:
         (["--set", "v=g/2", "--set", "y=pi"], {"v": "g/2", "y": "pi"}),
         (["--set", "x'=2", "--scene", "drop"], {"v": "2"}),
         (["--set", "g=0"], {"g": "0"}),
+        (["--time", "2.5"], {"time": "[0, 2.5]"}),
+        (["--time", " -1 : pi/2", "--set", "v=3"], {"time": "[-1, pi/2]", "v": "3"}),
     ],
 )
 @pytest.mark.parametrize("how", [[], ["--python"]])
@@ -61,6 +63,15 @@ def test_it_runs_as_if_the_spec_said_so(
         (["--set", "y"], "E0208", "--set:1:1"),
         (["--set", "y=1/0"], "E0417", "--set:1:5"),
         (["--set", "v=1, x'=2"], "E0409", "throw.yaml:"),
+        (["--time", "0"], "E0313", "starts at 0\n --> --time:1:1"),
+        (["--time", "5:4"], "E0313", "--time:1:1"),
+        (["--time", "1:2:3"], "E0301", "--time:1:1"),
+        (["--time", "1: "], "E0301", "--time:1:1"),
+        (["--time", "0: tau"], "E0314", "--time:1:4"),
+        (["--time", "3 s"], "E0", "--time:1:"),
+        (["--time", "inf"], "E0313", "--time:1:1"),
+        (["--time", "1/0"], "E0417", "--time:1:1"),
+        (["--time", "1e20:1e20+1"], "E0313", "not told apart"),
     ],
 )
 def test_what_is_wrong_with_a_value_is_shown(
@@ -68,7 +79,7 @@ def test_what_is_wrong_with_a_value_is_shown(
 ) -> None:
     assert main(["run", write(tmp_path), *options]) == 1
     out = capsys.readouterr()
-    assert out.out == "" and f"error[{code}]" in out.err and place in out.err
+    assert out.out == "" and f"error[{code}" in out.err and place in out.err
 
 
 def test_an_ensemble_has_a_table_for_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -76,3 +87,10 @@ def test_an_ensemble_has_a_table_for_it(tmp_path: Path, capsys: pytest.CaptureFi
     table.write_text("y\n1\n")
     assert main(["run", write(tmp_path), "--ensemble", str(table), "--set", "g=1"]) == 2
     assert "columns of it" in capsys.readouterr().err
+    assert main(["run", write(tmp_path), "--ensemble", str(table), "--time", "1:3", "--points", "3"]) == 0
+    assert [row.split(",")[1] for row in capsys.readouterr().out.splitlines()] == ["t", "1.0", "2.0", "3.0"]
+
+
+def test_an_empty_time_is_no_time(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", write(tmp_path), "--time", ""]) == 2
+    assert "'--time': it is empty" in capsys.readouterr().err

@@ -20,12 +20,14 @@ from nhc.language import Source, read
 from nhc.report.chart_file import make_file
 from nhc.simulate.auto import choose_method
 from nhc.simulate.c import compile as compiling
+from nhc.simulate.changes import Changes
 from nhc.simulate.opening import open_scene
 from nhc.simulate.task import Task
 from nhc.simulate.workshop import load
 from nhc.study.chart.advice import advise
 from nhc.study.chart.case import RESOLVED, Study
 from nhc.study.chart.grid import Grid
+from nhc.study.chart.model import ChartModel, compile_chart
 from nhc.study.chart.study import chart
 from tests.support import spec_path
 
@@ -74,6 +76,29 @@ def test_errors_fall_with_the_tolerance_in_every_line() -> None:
     for errors in lines.values():
         assert len(errors) == 3
         assert errors[0] > 30 * errors[1] > 900 * errors[2]
+
+
+def test_a_chart_of_a_changed_scene_is_that_of_a_spec_with_these_values() -> None:
+    grid = replace(SMALL, methods=("dop853",), tolerances=(1e-6,), languages=("c",))
+    made = chart(Source("fall.yaml", STIFF.replace("RATE", "2")), replace(grid, changes=Changes(("c=1, y=2",), "4")))
+    text = STIFF.replace("RATE", "1").replace("x: 0.3", "x: 0.3, y: 2").replace("[0, 10]", "[0, 4]")
+    wanted = chart(Source("fall.yaml", text), grid)
+    assert made.time == (0.0, 4.0)
+    assert [r.error for r in made.results] == [r.error for r in wanted.results] and made.results
+
+
+def test_only_right_hand_sides_are_timed_and_no_conversions_of_states(monkeypatch: pytest.MonkeyPatch) -> None:
+    job = open_scene(gallery("chaplygin_sleigh"))
+    model = ChartModel(compile_chart(job, ("dop853",)), job)
+    repeat = model.rhs_at(job.time[:1], (job.y,), job.p)
+
+    def refuse(values: object) -> None:
+        raise AssertionError("an array is made while the clock runs")
+
+    monkeypatch.setattr("nhc.study.chart.model.doubles", refuse)
+    repeat(3)
+    with pytest.raises(AssertionError):
+        model.rhs_at(job.time[:1], (job.y,), job.p)
 
 
 def test_c_and_python_make_the_same_errors() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from nhc.report.comparison import draw_comparison
 from nhc.report.comparison_page import make_comparison_file
 from nhc.report.comparison_text import advise_models, observations, to_markdown
 from nhc.resources import find_specs
+from nhc.simulate.changes import Changes
 from nhc.study.chart.comparable import check_comparable
 from nhc.study.chart.fidelity import Comparison, compare_models, name_models
 from nhc.study.chart.grid import Grid
@@ -112,6 +114,19 @@ def test_a_known_error_comes_out() -> None:
         Grid(needs=("x", "pull"), tolerances=(1e-9,), budget=1e-4),
     )
     assert both.needs == ("x", "pull") and len(both.rungs[0].errors) == 2
+
+
+def test_a_scene_is_changed_in_all_models_as_far_as_they_have_the_names() -> None:
+    """x = 2 cos t against x = f + (2 - f) cos t; only the finer model has the force f."""
+    held = oscillator("held", "f")
+    held = Source(held.path, held.text.replace("T:", "parameters: {f: 1}\nT:"))
+    free = Source("free.yaml", oscillator("free", "0").text.replace("[0, 3]", "[0, 7]"))
+    grid = Grid(tolerances=(1e-9,), budget=1e-4, changes=Changes(("x=2, f = 0.02",), "1:2.5"))
+    made = compare_models([free], held, grid)
+    assert made.time == (1.0, 2.5)
+    assert made.rungs[0].errors[0] == pytest.approx(0.02 * (1 - math.cos(1.5)) / 2, rel=1e-6)
+    with pytest.raises(SpecError, match="`z` is no coordinate"):
+        compare_models([free], held, replace(grid, changes=Changes(("z=2",))))
 
 
 def test_without_a_compiler_the_emitted_python_is_timed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -35,7 +35,7 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
             f"from {float(scene.time[0]):g} to {float(scene.time[1]):g} in `{base}`",
             own.span,
             notes=("errors are taken at the same times in all models",),
-            help=("give both scenes the same `time`",),
+            help=("give both scenes the same `time`, or name one with `--time`",),
         )
     units, wanted = derive_units(spec), derive_units(finest)
     for need in needs:

@@ -10,6 +10,7 @@ from pathlib import PurePath
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.language.spec import Scene, Spec
+from nhc.mechanics.about import known_pairs
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolving.resolve import resolve
@@ -18,6 +19,7 @@ from nhc.program.scene_model import SceneModel, count_operations_of, scene_model
 from nhc.records import record
 from nhc.simulate.auto import choose_method
 from nhc.simulate.c.compile import find_compiler
+from nhc.simulate.changes import Changes, changed
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
 from nhc.simulate.requests import find_need, find_scene
@@ -110,11 +112,11 @@ def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: 
         nhc.study.chart.reference.NoReference: the finest model does not come to the end of the scene.
     """
     truth = decode(finest)
-    scene = find_scene(truth, grid.scene)
+    truth, scene = changed(truth, find_scene(truth, grid.scene), grid.changes)
     needs = tuple(dict.fromkeys(find_need(truth, need) for need in grid.needs)) or tuple(n.name for n in scene.need)
     models = {source.path: source for source in (*sources, finest)}
     names = name_models(list(models))
-    specs = {path: decode(source) for path, source in models.items()}
+    specs = {path: _changed(decode(source), scene.name, grid.changes) for path, source in models.items()}
     for path, spec in specs.items():
         check_comparable(spec, truth, scene, needs, names[path])
     opened = [_open(names[path], models[path], spec, scene.name, needs) for path, spec in specs.items()]
@@ -150,6 +152,14 @@ def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: 
         notes=() if compiled else ("there is no C compiler here: the emitted Python is timed",),
         machine=describe_machine(),
     )
+
+
+def _changed(spec: Spec, scene: str, changes: Changes) -> Spec:
+    """The spec with its scene of that name changed, if it has one, as far as it has the names."""
+    own = next((one for one in spec.scenes if one.name == scene), None)
+    if own is None:
+        return spec
+    return changed(spec, own, Changes(known_pairs(spec, changes.values), changes.time))[0]
 
 
 def name_models(paths: Sequence[str]) -> dict[str, str]:

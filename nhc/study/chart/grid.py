@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from nhc.records import record
+from nhc.simulate.changes import UNCHANGED, Changes
 
 METHODS = ("dop853", "dopri5", "rk4", "radau5", "gauss6")
 STRUCTURE = ("leapfrog", "dla", "perlmutter", "energy")
@@ -16,7 +17,10 @@ MOST_PYTHON = 4000  # right-hand sides of an interpreted run that is still worth
 
 @record
 class Grid:
-    """What to chart; empty: what nhc takes by itself.  ``budget``: seconds for the repeats of one case."""
+    """What to chart; empty: what nhc takes by itself.
+
+    ``changes``: of the scene; ``budget``: seconds for the repeats of one case.
+    """
 
     scene: str = ""
     needs: tuple[str, ...] = ()
@@ -25,6 +29,7 @@ class Grid:
     languages: tuple[str, ...] = ()
     tolerances: tuple[float, ...] = ()
     peers: bool = True
+    changes: Changes = UNCHANGED
     budget: float = 0.008
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from nhc.emit.environment import File, render_file
@@ -104,14 +104,19 @@ class RepeatedModel(CompiledModel):
 class ChartModel(RepeatedModel):
     """Repeated runs of a compiled model, and repeated calls of its right-hand side alone, for timing."""
 
-    def repeat_rhs(
-        self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float], n: int
-    ) -> float:
-        """The right-hand side ``n`` times at each of the states; the sum of its last entries."""
+    def rhs_at(
+        self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float]
+    ) -> Callable[[int], None]:
+        """What calls the right-hand side n times at each of the states; its arrays are made here, so that this is not timed."""
         function = getattr(self.library, f"{self.system}_repeat_rhs")
         function.restype = _Number
         flat, out = doubles([x for state in states for x in state]), doubles([0.0] * self.states)
-        return float(function(_Whole(n), _Whole(len(times)), doubles(times), flat, doubles(p), out))
+        fixed = (_Whole(len(times)), doubles(times), flat, doubles(p), out)
+
+        def repeat(n: int) -> None:
+            function(_Whole(n), *fixed)
+
+        return repeat
 
 
 @record

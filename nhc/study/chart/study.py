@@ -12,6 +12,7 @@ from nhc.language.spec import Scene
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.simulate.c.compile import CompileError, find_compiler
+from nhc.simulate.changes import changed
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.methods import STRUCTURE as SCHEMES
@@ -44,7 +45,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         nhc.study.chart.reference.NoReference: there is nothing to compare with.
     """
     spec = decode(source)
-    scene = find_scene(spec, grid.scene)
+    spec, scene = changed(spec, find_scene(spec, grid.scene), grid.changes)
     needs = tuple(dict.fromkeys(find_need(spec, need) for need in grid.needs))
     system = resolve(spec)
     made, compiled = prepare_jobs(system, scene, grid.formulations, needs, bool(grid.scene)), bool(find_compiler())
@@ -151,7 +152,7 @@ def cost_of(rig: Rig, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
     times, states = rig.times[: len(outcome.states)], outcome.states
     compiled, interpreted = rig.compiled, rig.interpreted
     if isinstance(compiled, ChartModel) and "c" in languages:
-        best, _, _ = time_repeats(lambda n: _use(compiled.repeat_rhs(times, states, job.p, n)), 0.02)
+        best, _, _ = time_repeats(compiled.rhs_at(times, states, job.p), 0.02)
         in_c = best / len(times)
     if isinstance(interpreted, InterpretedModel) and "python" in languages:
 
@@ -173,10 +174,6 @@ def price_all(made: Prepared, costs: Sequence[Cost]) -> tuple[Cost, ...]:
         form = made.jobs[name].formulation
         known[name] = replace(known[twin], formulation=name, number=form.number, reason=form.reason, twin=twin)
     return tuple(known[name] for name in made.jobs)
-
-
-def _use(value: float) -> None:
-    """A result that only had to be computed."""
 
 
 def run_rig(rig: Rig, methods: Sequence[str], runs: Runs) -> tuple[list[Result], list[tuple[str, str]]]:

@@ -139,16 +139,12 @@ class Meter:
             rhs = time_repeats(lambda n: _call(slow, job, n), _BUDGET)[0]
             return Price(rhs, time_repeats(lambda n: _repeat(slow, task, self.method, n), _BUDGET)[0])
         model = ChartModel(compile_chart(job, (self.method,)), job)
-        rhs = time_repeats(lambda n: _use(model.repeat_rhs((job.time[0],), (job.y,), job.p, n)), _BUDGET)[0]
+        rhs = time_repeats(model.rhs_at((job.time[0],), (job.y,), job.p), _BUDGET)[0]
         return Price(rhs, time_repeats(lambda n: model.repeat(task, self.method, n), _BUDGET)[0])
 
     @property
     def settings(self) -> Settings:
         return Settings(self.method, tolerance=TIGHTER * self.tolerance)
-
-
-def _use(value: float) -> None:
-    """A result that only had to be computed."""
 
 
 def _call(model: InterpretedModel, job: Job, count: int) -> None:
