@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping
 from fractions import Fraction
 
@@ -10,6 +9,7 @@ from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import RANK_STEP, Side, Symbol, Term
 from nhc.records import record
 
+_ONE = Fraction(1)
 _NUMBER, _PI, _SUM, _CALL = 0, 1, 8 * RANK_STEP, 9 * RANK_STEP
 _AWKWARD = 20  # smallest denominator of a fraction that is set as a decimal
 _PLACES, _SMALL = 9, Fraction(1, 1000)  # of a decimal: the most places, and the smallest value
@@ -68,18 +68,19 @@ def _collected(terms: list[tuple[bool, Expr]]) -> list[tuple[bool, Expr]]:
     """Terms of the same factors as one; a sum that the graph keeps in two halves may hold them twice."""
     if len(terms) < 2:
         return terms
-    products = [flatten_product(term, {}) for _, term in terms]
     totals: dict[object, Fraction] = {}
     first: dict[object, int] = {}
-    keys = [(frozenset(Counter(p.over).items()), frozenset(Counter(p.under).items())) for p in products]
-    for k, (key, product) in enumerate(zip(keys, products, strict=True)):
-        sign = -1 if terms[k][0] != product.negative else 1
-        totals[key] = totals.get(key, Fraction(0)) + sign * product.number
+    keys = list[object]()
+    for k, (negative, term) in enumerate(terms):
+        inside, number, over, under = _split(term)
+        key = frozenset(_exponents(over).items()), frozenset(_exponents(under).items())
+        keys.append(key)
+        totals[key] = totals.get(key, Fraction(0)) + (number if negative == inside else -number)
         first.setdefault(key, k)
     if len(totals) == len(terms):
         return terms
     kept = [k for k, key in enumerate(keys) if first[key] == k and totals[key]]
-    return [(totals[keys[k]] < 0, _product(abs(totals[keys[k]]), products[k])) for k in kept] or [
+    return [(totals[keys[k]] < 0, _product(abs(totals[keys[k]]), flatten_product(terms[k][1], {}))) for k in kept] or [
         (False, Number(Fraction(0)))
     ]
 
@@ -95,7 +96,13 @@ def _product(number: Fraction, product: Product) -> Expr:
 
 def flatten_product(expression: Expr, symbols: Mapping[str, Symbol]) -> Product:
     """The factors of a term, in reading order."""
-    negative, number = False, Fraction(1)
+    negative, number, over, under = _split(expression)
+    return Product(negative, number, _ordered(over, symbols), _ordered(under, symbols))
+
+
+def _split(expression: Expr) -> tuple[bool, Fraction, list[Expr], list[Expr]]:
+    """Whether a term is negative, its number, its factors and its divisors."""
+    negative, number = False, _ONE
     over: list[Expr] = []
     under: list[Expr] = []
     stack = [(False, expression)]
@@ -113,20 +120,23 @@ def flatten_product(expression: Expr, symbols: Mapping[str, Symbol]) -> Product:
                 number = number / abs(part.value) if below else number * abs(part.value)
             case _:
                 (under if below else over).append(part)
-    return Product(negative, number, _ordered(over, symbols), _ordered(under, symbols))
+    return negative, number, over, under
 
 
 def _ordered(factors: list[Expr], symbols: Mapping[str, Symbol]) -> tuple[Expr, ...]:
-    return tuple(sorted(_gathered(factors), key=lambda factor: _rank(factor, symbols)))
+    if len(factors) < 2:
+        return tuple(factors)
+    gathered = [base if n == 1 else Power(base, n) for base, n in _exponents(factors).items()]
+    return tuple(sorted(gathered, key=lambda factor: _rank(factor, symbols)))
 
 
-def _gathered(factors: list[Expr]) -> list[Expr]:
-    """Equal factors as one power."""
+def _exponents(factors: list[Expr]) -> dict[Expr, int]:
+    """Equal factors as one power: the exponents that are not zero."""
     exponents: dict[Expr, int] = {}
     for factor in factors:
         base, n = (factor.base, factor.exponent) if isinstance(factor, Power) else (factor, 1)
         exponents[base] = exponents.get(base, 0) + n
-    return [base if n == 1 else Power(base, n) for base, n in exponents.items() if n]
+    return {base: n for base, n in exponents.items() if n}
 
 
 def _rank(factor: Expr, symbols: Mapping[str, Symbol]) -> int:
