@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 from nhc.algebra.exact import modular
+from nhc.algebra.exact.both_signs import vanish_for_both_signs
 from nhc.algebra.exact.modular import are_zero, is_zero, rank
 from nhc.algebra.exact.residues import FULL_TURN, PRIMES, part_of_turn, square_root, turn
-from nhc.algebra.exact.signs import degree_in_signs
+from nhc.algebra.exact.signs import Signs, degree_in_signs
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.probe import signed_probes
 from nhc.diagnostics import Bag, Source, Span
@@ -269,3 +270,55 @@ def test_points_of_both_signs() -> None:
     products = [g.mul(g.symbol(x), g.symbol(y)) for x, y in ("xy", "ab", "qr")]
     for product in products:
         assert len({probe.value(product) > 0 for probe in signed_probes(g)}) == 2
+
+
+BOTH = [
+    "(abs(x) + y)^2 - x^2 - 2*y*abs(x) - y^2",
+    "(max(x, y) + min(x, y) - x)*z - y*z",
+    "max(x, y)*min(x, y) - x*y",
+    "(sign(x) + sign(y))^2 - 2 - 2*sign(x)*sign(y)",
+    "sin(abs(x) + y) - sin(abs(x))*cos(y) - cos(abs(x))*sin(y)",
+    "(1 + sqrt(x^2*y)*z)*(1 - sqrt(x^2*y)*z) + x^2*y*z^2 - 1 + 0*sqrt(y)",
+    "1/(2 + abs(x)) + 1/(2 - abs(x)) - 4/(4 - x^2)",
+]
+MORE = [
+    "abs(x)*abs(y) - abs(x*y)",
+    "sqrt(x^2) - abs(x)",
+    "sign(x*y)*abs(x) - x*sign(y)",
+    "abs(abs(x) + y)^2 - (abs(x) + y)^2",
+]
+
+
+@pytest.mark.parametrize("text", BOTH)
+def test_what_vanishes_for_both_signs_needs_no_further_points(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(degree: int, done: int) -> int:
+        raise AssertionError(f"more than {done} points are asked for")
+
+    monkeypatch.setattr(modular, "points_for", refuse)
+    for seed in range(4):
+        g = Graph()
+        assert is_zero(g, node_of(g, text)) and are_zero(g, [node_of(g, text)], seed=seed) == [True]
+
+
+@pytest.mark.parametrize("text", MORE)
+def test_what_vanishes_only_as_signs_belong_together_is_seen_at_many_points(text: str) -> None:
+    for seed in range(4):
+        g = Graph()
+        assert are_zero(g, [node_of(g, text)], seed=seed) == [True]
+
+
+@pytest.mark.parametrize(
+    "text", ["z*(abs(x) - x)", "max(x, y) - x", "(sign(x) - 1)*(sign(y) - 1)*(sign(z) - 1)", *HIDDEN]
+)
+def test_what_vanishes_at_a_point_for_its_signs_alone_is_no_zero(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Here the many points would say that all is zero."""
+    monkeypatch.setattr(modular, "signed_probes", lambda graph: [])
+    monkeypatch.setattr(modular, "points_for", lambda degree, done: done)
+    found = list[bool]()
+    for seed in range(40):
+        g = Graph()
+        node = node_of(g, text)
+        points = [point for point, _ in modular._sampled(g, [node], 1, seed, modular.QuickPoint)]
+        if points[0].values[node] == 0:
+            found.append(node in vanish_for_both_signs(Signs(g, [node]), [node], points))
+    assert found and not any(found)

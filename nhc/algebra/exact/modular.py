@@ -13,6 +13,7 @@ from itertools import chain, islice
 
 from nhc.algebra.dense import rank_modulo
 from nhc.algebra.evaluate import Mpmath, evaluate
+from nhc.algebra.exact.both_signs import vanish_for_both_signs
 from nhc.algebra.exact.draw import MOST_DRAWS, QuickPoint, draw_points
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.exact.primes import primes_of
@@ -39,7 +40,15 @@ def sample(
     Raises:
         Unlucky: after many unlucky draws in a row (an expression that is singular everywhere, or dozens of nested roots).
     """
-    results: list[list[int]] = []
+    return [row for _, row in _sampled(graph, roots, count, seed, kind)]
+
+
+_Sampled = tuple[FieldPoint, list[int]]
+
+
+def _sampled(graph: Graph, roots: Sequence[Node], count: int, seed: int, kind: type[FieldPoint]) -> list[_Sampled]:
+    """Points with the residues of the roots."""
+    results: list[_Sampled] = []
     known: dict[tuple[int, int], FieldPoint] = {}
     if kind is QuickPoint and count <= _KEPT_POINTS:  # these stay, and know what was evaluated before
         known = graph.memory.setdefault("points", known)
@@ -51,7 +60,7 @@ def sample(
         key = seed * _SEEDS + attempt, primes[len(results) % len(primes)]
         point = known.get(key) or kind(graph, *key)
         try:
-            results.append(point.evaluate(roots))
+            results.append((point, point.evaluate(roots)))
         except Unlucky:
             known.pop(key, None)
             unlucky += 1
@@ -67,13 +76,13 @@ def _sample_open(
     seed: int,
     kind: type[FieldPoint],
     known: dict[tuple[int, int], FieldPoint],
-) -> list[list[int]]:
-    """Residues at points where the square roots exist: those of this seed that are known, then such as are looked for.
+) -> list[_Sampled]:
+    """Points where the square roots exist: those of this seed that are known, then such as are looked for.
 
     Raises:
         Unlucky: none was found.
     """
-    results, used = [], set[tuple[int, int]]()
+    results, used = list[_Sampled](), set[tuple[int, int]]()
     seeds = iter(range(seed * _SEEDS + _DRAWS + 2, (seed + 1) * _SEEDS))
     primes = primes_of(graph)
     for place in places:
@@ -86,7 +95,7 @@ def _sample_open(
                 continue
             used.add(key)
             try:
-                results.append(point.evaluate(roots))
+                results.append((point, point.evaluate(roots)))
             except Unlucky:
                 continue
             known[key] = point
@@ -118,13 +127,26 @@ def _vanishing_with_signs(graph: Graph, nodes: Sequence[Node], done: int, seed: 
     open_ = [n for n in nodes if n not in set(held) and not any(probe.is_clear(n) for probe in signed_probes(graph))]
     signs = Signs(graph, open_)
     degrees = {n: signs.degree([n]) for n in open_}
-    alive = [n for n in open_ if degrees[n] <= MOST]
+    settled = _vanishing_for_both(graph, signs, [n for n in open_ if degrees[n]], done, seed)
+    held += settled
+    alive = [n for n in open_ if degrees[n] <= MOST and n not in settled]
     for round_, degree in enumerate(sorted({degrees[n] for n in alive} - {0}), start=1):
         held += [n for n in alive if degrees[n] < degree]
         alive = [n for n in alive if degrees[n] >= degree]
         needed = points_for(degree, done)
         alive, done = _vanishing(graph, alive, needed - done, seed + round_), needed
     return held + alive
+
+
+def _vanishing_for_both(graph: Graph, signs: Signs, nodes: Sequence[Node], count: int, seed: int) -> list[Node]:
+    """Those of the nodes that vanish for both values of each of their signs, which need no further points."""
+    try:
+        sampled = _sampled(graph, nodes, count, seed, QuickPoint) if nodes else []
+    except Unlucky:
+        return []
+    zero = [n for k, n in enumerate(nodes) if not any(row[k] for _, row in sampled)]
+    found = vanish_for_both_signs(signs, zero, [point for point, _ in sampled])
+    return [n for n in nodes if n in found]
 
 
 def _vanishing(graph: Graph, nodes: Sequence[Node], count: int, seed: int) -> list[Node]:

@@ -72,6 +72,8 @@ class Signs:
         self.graph = graph
         self.arguments: list[tuple[Node, ...]] = []
         """What each sign is the sign of, as nodes; it cannot change where none of these does."""
+        self.holders: list[list[Node]] = []
+        """The nodes that bring each sign, of those whose degree was asked for."""
         self._keys: dict[tuple[object, ...], int] = {}
         self._known: dict[Node, tuple[int, int]] = {}
         found = [n for n in reachable(graph, roots) if graph.op[n] in _HOLDERS]
@@ -117,6 +119,8 @@ class Signs:
         g, op = self.graph, self.graph.op[node]
         below = [self._known[c] for c in g.children(node)]
         own, mask = self._own(op, node), 0
+        for number in bits_of(own):
+            self.holders[number].append(node)
         for part, _ in below:
             mask |= part
         if not own and not mask:
@@ -153,6 +157,7 @@ class Signs:
         if number is None:
             number = self._keys[key] = len(self._keys)
             self.arguments.append(arguments)
+            self.holders.append([])
         return 1 << number
 
     def _radicals(self, found: Sequence[Node], roots: Sequence[Node]) -> list[Node]:
@@ -165,6 +170,11 @@ class Signs:
             for n in found
             if g.deps[n] and (g.op[n] == "sqrt" or n in turned or (g.op[n] == "powf" and _halvings(g, n)))
         ]
+
+
+def bits_of(mask: int) -> list[int]:
+    """The numbers of the signs in a mask."""
+    return [k for k in range(mask.bit_length()) if mask >> k & 1]
 
 
 def degree_in_signs(graph: Graph, nodes: Sequence[Node]) -> int:
