@@ -19,6 +19,7 @@ WIDTH, PANEL = 760, 340
 TINY = 1e-20
 LONGEST = 32  # letters of names beside an axis
 FLAT = 30.0  # times as large as another quantity, which would seem to be zero in the same panel
+MOST_STARTED = 24  # coordinates and velocities of the start that are named
 MOST_READ = 2000  # rows that the page carries as numbers
 
 
@@ -102,6 +103,7 @@ def make_page(found: Trajectory) -> str:
             f"{_number(found.times[0])} to {_number(found.times[-1], job.system.spec.time_unit)}, {len(found.times)} rows",
         ),
         ("parameters", _list_parameters(job) or "none"),
+        ("start", _list_start(job) or "all coordinates and velocities are zero"),
         *_summary(found),
         *(("note", note) for note in found.notes),
     ]
@@ -133,6 +135,19 @@ def _list_parameters(job: Job) -> str:
     values = zip(job.program.parameters, job.p, strict=True)
     shown = (f"{parameter.name} = {_number(value, parameter.unit)}" for parameter, value in values)
     return ", ".join(text.replace(" ", "\u00a0") for text in shown)  # a line ends between two of them only
+
+
+def _list_start(job: Job) -> str:
+    """Coordinates and velocities at the start, but for those that are zero."""
+    units, names = job.system.units, job.system.q_names
+    values = (*zip(names, job.start.q, strict=True), *zip((f"{name}'" for name in names), job.start.v, strict=True))
+    shown = [
+        f"{name} = {_number(float(f'{value:.10g}'), units.get(name, ''))}".replace(" ", "\u00a0")
+        for name, value in values
+        if value
+    ]
+    more = [f"... and {len(shown) - MOST_STARTED} more"] if len(shown) > MOST_STARTED else []
+    return ", ".join([*shown[:MOST_STARTED], *more])
 
 
 def _embed(data: object) -> str:
