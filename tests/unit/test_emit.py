@@ -180,4 +180,5 @@ def test_dead_code_goes_and_parameter_work_is_found() -> None:
 def test_texts_are_cleaned_folded_and_wrapped() -> None:
     assert clean("a\n\tb\u202e\x00 c ") == "a b c"
     assert fold_ascii("Čaplygin θ Ω · 中") == "Caplygin theta Omega * <U+4E2D>"
+    assert fold_ascii("m/s² · µN, 10⁻¹² of x₁") == "m/s^2 * uN, 10^-12 of x1"
     assert wrap("one two three", 8, "  ") == ["one two", "  three"]
