@@ -13,7 +13,9 @@ PUNCTUATION = {
     "\u2018": "'", "\u2019": "'", "\u201c": "'", "\u201d": "'", "\u2032": "'", "\u2033": "''",
     "\u00b7": "*", "\u22c5": "*", "\u00d7": "x", "\u00df": "ss", "\u00f8": "o", "\u00d8": "O",
     "\u0142": "l", "\u0141": "L", "\u00e6": "ae", "\u2265": ">=", "\u2264": "<=", "\u2026": "...",
+    "\u00b5": "u", "\u2044": "/",
 }  # fmt: skip
+RAISED = re.compile("[\u207a\u207b\u2070\u00b9\u00b2\u00b3\u2074-\u2079]+")  # signs and digits of exponents
 
 
 def clean(text: str) -> str:
@@ -23,7 +25,11 @@ def clean(text: str) -> str:
 
 
 def fold_ascii(text: str) -> str:
-    """ASCII for a text: accents are dropped, Greek letters named, what is left is written by its code, as <U+2126>."""
+    """ASCII for a text: accents are dropped, Greek letters named, exponents stay exponents (as ``m/s^2``).
+
+    What is left is written by its code, as <U+4E2D>.
+    """
+    text = RAISED.sub(lambda raised: "^" + unicodedata.normalize("NFKC", raised[0]), text)
     return "".join(_fold_character(character) for character in text)
 
 

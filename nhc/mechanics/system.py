@@ -134,6 +134,11 @@ class System:
         """The names of the rotations' angular velocities, which are quasi-velocities as those of the spec are."""
         return frozenset(name for rotation in self.spec.rotations for name in rotation.velocities)
 
+    @property
+    def turned(self) -> frozenset[str]:
+        """The names of the rotations' quaternions, which are coordinates as those of the spec are."""
+        return frozenset(name for rotation in self.spec.rotations for name in rotation.coordinates)
+
     def symbol_name(self, node: Node) -> str:
         symbol = self.graph.symbol_of(node)
         assert symbol is not None

@@ -23,11 +23,12 @@ class Target:
 
 @record
 class Entry:
-    """A value that a function writes, what it is, and its place in the spec."""
+    """A value that a function writes, what it is, its place in the spec, and its equation's number (None: the function's)."""
 
     node: Node
     about: str = ""
     place: str = ""
+    equation: str | None = None
 
 
 @record

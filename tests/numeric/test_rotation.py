@@ -26,7 +26,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.linearize import cyclic_of
 from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.resolving.resolve import resolve
-from nhc.mechanics.starts.scenes import start_of
+from nhc.mechanics.starts.scenes import kept_velocities, start_of
 from nhc.pipeline import Options, emit
 from tests.support import ROOT, c_model, emitted_python, error, formulations, python_model, spec_path
 
@@ -273,6 +273,22 @@ scenes: {{s: {{time: [0, 1], initial: {initial}}}}}
     about_first = 2 * (e[0] * v[1] - e[1] * v[0] + e[3] * v[2] - e[2] * v[3])
     about_second = 2 * (e[0] * v[2] - e[2] * v[0] + e[1] * v[3] - e[3] * v[1])
     assert (about_first, about_second) == pytest.approx((0.0, 1.5), abs=1e-14)
+
+
+def test_a_ball_whose_velocity_alone_is_given_starts_without_spin_in_every_orientation() -> None:
+    """Not with the spin at which some entries of the quaternion would rest."""
+    spec = """
+nhc: 1
+system: s
+rotation: {R: {velocities: [wx, wy, wz], frame: space}}
+coordinates: [x, y]
+T: x'^2 + y'^2 + wx^2 + wy^2 + wz^2
+constraints: ["x' - wy = 0", "y' + wx = 0"]
+scenes: {s: {time: [0, 1], initial: {R: {axis: [1, 2, 0], angle: 0.5}, x': 1}}}
+"""
+    system = resolve(decode(Source("s.yaml", spec)))
+    start = start_of(system, system.spec.scenes[0])
+    assert kept_velocities(system, system.quasi, start) == pytest.approx([0.0, 1.0, 0.0], abs=1e-15)
 
 
 # --- torques, and what the studies make of it ---------------------------------------------------------------

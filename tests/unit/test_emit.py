@@ -16,9 +16,13 @@ from nhc.emit.names import Scope
 from nhc.emit.prose import clean, fold_ascii, wrap
 from nhc.emit.python.body import PythonDialect
 from nhc.emit.statements import drop_unused, list_used_names, split_hoisted
-from nhc.program.ir import Load, Section
+from nhc.language import read
+from nhc.pipeline import Options
+from nhc.pipeline import program as build_program
+from nhc.program.ir import Load, Section, Store
 from nhc.resources import find_folder, find_specs, find_templates, list_candidates
 from nhc.stamp import is_untouched
+from tests.support import spec_path
 from tests.unit.emit_cases import CASES, E, call, let, make_oscillator, make_sleigh, ref, store
 
 OPTIONS = {
@@ -180,4 +184,25 @@ def test_dead_code_goes_and_parameter_work_is_found() -> None:
 def test_texts_are_cleaned_folded_and_wrapped() -> None:
     assert clean("a\n\tb\u202e\x00 c ") == "a b c"
     assert fold_ascii("Čaplygin θ Ω · 中") == "Caplygin theta Omega * <U+4E2D>"
+    assert fold_ascii("m/s² · µN, 10⁻¹² of x₁") == "m/s^2 * uN, 10^-12 of x1"
     assert wrap("one two three", 8, "  ") == ["one two", "  three"]
+
+
+@pytest.mark.parametrize(
+    ("formulation", "kinematics", "motion", "state"),
+    [
+        ("euler-lagrange", "I.2.4", "I.2.15", "I.2.1"),
+        ("voronec", "I.1.2", "I.4.9", ""),
+        ("chaplygin", "I.1.2", "III.3", ""),
+        ("multipliers", "", "I.4.1", ""),
+    ],
+)
+def test_the_rates_of_coordinates_have_the_number_of_the_kinematics(
+    formulation: str, kinematics: str, motion: str, state: str
+) -> None:
+    sleigh = build_program(read(str(spec_path("chaplygin_sleigh"))), Options(formulation=formulation))
+    functions = {function.name: function for function in sleigh.functions}
+    stores = [s for s in functions["rhs"].body if isinstance(s, Store)]
+    assert [s.origin.equation for s in stores[:3]] == [kinematics or motion] * 3
+    assert {s.origin.equation for s in stores[3:]} == {motion}
+    assert (functions["velocities"].equation, functions["state"].equation) == (kinematics, state)

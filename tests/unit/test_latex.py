@@ -89,6 +89,7 @@ def test_text_of_the_user_is_escaped() -> None:
     assert escape("3 m² ± 1 µm, ½, 90°, a → b, x₁") == (
         r"3 m$^{2}$ $\pm$ 1 $\mu$m, 1/2, 90$^{\circ}$, a $\to$ b, x$_{1}$"
     )
+    assert escape("10⁻³") == "10$^{-}$$^{3}$"
     assert escape("\u202eevil") == "evil"
     assert escape("雪") == r"\textless{}U+96EA\textgreater{}"
     assert spell_unit("kg*m^2/s^2") == r"kg\,m$^{2}$/s$^{2}$"

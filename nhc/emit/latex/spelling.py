@@ -160,11 +160,11 @@ def _escape_character(character: str) -> str:
 
 
 def _compatible(character: str) -> str:
-    """A raised or lowered digit and a fraction by their parts, else the character's code."""
+    """A raised or lowered digit or sign and a fraction by their parts, else the character's code."""
     parts = unicodedata.decomposition(character).split()
     if parts and parts[0] in ("<super>", "<sub>", "<fraction>"):
-        text = "".join(chr(int(part, 16)) for part in parts[1:]).replace("\u2044", "/")
-        if re.fullmatch(r"[0-9a-zA-Z/]+", text):
+        text = "".join(chr(int(part, 16)) for part in parts[1:]).replace("\u2044", "/").replace("\u2212", "-")
+        if re.fullmatch(r"[-+0-9a-zA-Z/]+", text):
             return {"<super>": f"$^{{{text}}}$", "<sub>": f"$_{{{text}}}$"}.get(parts[0], text)
     return _code(character)
 

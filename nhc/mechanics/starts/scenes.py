@@ -211,8 +211,7 @@ def _distances(system: System, place: dict[Node, float]) -> list[tuple[str, floa
 
 def _advise(system: System, scene: Scene, place: dict[Node, float]) -> tuple[str, ...]:
     """Coordinates at which the constraints hold, if there are any near the start."""
-    turned = {name for rotation in system.spec.rotations for name in rotation.coordinates}
-    free = [i for i, name in enumerate(system.q_names) if name not in turned]
+    free = [i for i, name in enumerate(system.q_names) if name not in system.turned]
     there = assemble(system, place, free)
     moved = [(system.q_names[i], there[system.q[i]]) for i in free if there[system.q[i]] != place[system.q[i]]]
     if not moved or _distances(system, there):
@@ -326,15 +325,16 @@ def term_sizes(
 
 
 def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[Form]:
-    """What is set to zero, first come first served: quasi-velocities when the scene speaks in them, else independent
-    velocities.
+    """What is set to zero, first come first served: quasi-velocities when the scene speaks in them, else independent velocities,
+    with those of rotations (a zero rate of one entry of a quaternion is a spin, another one for each orientation).
     """
     dependent = system.dependent or choose_dependent(system).dependent
     independent = [i for i in range(system.n) if i not in dependent]
     coordinates = [coordinate_form(system, i) for i in (*independent, *dependent)]
     if any(kind == "quasi" for kind, _ in given):
         return [*system.quasi, *coordinates]
-    return coordinates
+    first = [coordinate_form(system, i) for i in independent if system.q_names[i] not in system.turned]
+    return [*first, *(form for form in system.quasi if form.name in system.angular), *coordinates]
 
 
 def kept_velocities(system: System, forms: Sequence[Form], start: Start) -> list[float]:

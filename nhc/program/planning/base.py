@@ -272,7 +272,9 @@ class PlannerBase:
             "jacobian": "J",
             "outputs": "out",
         }[name]
-        targets = tuple(Target(k, e.node, e.about, Origin(equation, e.place)) for k, e in enumerate(entries))
+        numbers = [equation if e.equation is None else e.equation for e in entries]
+        origins = [Origin(number, e.place) for number, e in zip(numbers, entries, strict=True)]
+        targets = tuple(Target(k, e.node, e.about, origins[k]) for k, e in enumerate(entries))
         inputs, written = (T_ARGUMENT, self.y, self.p), Argument(output, len(targets) if size is None else size)
         return FunctionPlan(name, about, equation, inputs, written, self.state_loads, targets, None, guards, solves)
 

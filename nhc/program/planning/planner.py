@@ -36,11 +36,17 @@ class Planner(PlannerBase):
 
         return ExchangePlanner(self.full_equations, self.formulation, base=self)
 
+    @property
+    def kinematics(self) -> str:
+        """The number of the equations that give all velocities by the state's; none where these are all velocities."""
+        return {"euler-lagrange": "I.2.4", "chaplygin": "I.1.2", "voronec": "I.1.2"}.get(self.formulation.name, "")
+
     def rhs(self) -> FunctionPlan:
         system, motion = self.system, self.equations.motion
         rates = self.known(motion.rates)
         names, q_names = self.kept_names(), system.q_names
-        entries = [Entry(motion.velocities[i], f"{q_names[i]}'") for i in self.kept_q]
+        number = self.kinematics or None  # x' = x' alone is half of a system of the second order
+        entries = [Entry(motion.velocities[i], f"{q_names[i]}'", equation=number) for i in self.kept_q]
         entries += [Entry(rates[k], f"{names[k]}'", system.places["T"]) for k in self.kept_w]
         return self.plan(
             "rhs",
@@ -55,7 +61,9 @@ class Planner(PlannerBase):
         system = self.system
         pairs = zip(self.equations.motion.velocities, system.q_names, strict=True)
         entries = [Entry(v, f"{name}'") for v, name in pairs]
-        return self.plan("velocities", "all velocities q' from the state", "I.2.4", entries, self.frame_guards())
+        return self.plan(
+            "velocities", "all velocities q' from the state", self.kinematics, entries, self.frame_guards()
+        )
 
     def accelerations(self) -> FunctionPlan:
         system = self.system
@@ -144,7 +152,7 @@ class Planner(PlannerBase):
         return FunctionPlan(
             "state",
             "the state y from coordinates and velocities",
-            "I.2.1",
+            "I.2.1" if self.formulation.name == "euler-lagrange" else "",
             self._motion_arguments(),
             Argument("y", self.y.size),
             self.motion_loads,

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:c926ec9843491202)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:85b2e2c71000e3cf)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -263,7 +263,7 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     const double z40 = 0.15 * z21 - (0.6 * z22 - (2.0 * y_2 - 0.4 * (x_dot * c_t) + 0.5 * (z17 * z38)));
     const double z41 = y_dot * (0.2 * (z18 * c_t) + (0.2 + z7 * z22)) + (z * z14 * (1.5 - 0.5 * z28) + z40);
     const double z42 = (z14 * z39 - z41) / z20;
-    /* (I.4.9) */
+    /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z22; /* z' */
@@ -305,7 +305,7 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
     const double z1 = x * z;
     const double z2 = 0.3 * z1 + (x_dot * (y_2 * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.4 * (c_t
         * s_t);
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = z2; /* z' */
@@ -853,7 +853,7 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z41 = y_dot * (0.2 * (z18 * c_t) + (0.2 + z7 * z22)) + (z * z14 * (1.5 - 0.5 *
         z28) + z40);
     const affine_voronec_lanes z42 = (z14 * z39 - z41) / z20;
-    /* (I.4.9) */
+    /* (I.1.2) */
     const affine_voronec_lanes slope1 = x_dot;
     affine_voronec_put(dydt, slope1);
     const affine_voronec_lanes slope2 = y_dot;

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:f79a9813e6878864)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:6531ee1308a349c3)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -78,7 +78,7 @@ extern const double affine_voronec_parameter_defaults[];
 int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 3 entries
  */
 int affine_voronec_velocities(double t, const double *y, const double *p, double *qdot);
@@ -90,7 +90,7 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
 int affine_voronec_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 5 entries
  */
 int affine_voronec_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:f055e2f96392cd8d).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:3ab117b0e617724e).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -167,11 +167,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z41 = s10 + (z * z14 * (1.5 - 0.5 * z28) + z40)
         z42 = (z14 * z39 - z41) / z20
         dydt: list[float] = [
-            # x' (I.4.9)
+            # x' (I.1.2)
             x_dot,
-            # y' (I.4.9)
+            # y' (I.1.2)
             y_dot,
-            # z' (I.4.9)
+            # z' (I.1.2)
             z22,
             # x'' (I.4.9) 11:4
             z16 * z38 + 0.5 * (z17 * z42),
@@ -188,7 +188,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qdot (3,).
@@ -208,11 +208,11 @@ def velocities(
         s1 = x_dot * (y_2 * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)
         z2 = 0.3 * z1 + s1 + 0.4 * (c_t * s_t)
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             x_dot,
-            # y' (I.2.4)
+            # y' (I.1.2)
             y_dot,
-            # z' (I.2.4)
+            # z' (I.1.2)
             z2,
         ]
         return _finish("velocities", qdot)
@@ -326,7 +326,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns y (5,).

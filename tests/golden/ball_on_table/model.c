@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:6d4727b88bb74e70)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:d0be647fe2dc8be1)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -277,7 +277,7 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *restri
     const double z17 = k1 * z16 / z2;
     const double z18 = a * z5;
     const double z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k5 * z13 - z15 * z18);
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega; /* x' */
     dydt[1] = x * Omega - a * (theta_dot * c_phi + s_phi * z5); /* y' */
     dydt[2] = phi_dot; /* phi' */
@@ -333,7 +333,7 @@ int ball_on_table_velocities(double t, const double *y, const double *p, double 
     /* from the state */
     const double Omega = Omega0 + Omega1 * s1;
     const double z1 = psi_dot * s_theta;
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = a * (theta_dot * s_phi - c_phi * z1) - y_2 * Omega; /* x' */
     qdot[1] = x * Omega - a * (theta_dot * c_phi + s_phi * z1); /* y' */
     qdot[2] = phi_dot; /* phi' */
@@ -900,7 +900,7 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const ball_on_table_lanes z18 = a * z5;
     const ball_on_table_lanes z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k5 * z13 -
         z15 * z18);
-    /* (III.3) */
+    /* (I.1.2) */
     const ball_on_table_lanes slope1 = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega;
     sum += slope1;
     ball_on_table_put(dydt, slope1);

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:3d32bc1374d8a5cd)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:edad964836df1d07)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -98,7 +98,7 @@ extern const double ball_on_table_parameter_defaults[];
 int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 5 entries
  */
 int ball_on_table_velocities(double t, const double *y, const double *p, double *qdot);
@@ -110,7 +110,7 @@ int ball_on_table_velocities(double t, const double *y, const double *p, double 
 int ball_on_table_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 8 entries
  */
 int ball_on_table_state(double t, const double *q, const double *qdot, const double *p, double *y);

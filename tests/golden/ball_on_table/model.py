@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:1ed21f4d77e995b4).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:cbf9b8e22f4edd71).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -180,15 +180,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s3 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18)))
         z19 = s3 + (k5 * z13 - z15 * z18)
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega,
-            # y' (III.3)
+            # y' (I.1.2)
             x * Omega - a * (theta_dot * c_phi + s_phi * z5),
-            # phi' (III.3)
+            # phi' (I.1.2)
             phi_dot,
-            # theta' (III.3)
+            # theta' (I.1.2)
             theta_dot,
-            # psi' (III.3)
+            # psi' (I.1.2)
             psi_dot,
             # phi'' (III.3) 25:4
             s_theta * (theta_dot * psi_dot + c_theta * z17),
@@ -207,7 +207,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns qdot (5,).
@@ -233,15 +233,15 @@ def velocities(
         s_theta = math.sin(theta)
         z1 = psi_dot * s_theta
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             a * (theta_dot * s_phi - c_phi * z1) - y_2 * Omega,
-            # y' (I.2.4)
+            # y' (I.1.2)
             x * Omega - a * (theta_dot * c_phi + s_phi * z1),
-            # phi' (I.2.4)
+            # phi' (I.1.2)
             phi_dot,
-            # theta' (I.2.4)
+            # theta' (I.1.2)
             theta_dot,
-            # psi' (I.2.4)
+            # psi' (I.1.2)
             psi_dot,
         ]
         return _finish("velocities", qdot)
@@ -357,7 +357,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns y (8,).

@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:9f1a2d8b474824d0)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:503b0409022552e9)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -195,7 +195,6 @@ int bead_on_rod_velocities(double t, const double *y, const double *p, double *q
 
     /* from the state */
     const double r_dot = y[1];
-    /* (I.2.4) */
     qdot[0] = r_dot; /* r' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0]) <= DBL_MAX)) {

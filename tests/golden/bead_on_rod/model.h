@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:6aca970f6c8a384a)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:76c4610efb278d6a)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -76,7 +76,7 @@ extern const double bead_on_rod_parameter_defaults[];
 int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state
  * qdot: 1 entry
  */
 int bead_on_rod_velocities(double t, const double *y, const double *p, double *qdot);
@@ -88,7 +88,7 @@ int bead_on_rod_velocities(double t, const double *y, const double *p, double *q
 int bead_on_rod_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 2 entries
  */
 int bead_on_rod_state(double t, const double *q, const double *qdot, const double *p, double *y);

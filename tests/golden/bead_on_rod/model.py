@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:8435a0dbc44e23d9).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:c82193c04767289f).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -124,7 +124,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns qdot (1,).
@@ -133,7 +133,7 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # r' (I.2.4)
+            # r'
             r_dot,
         ]
         return _finish("velocities", qdot)
@@ -176,7 +176,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (1,), qdot (1,), p (2,).
     Returns y (2,).

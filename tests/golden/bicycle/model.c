@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:2a133910f2005017)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:e3dbd8829b3769e6)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -701,7 +701,7 @@ int bicycle_rhs(double t, const double *y, const double *p, double *restrict dyd
         z241 - z251)))));
     const double z253 = (z110 * z231 + (z118 * z221 + z252)) / z137;
     const double z254 = z135 * z250 + z136 * z253;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = -(c_yaw * z158 + s_yaw * z159); /* x' */
     dydt[1] = c_yaw * z159 - s_yaw * z158; /* y' */
     dydt[2] = e2z * v2_x; /* z' */
@@ -4826,7 +4826,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
         (z116 * z241 - z251)))));
     const bicycle_lanes z253 = (z110 * z231 + (z118 * z221 + z252)) / z137;
     const bicycle_lanes z254 = z135 * z250 + z136 * z253;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const bicycle_lanes slope1 = -(c_yaw * z158 + s_yaw * z159);
     sum += slope1;
     bicycle_put(dydt, slope1);

@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:61feefae90ea30f0).
+"""bicycle, emitted by nhc 0.1.0 (nhc:c39b5ff9216f4a4f).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -648,23 +648,23 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z253 = (z110 * z231 + (z118 * z221 + z252)) / z137
         z254 = z135 * z250 + z136 * z253
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             -(c_yaw * z158 + s_yaw * z159),
-            # y' (I.2.15)
+            # y' (I.2.4)
             c_yaw * z159 - s_yaw * z158,
-            # z' (I.2.15)
+            # z' (I.2.4)
             e2z * v2_x,
-            # yaw' (I.2.15)
+            # yaw' (I.2.4)
             z153,
-            # roll' (I.2.15)
+            # roll' (I.2.4)
             roll_dot,
-            # pitch' (I.2.15)
+            # pitch' (I.2.4)
             -z152,
-            # steer' (I.2.15)
+            # steer' (I.2.4)
             steer_dot,
-            # thR' (I.2.15)
+            # thR' (I.2.4)
             z150,
-            # thF' (I.2.15)
+            # thF' (I.2.4)
             thF_dot,
             # roll'' (I.2.15) 112:4
             z248 * z103 + z104 * z254 - z132 * z253,

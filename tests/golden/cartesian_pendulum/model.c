@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:a596672cabba5568)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:8c51b8d559e2377c)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -187,7 +187,7 @@ int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *r
     const double z3 = 1.0 / z1;
     const double v = y[2];
     const double z4 = v * z3;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = y_2 * z4; /* x' */
     dydt[1] = -x * z4; /* y' */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
@@ -457,7 +457,7 @@ static __attribute__((noinline)) void cartesian_pendulum_rhs_lanes(const double 
     bad |= cartesian_pendulum_misses(cartesian_pendulum_size(CARTESIAN_PENDULUM_SPREAD(m * z3)),
         CARTESIAN_PENDULUM_SPREAD(0.0));
     const cartesian_pendulum_lanes z4 = v * z3;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const cartesian_pendulum_lanes slope1 = y_2 * z4;
     sum += slope1;
     cartesian_pendulum_put(dydt, slope1);

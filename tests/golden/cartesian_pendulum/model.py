@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:1c462f7b954bf04a).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:00cda0b0593d7b9c).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -119,9 +119,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(m * z3), 0.0, 2, "rhs")
         z4 = v * z3
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             y_2 * z4,
-            # y' (I.2.15)
+            # y' (I.2.4)
             -x * z4,
             # v' (I.2.15) 12:4
             x * g,

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:095b5e35e0336b7e)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:a21fefbe3955dcbd)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -217,7 +217,7 @@ int chaotic_rhs(double t, const double *y, const double *p, double *restrict dyd
     const double z13 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * z11 + (y2 * z12 + (x +
         y1_ * z10)));
     const double z14 = z13 / z7;
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = -(y3 * z3_dot + (y1_ * z1_dot + y2 * z2_dot)); /* x' */
     dydt[1] = y1_dot; /* y1' */
     dydt[2] = y2_dot; /* y2' */
@@ -255,7 +255,7 @@ int chaotic_velocities(double t, const double *y, const double *p, double *qdot)
     const double z1_dot = y[10];
     const double z2_dot = y[11];
     const double z3_dot = y[12];
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = -(y3 * z3_dot + (y1_ * z1_dot + y2 * z2_dot)); /* x' */
     const double y1_dot = y[7];
     qdot[1] = y1_dot; /* y1' */
@@ -637,7 +637,7 @@ static __attribute__((noinline)) void chaotic_rhs_lanes(const double *fixed, siz
     const chaotic_lanes z13 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * z11 + (y2 * z12 +
         (x + y1_ * z10)));
     const chaotic_lanes z14 = z13 / z7;
-    /* (III.3) */
+    /* (I.1.2) */
     const chaotic_lanes slope1 = -(y3 * z3_dot + (y1_ * z1_dot + y2 * z2_dot));
     sum += slope1;
     chaotic_put(dydt, slope1);

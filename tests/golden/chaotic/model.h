@@ -1,5 +1,5 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:8dddf99bc3120c9c)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:96471b3adbe6aef8)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -85,7 +85,7 @@ extern const double chaotic_parameter_defaults[];
 int chaotic_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 7 entries
  */
 int chaotic_velocities(double t, const double *y, const double *p, double *qdot);
@@ -97,7 +97,7 @@ int chaotic_velocities(double t, const double *y, const double *p, double *qdot)
 int chaotic_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 13 entries
  */
 int chaotic_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:723722e7bb0136e7).
+"""chaotic, emitted by nhc 0.1.0 (nhc:53faa181c7bc15e2).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -150,19 +150,19 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z13 = s1 - (y3 * z11 + (y2 * z12 + (x + y1 * z10)))
         z14 = z13 / z7
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             -(y3 * z3_dot + (y1 * z1_dot + y2 * z2_dot)),
-            # y1' (III.3)
+            # y1' (I.1.2)
             y1_dot,
-            # y2' (III.3)
+            # y2' (I.1.2)
             y2_dot,
-            # y3' (III.3)
+            # y3' (I.1.2)
             y3_dot,
-            # z1' (III.3)
+            # z1' (I.1.2)
             z1_dot,
-            # z2' (III.3)
+            # z2' (I.1.2)
             z2_dot,
-            # z3' (III.3)
+            # z3' (I.1.2)
             z3_dot,
             # y1'' (III.3) 10:4
             -y1 * z8,
@@ -187,7 +187,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns qdot (7,).
@@ -204,19 +204,19 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             -(y3 * z3_dot + (y1 * z1_dot + y2 * z2_dot)),
-            # y1' (I.2.4)
+            # y1' (I.1.2)
             y1_dot,
-            # y2' (I.2.4)
+            # y2' (I.1.2)
             y2_dot,
-            # y3' (I.2.4)
+            # y3' (I.1.2)
             y3_dot,
-            # z1' (I.2.4)
+            # z1' (I.1.2)
             z1_dot,
-            # z2' (I.2.4)
+            # z2' (I.1.2)
             z2_dot,
-            # z3' (I.2.4)
+            # z3' (I.1.2)
             z3_dot,
         ]
         return _finish("velocities", qdot)
@@ -293,7 +293,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (7,), qdot (7,), p (0,).
     Returns y (13,).

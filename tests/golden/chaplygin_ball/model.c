@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:be57b8c1ee3664a7)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:66d29e16083789e5)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -269,7 +269,7 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *restr
     const double z22 = w1 * w3 * k3 - z21 * z7;
     const double z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16;
     const double z24 = z14 * z22 - z15 * z23;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = -(s_phi * v2_x + c_phi * z20); /* x' */
     dydt[1] = c_phi * v2_x - s_phi * z20; /* y' */
     dydt[2] = z18; /* phi' */
@@ -949,7 +949,7 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     const chaplygin_ball_lanes z22 = w1 * w3 * k3 - z21 * z7;
     const chaplygin_ball_lanes z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16;
     const chaplygin_ball_lanes z24 = z14 * z22 - z15 * z23;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const chaplygin_ball_lanes slope1 = -(s_phi * v2_x + c_phi * z20);
     sum += slope1;
     chaplygin_ball_put(dydt, slope1);

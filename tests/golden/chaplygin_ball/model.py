@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:0a6d0c03e07044cc).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:9766edd430fe885c).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -173,15 +173,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16
         z24 = z14 * z22 - z15 * z23
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             -(s_phi * v2_x + c_phi * z20),
-            # y' (I.2.15)
+            # y' (I.2.4)
             c_phi * v2_x - s_phi * z20,
-            # phi' (I.2.15)
+            # phi' (I.2.4)
             z18,
-            # theta' (I.2.15)
+            # theta' (I.2.4)
             -z17,
-            # psi' (I.2.15)
+            # psi' (I.2.4)
             z19,
             # w1' (I.2.15) 25:4
             z21 * z6 - z7 * z24 + z12 * z23,

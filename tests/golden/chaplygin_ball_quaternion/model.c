@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:f34fc184608380c1)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:7120d771e24d211c)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -260,7 +260,7 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
     const double z36 = w1 * w3 * k3 + 4.0 * (z35 * z21);
     const double z37 = (w1 * w2 * k4 - 2.0 * (z35 * z30) + z33 * z36) / z34;
     const double z38 = z32 * z36 + z33 * z37;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = a * (2.0 * (w3 * z24) + (w2 * R_y2 + 2.0 * (w1 * z9))); /* x' */
     dydt[1] = -a * (2.0 * (w3 * z25) + (2.0 * (w2 * z14) + w1 * R_x1)); /* y' */
     dydt[2] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
@@ -1321,7 +1321,7 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     const chaplygin_ball_quaternion_lanes z36 = w1 * w3 * k3 + 4.0 * (z35 * z21);
     const chaplygin_ball_quaternion_lanes z37 = (w1 * w2 * k4 - 2.0 * (z35 * z30) + z33 * z36) / z34;
     const chaplygin_ball_quaternion_lanes z38 = z32 * z36 + z33 * z37;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const chaplygin_ball_quaternion_lanes slope1 = a * (2.0 * (w3 * z24) + (w2 * R_y2 + 2.0 * (w1 * z9)));
     sum += slope1;
     chaplygin_ball_quaternion_put(dydt, slope1);

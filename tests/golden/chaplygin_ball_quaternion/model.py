@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:8d3e139b96d2b887).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:d3802051a05cbad7).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -185,17 +185,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z37 = (w1 * w2 * k4 - 2.0 * (z35 * z30) + z33 * z36) / z34
         z38 = z32 * z36 + z33 * z37
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             a * (2.0 * (w3 * z24) + (w2 * R_y2 + 2.0 * (w1 * z9))),
-            # y' (I.2.15)
+            # y' (I.2.4)
             -a * (2.0 * (w3 * z25) + (2.0 * (w2 * z14) + w1 * R_x1)),
-            # R_0' (I.2.15)
+            # R_0' (I.2.4)
             -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
-            # R_1' (I.2.15)
+            # R_1' (I.2.4)
             0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
-            # R_2' (I.2.15)
+            # R_2' (I.2.4)
             (R_0 * w2 + R_3 * w1 - R_1 * w3) * 0.5,
-            # R_3' (I.2.15)
+            # R_3' (I.2.4)
             0.5 * (R_0 * w3 + (R_1 * w2 - R_2 * w1)),
             # w1' (I.2.15) 21:4
             z35 * z20 + 4.0 * (z21 * z38) - 2.0 * (z30 * z37),

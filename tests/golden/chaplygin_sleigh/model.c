@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:a14211e7564a4184)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:2e66bf36a181814c)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -206,7 +206,7 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *res
     const double k3 = -k1 / k2;
 
     /* from the state */
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = c_theta * v; /* x' */
     dydt[1] = s_theta * v; /* y' */
     dydt[2] = w; /* theta' */
@@ -498,7 +498,7 @@ static __attribute__((noinline)) void chaplygin_sleigh_rhs_lanes(const double *f
     chaplygin_sleigh_turn_lanes(CHAPLYGIN_SLEIGH_SPREAD(theta), &far, &sine1, &cosine1);
     const chaplygin_sleigh_lanes c_theta = cosine1;
     const chaplygin_sleigh_lanes s_theta = sine1;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const chaplygin_sleigh_lanes slope1 = c_theta * v;
     sum += slope1;
     chaplygin_sleigh_put(dydt, slope1);

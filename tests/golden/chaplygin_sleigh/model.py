@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:a7cc7f718ea0912b).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:03f6f16afaec57af).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -125,11 +125,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             c_theta * v,
-            # y' (I.2.15)
+            # y' (I.2.4)
             s_theta * v,
-            # theta' (I.2.15)
+            # theta' (I.2.4)
             w,
             # v' (I.2.15) 17:4
             a * w * w,

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:97e8cfc6a97e152b)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:c5d86c83147bdd3b)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -210,7 +210,7 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *restr
 
     /* from the state */
     const double z1 = a * (B + m * w);
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = c_theta * v; /* x' */
     dydt[1] = s_theta * v; /* y' */
     dydt[2] = w; /* theta' */
@@ -507,7 +507,7 @@ static __attribute__((noinline)) void charged_sleigh_rhs_lanes(const double *fix
     const charged_sleigh_lanes c_theta = cosine1;
     const charged_sleigh_lanes s_theta = sine1;
     const charged_sleigh_lanes z1 = a * (B + m * w);
-    /* (I.2.15) */
+    /* (I.2.4) */
     const charged_sleigh_lanes slope1 = c_theta * v;
     sum += slope1;
     charged_sleigh_put(dydt, slope1);

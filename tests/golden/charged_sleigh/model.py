@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:41dcbadf23c72016).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:754fea8b1902c03a).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -127,11 +127,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta = math.sin(theta)
         z1 = a * (B + m * w)
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             c_theta * v,
-            # y' (I.2.15)
+            # y' (I.2.4)
             s_theta * v,
-            # theta' (I.2.15)
+            # theta' (I.2.4)
             w,
             # v' (I.2.15) 18:4
             k2 * (w * z1),

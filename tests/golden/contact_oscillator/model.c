@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:66317cebc86282c7)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:e263a051ce4319e2)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -176,7 +176,7 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *r
     const double y_2 = y[1];
     const double z1 = 1.0 + y_2 * y_2;
     const double z_dot = y[4];
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = -y_2 * z_dot; /* x' */
     const double y_dot = y[3];
     dydt[1] = y_dot; /* y' */
@@ -205,7 +205,7 @@ int contact_oscillator_velocities(double t, const double *y, const double *p, do
     /* from the state */
     const double y_2 = y[1];
     const double z_dot = y[4];
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = -y_2 * z_dot; /* x' */
     const double y_dot = y[3];
     qdot[1] = y_dot; /* y' */
@@ -405,7 +405,7 @@ static __attribute__((noinline)) void contact_oscillator_rhs_lanes(const double 
     const contact_oscillator_lanes y_dot = contact_oscillator_get(y + 3 * stride);
     const contact_oscillator_lanes z_dot = contact_oscillator_get(y + 4 * stride);
     const contact_oscillator_lanes z1 = 1.0 + y_2 * y_2;
-    /* (III.3) */
+    /* (I.1.2) */
     const contact_oscillator_lanes slope1 = -y_2 * z_dot;
     sum += slope1;
     contact_oscillator_put(dydt, slope1);

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:6478f69cf185dafc)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:5f747250dfdd7043)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -83,7 +83,7 @@ extern const double contact_oscillator_parameter_defaults[];
 int contact_oscillator_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 3 entries
  */
 int contact_oscillator_velocities(double t, const double *y, const double *p, double *qdot);
@@ -95,7 +95,7 @@ int contact_oscillator_velocities(double t, const double *y, const double *p, do
 int contact_oscillator_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 5 entries
  */
 int contact_oscillator_state(double t, const double *q, const double *qdot, const double *p, double *y);

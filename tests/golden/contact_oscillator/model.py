@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:e428b3d4685c39e8).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:459a553c4fcc5e9d).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -113,11 +113,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "rhs")
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             -y_2 * z_dot,
-            # y' (III.3)
+            # y' (I.1.2)
             y_dot,
-            # z' (III.3)
+            # z' (I.1.2)
             z_dot,
             # y'' (III.3) 7:4
             -y_2,
@@ -134,7 +134,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qdot (3,).
@@ -145,11 +145,11 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             -y_2 * z_dot,
-            # y' (I.2.4)
+            # y' (I.1.2)
             y_dot,
-            # z' (I.2.4)
+            # z' (I.1.2)
             z_dot,
         ]
         return _finish("velocities", qdot)
@@ -199,7 +199,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns y (5,).

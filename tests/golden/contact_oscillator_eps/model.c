@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:c3e2880f86a7bec8)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:0eddb1ea91fb9a65)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -181,7 +181,7 @@ int contact_oscillator_eps_rhs(double t, const double *y, const double *p, doubl
     const double y_dot = y[3];
     const double eps = p[0]; /* strength of the coupling */
     const double z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_dot * z2);
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = -z2; /* x' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z_dot; /* z' */
@@ -207,7 +207,7 @@ int contact_oscillator_eps_velocities(double t, const double *y, const double *p
     /* from the state */
     const double y_2 = y[1];
     const double z_dot = y[4];
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = -y_2 * z_dot; /* x' */
     const double y_dot = y[3];
     qdot[1] = y_dot; /* y' */
@@ -420,7 +420,7 @@ static __attribute__((noinline)) void contact_oscillator_eps_rhs_lanes(const dou
     const contact_oscillator_eps_lanes z2 = y_2 * z_dot;
     const contact_oscillator_eps_lanes z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_dot *
         z2);
-    /* (III.3) */
+    /* (I.1.2) */
     const contact_oscillator_eps_lanes slope1 = -z2;
     sum += slope1;
     contact_oscillator_eps_put(dydt, slope1);

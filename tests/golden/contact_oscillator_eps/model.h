@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:34844aa65626d767)
+ * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:1e39717e63a29e8c)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -86,7 +86,7 @@ extern const double contact_oscillator_eps_parameter_defaults[];
 int contact_oscillator_eps_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 3 entries
  */
 int contact_oscillator_eps_velocities(double t, const double *y, const double *p, double *qdot);
@@ -98,7 +98,7 @@ int contact_oscillator_eps_velocities(double t, const double *y, const double *p
 int contact_oscillator_eps_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 5 entries
  */
 int contact_oscillator_eps_state(double t, const double *q, const double *qdot, const double *p, double *y);

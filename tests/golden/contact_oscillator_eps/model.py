@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:775f2038e79d6b48).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:4863c8a5da07d91c).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -121,11 +121,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s1 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z))
         z3 = s1 - (z + y_dot * z2)
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             -z2,
-            # y' (III.3)
+            # y' (I.1.2)
             y_dot,
-            # z' (III.3)
+            # z' (I.1.2)
             z_dot,
             # y'' (III.3) 9:4
             -y_2,
@@ -142,7 +142,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns qdot (3,).
@@ -153,11 +153,11 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             -y_2 * z_dot,
-            # y' (I.2.4)
+            # y' (I.1.2)
             y_dot,
-            # z' (I.2.4)
+            # z' (I.1.2)
             z_dot,
         ]
         return _finish("velocities", qdot)
@@ -210,7 +210,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns y (5,).

@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:3aa83ab560a189d1)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:fb677ae8645fb05a)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -202,7 +202,7 @@ int cvt_rhs(double t, const double *y, const double *p, double *restrict dydt)
 
     /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = -x_dot * s_xi; /* y' */
     dydt[2] = xi_dot; /* xi' */
@@ -234,7 +234,7 @@ int cvt_velocities(double t, const double *y, const double *p, double *qdot)
     const double xi_dot = y[4];
 
     /* from the state */
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = -x_dot * s_xi; /* y' */
     qdot[2] = xi_dot; /* xi' */
@@ -475,7 +475,7 @@ static __attribute__((noinline)) void cvt_rhs_lanes(const double *fixed, size_t 
     const cvt_lanes s_xi = sine1;
     const cvt_lanes z1 = 1.0 + s_xi * s_xi;
     const cvt_lanes c_xi = cosine1;
-    /* (III.3) */
+    /* (I.1.2) */
     const cvt_lanes slope1 = x_dot;
     cvt_put(dydt, slope1);
     const cvt_lanes slope2 = -x_dot * s_xi;

@@ -1,5 +1,5 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:013c3c0921445f80)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:ac34c3d6b5a68ee7)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -81,7 +81,7 @@ extern const double cvt_parameter_defaults[];
 int cvt_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 3 entries
  */
 int cvt_velocities(double t, const double *y, const double *p, double *qdot);
@@ -93,7 +93,7 @@ int cvt_velocities(double t, const double *y, const double *p, double *qdot);
 int cvt_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 5 entries
  */
 int cvt_state(double t, const double *q, const double *qdot, const double *p, double *y);

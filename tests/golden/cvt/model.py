@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:781384b506a79073).
+"""cvt, emitted by nhc 0.1.0 (nhc:cf3daded41a1287b).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -116,11 +116,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(z1), 0.0, 2, "rhs")
         c_xi = math.cos(xi)
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             x_dot,
-            # y' (III.3)
+            # y' (I.1.2)
             -x_dot * s_xi,
-            # xi' (III.3)
+            # xi' (I.1.2)
             xi_dot,
             # x'' (III.3) 7:4
             (s_xi * (y_2 - c_xi * (x_dot * xi_dot)) - x) / z1,
@@ -137,7 +137,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qdot (3,).
@@ -149,11 +149,11 @@ def velocities(
         # from the state
         s_xi = math.sin(xi)
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             x_dot,
-            # y' (I.2.4)
+            # y' (I.1.2)
             -x_dot * s_xi,
-            # xi' (I.2.4)
+            # xi' (I.1.2)
             xi_dot,
         ]
         return _finish("velocities", qdot)
@@ -205,7 +205,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns y (5,).

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:3cd608b5fb4e09c2)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:b86fde2dba3a0cb4)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -202,7 +202,7 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *restrict dyd
     /* from the state */
     const double z1 = s_xi * s_xi;
     const double z2 = 1.0 + z1;
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = -x_dot * s_xi; /* y' */
     dydt[2] = xi_dot; /* xi' */
@@ -234,7 +234,7 @@ int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
     const double xi_dot = y[4];
 
     /* from the state */
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = -x_dot * s_xi; /* y' */
     qdot[2] = xi_dot; /* xi' */
@@ -476,7 +476,7 @@ static __attribute__((noinline)) void cvt_eps_rhs_lanes(const double *fixed, siz
     const cvt_eps_lanes z1 = s_xi * s_xi;
     const cvt_eps_lanes z2 = 1.0 + z1;
     const cvt_eps_lanes c_xi = cosine1;
-    /* (III.3) */
+    /* (I.1.2) */
     const cvt_eps_lanes slope1 = x_dot;
     cvt_eps_put(dydt, slope1);
     const cvt_eps_lanes slope2 = -x_dot * s_xi;

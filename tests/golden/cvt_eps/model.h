@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:24e223b92a73a6a2)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:b3c3d5a3d9541cd0)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -83,7 +83,7 @@ extern const double cvt_eps_parameter_defaults[];
 int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 3 entries
  */
 int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot);
@@ -95,7 +95,7 @@ int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
 int cvt_eps_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 5 entries
  */
 int cvt_eps_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:4bb889cb0b1613c1).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:08ad8dd37edb2d81).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -119,11 +119,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(z2), 0.0, 2, "rhs")
         c_xi = math.cos(xi)
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             x_dot,
-            # y' (III.3)
+            # y' (I.1.2)
             -x_dot * s_xi,
-            # xi' (III.3)
+            # xi' (I.1.2)
             xi_dot,
             # x'' (III.3) 9:4
             (s_xi * (y_2 - c_xi * (x_dot * xi_dot)) - x) / z2,
@@ -140,7 +140,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns qdot (3,).
@@ -152,11 +152,11 @@ def velocities(
         # from the state
         s_xi = math.sin(xi)
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             x_dot,
-            # y' (I.2.4)
+            # y' (I.1.2)
             -x_dot * s_xi,
-            # xi' (I.2.4)
+            # xi' (I.1.2)
             xi_dot,
         ]
         return _finish("velocities", qdot)
@@ -210,7 +210,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns y (5,).

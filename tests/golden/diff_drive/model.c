@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:2e14df1cf052ddbb)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:e2c62caa645905cf)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -233,7 +233,7 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *restrict 
 
     /* from the state */
     const double z1 = b * w;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = c_theta * v; /* x' */
     dydt[1] = s_theta * v; /* y' */
     dydt[2] = w; /* theta' */
@@ -607,7 +607,7 @@ static __attribute__((noinline)) void diff_drive_rhs_lanes(const double *fixed, 
     const diff_drive_lanes c_theta = cosine1;
     const diff_drive_lanes s_theta = sine1;
     const diff_drive_lanes z1 = b * w;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const diff_drive_lanes slope1 = c_theta * v;
     sum += slope1;
     diff_drive_put(dydt, slope1);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:2f21615d2582b284).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:7fbf446c839984fc).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -147,15 +147,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta = math.sin(theta)
         z1 = b * w
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             c_theta * v,
-            # y' (I.2.15)
+            # y' (I.2.4)
             s_theta * v,
-            # theta' (I.2.15)
+            # theta' (I.2.4)
             w,
-            # p_R' (I.2.15)
+            # p_R' (I.2.4)
             k1 * (v + z1),
-            # p_L' (I.2.15)
+            # p_L' (I.2.4)
             k1 * (v - z1),
             # v' (I.2.15) 24:4
             (k4 * (w * w) + k5) * k8,

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:61331cff416d324a)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:2e0e0b4213387048)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -254,7 +254,7 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *restrict
     const double v1_x2 = theta2_dot * R;
     const double z1 = x1 - x2;
     const double z2 = y1_ - y2;
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = c_phi1 * v1_x1; /* x1' */
     dydt[1] = s_phi1 * v1_x1; /* y1' */
     dydt[2] = phi1_dot; /* phi1' */
@@ -306,7 +306,7 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
     /* from the state */
     const double v1_x1 = theta1_dot * R;
     const double v1_x2 = theta2_dot * R;
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = c_phi1 * v1_x1; /* x1' */
     qdot[1] = s_phi1 * v1_x1; /* y1' */
     qdot[2] = phi1_dot; /* phi1' */
@@ -676,7 +676,7 @@ static __attribute__((noinline)) void disk_chain2_rhs_lanes(const double *fixed,
     const disk_chain2_lanes s_phi2 = sine2;
     const disk_chain2_lanes z1 = x1 - x2;
     const disk_chain2_lanes z2 = y1_ - y2;
-    /* (III.3) */
+    /* (I.1.2) */
     const disk_chain2_lanes slope1 = c_phi1 * v1_x1;
     sum += slope1;
     disk_chain2_put(dydt, slope1);

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:17bd8af2f39e325b)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:dc189de233e803b0)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -102,7 +102,7 @@ extern const double disk_chain2_parameter_defaults[];
 int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 8 entries
  */
 int disk_chain2_velocities(double t, const double *y, const double *p, double *qdot);
@@ -114,7 +114,7 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
 int disk_chain2_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 12 entries
  */
 int disk_chain2_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:7fba7f81678a780a).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:03c374c1ee649874).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -180,21 +180,21 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z1 = x1 - x2
         z2 = y1 - y2
         dydt: list[float] = [
-            # x1' (III.3)
+            # x1' (I.1.2)
             c_phi1 * v1_x1,
-            # y1' (III.3)
+            # y1' (I.1.2)
             s_phi1 * v1_x1,
-            # phi1' (III.3)
+            # phi1' (I.1.2)
             phi1_dot,
-            # theta1' (III.3)
+            # theta1' (I.1.2)
             theta1_dot,
-            # x2' (III.3)
+            # x2' (I.1.2)
             c_phi2 * v1_x2,
-            # y2' (III.3)
+            # y2' (I.1.2)
             s_phi2 * v1_x2,
-            # phi2' (III.3)
+            # phi2' (I.1.2)
             phi2_dot,
-            # theta2' (III.3)
+            # theta2' (I.1.2)
             theta2_dot,
             # phi1'' (III.3) 24:4
             0.0,
@@ -215,7 +215,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns qdot (8,).
@@ -236,21 +236,21 @@ def velocities(
         v1_x2 = theta2_dot * R
         s_phi2 = math.sin(phi2)
         qdot: list[float] = [
-            # x1' (I.2.4)
+            # x1' (I.1.2)
             c_phi1 * v1_x1,
-            # y1' (I.2.4)
+            # y1' (I.1.2)
             s_phi1 * v1_x1,
-            # phi1' (I.2.4)
+            # phi1' (I.1.2)
             phi1_dot,
-            # theta1' (I.2.4)
+            # theta1' (I.1.2)
             theta1_dot,
-            # x2' (I.2.4)
+            # x2' (I.1.2)
             c_phi2 * v1_x2,
-            # y2' (I.2.4)
+            # y2' (I.1.2)
             s_phi2 * v1_x2,
-            # phi2' (I.2.4)
+            # phi2' (I.1.2)
             phi2_dot,
-            # theta2' (I.2.4)
+            # theta2' (I.1.2)
             theta2_dot,
         ]
         return _finish("velocities", qdot)
@@ -335,7 +335,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (8,), qdot (8,), p (5,).
     Returns y (12,).

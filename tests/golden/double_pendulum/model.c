@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:c9b692ad75493aab)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:29d97021d56043f9)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -264,7 +264,6 @@ int double_pendulum_velocities(double t, const double *y, const double *p, doubl
 
     /* from the state */
     const double theta1_dot = y[2];
-    /* (I.2.4) */
     qdot[0] = theta1_dot; /* theta1' */
     const double theta2_dot = y[3];
     qdot[1] = theta2_dot; /* theta2' */

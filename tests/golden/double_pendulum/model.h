@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:04ece0ae7ab315cb)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:27331dd27dbbe8aa)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -83,7 +83,7 @@ extern const double double_pendulum_parameter_defaults[];
 int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state
  * qdot: 2 entries
  */
 int double_pendulum_velocities(double t, const double *y, const double *p, double *qdot);
@@ -95,7 +95,7 @@ int double_pendulum_velocities(double t, const double *y, const double *p, doubl
 int double_pendulum_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 4 entries
  */
 int double_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:baafca80989b16be).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:86057e441f7614f5).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -151,7 +151,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns qdot (2,).
@@ -161,9 +161,9 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # theta1' (I.2.4)
+            # theta1'
             theta1_dot,
-            # theta2' (I.2.4)
+            # theta2'
             theta2_dot,
         ]
         return _finish("velocities", qdot)
@@ -227,7 +227,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (2,), qdot (2,), p (5,).
     Returns y (4,).

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:94060412870291de)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:a87dd7b3591720db)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -223,7 +223,7 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *rest
 
     /* from the state */
     const double z1 = (c_psi * w2 + s_psi * w1) / s_theta;
-    /* (I.2.14) */
+    /* (I.2.4) */
     dydt[0] = z1; /* phi' */
     dydt[1] = c_psi * w1 - s_psi * w2; /* theta' */
     dydt[2] = w3 - c_theta * z1; /* psi' */
@@ -582,7 +582,7 @@ static __attribute__((noinline)) void free_rigid_body_rhs_lanes(const double *fi
     const free_rigid_body_lanes s_psi = sine2;
     const free_rigid_body_lanes z1 = (c_psi * w2 + s_psi * w1) / s_theta;
     const free_rigid_body_lanes c_theta = cosine1;
-    /* (I.2.14) */
+    /* (I.2.4) */
     const free_rigid_body_lanes slope1 = z1;
     free_rigid_body_put(dydt, slope1);
     const free_rigid_body_lanes slope2 = c_psi * w1 - s_psi * w2;

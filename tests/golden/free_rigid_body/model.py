@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:2ef5815d962a4ca5).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:0f8b2d65b944a94c).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -133,11 +133,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z1 = (c_psi * w2 + s_psi * w1) / s_theta
         c_theta = math.cos(theta)
         dydt: list[float] = [
-            # phi' (I.2.14)
+            # phi' (I.2.4)
             z1,
-            # theta' (I.2.14)
+            # theta' (I.2.4)
             c_psi * w1 - s_psi * w2,
-            # psi' (I.2.14)
+            # psi' (I.2.4)
             w3 - c_theta * z1,
             # w1' (I.2.14) 18:4
             w2 * w3 * k1,

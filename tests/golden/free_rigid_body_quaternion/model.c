@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:c8b1cf1eeccacd91)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:a977668cef968a6d)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -196,7 +196,7 @@ int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, d
     const double w1 = y[4];
     const double w2 = y[5];
     const double w3 = y[6];
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     dydt[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
@@ -556,7 +556,7 @@ static __attribute__((noinline)) void free_rigid_body_quaternion_rhs_lanes(const
     const free_rigid_body_quaternion_lanes w1 = free_rigid_body_quaternion_get(y + 4 * stride);
     const free_rigid_body_quaternion_lanes w2 = free_rigid_body_quaternion_get(y + 5 * stride);
     const free_rigid_body_quaternion_lanes w3 = free_rigid_body_quaternion_get(y + 6 * stride);
-    /* (I.2.15) */
+    /* (I.2.4) */
     const free_rigid_body_quaternion_lanes slope1 = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2));
     sum += slope1;
     free_rigid_body_quaternion_put(dydt, slope1);

@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:06a45d78442264bb).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:f39aaeeceac28ebe).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -134,13 +134,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k3 = (I1 - I2) / I3
         # from the state
         dydt: list[float] = [
-            # R_0' (I.2.15)
+            # R_0' (I.2.4)
             -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
-            # R_1' (I.2.15)
+            # R_1' (I.2.4)
             0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
-            # R_2' (I.2.15)
+            # R_2' (I.2.4)
             (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5,
-            # R_3' (I.2.15)
+            # R_3' (I.2.4)
             0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
             # w1' (I.2.15) 12:4
             w2 * w3 * k1,

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:950f802355dd846b)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:8335b2a73d040a75)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -257,7 +257,6 @@ int heavy_top_velocities(double t, const double *y, const double *p, double *qdo
 
     /* from the state */
     const double phi_dot = y[3];
-    /* (I.2.4) */
     qdot[0] = phi_dot; /* phi' */
     const double theta_dot = y[4];
     qdot[1] = theta_dot; /* theta' */

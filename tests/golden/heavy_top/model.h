@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:d853a67a1ea69156)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:9af9eeaa37e2be02)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -81,7 +81,7 @@ extern const double heavy_top_parameter_defaults[];
 int heavy_top_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state
  * qdot: 3 entries
  */
 int heavy_top_velocities(double t, const double *y, const double *p, double *qdot);
@@ -93,7 +93,7 @@ int heavy_top_velocities(double t, const double *y, const double *p, double *qdo
 int heavy_top_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 6 entries
  */
 int heavy_top_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:a1941c3af61aa8eb).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:8c7fe42bdfe2e307).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -153,7 +153,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns qdot (3,).
@@ -164,11 +164,11 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # phi' (I.2.4)
+            # phi'
             phi_dot,
-            # theta' (I.2.4)
+            # theta'
             theta_dot,
-            # psi' (I.2.4)
+            # psi'
             psi_dot,
         ]
         return _finish("velocities", qdot)
@@ -233,7 +233,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns y (6,).

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:e6b029cbeabe8890)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:b9aca58d4e1c3716)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -199,7 +199,7 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     const double z2 = w3 * k1;
     const double w1 = y[4];
     const double w2 = y[5];
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     dydt[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
     dydt[2] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
@@ -558,7 +558,7 @@ static __attribute__((noinline)) void heavy_top_quaternion_rhs_lanes(const doubl
     const heavy_top_quaternion_lanes w3 = heavy_top_quaternion_get(y + 6 * stride);
     const heavy_top_quaternion_lanes z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const heavy_top_quaternion_lanes z2 = w3 * k1;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const heavy_top_quaternion_lanes slope1 = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2));
     sum += slope1;
     heavy_top_quaternion_put(dydt, slope1);

@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:961e4412cfaa7291).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:2cf2c22f9202ac87).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -131,13 +131,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = w3 * k1
         dydt: list[float] = [
-            # R_0' (I.2.15)
+            # R_0' (I.2.4)
             -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
-            # R_1' (I.2.15)
+            # R_1' (I.2.4)
             0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
-            # R_2' (I.2.15)
+            # R_2' (I.2.4)
             (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5,
-            # R_3' (I.2.15)
+            # R_3' (I.2.4)
             0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
             # w1' (I.2.15) 12:4
             k2 * (2.0 * (z1 * (R_0 * R_1 + R_2 * R_3)) + w2 * z2),

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:08ae02da878c3dcc)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:f27b230eeee58b87)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -188,7 +188,7 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *r
     const double z3 = 1.0 / z1;
     const double v = y[2];
     const double z4 = v * z3;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = y_2 * z4; /* x' */
     dydt[1] = -x * z4; /* y' */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
@@ -473,7 +473,7 @@ static __attribute__((noinline)) void holonomic_pendulum_rhs_lanes(const double 
     bad |= holonomic_pendulum_misses(holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(m * z3)),
         HOLONOMIC_PENDULUM_SPREAD(0.0));
     const holonomic_pendulum_lanes z4 = v * z3;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const holonomic_pendulum_lanes slope1 = y_2 * z4;
     sum += slope1;
     holonomic_pendulum_put(dydt, slope1);

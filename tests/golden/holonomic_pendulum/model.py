@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:12a232edc6aba20a).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:3407060d63615e82).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -119,9 +119,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(m * z3), 0.0, 2, "rhs")
         z4 = v * z3
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             y_2 * z4,
-            # y' (I.2.15)
+            # y' (I.2.4)
             -x * z4,
             # v' (I.2.15) 13:4
             x * g,

@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:5ce97eccca00c68a)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:29ff0a9de59fa152)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -274,7 +274,7 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *restrict dy
         - z6)));
     const double z32 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11)) - m * (z30 * (a * z6));
     const double z33 = (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32 - z15 * z31) / z16;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = c_theta1 * v; /* x' */
     dydt[1] = s_theta1 * v; /* y' */
     dydt[2] = w; /* theta1' */
@@ -943,7 +943,7 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
         z2 * (s1 - z6)));
     const n_snake3_lanes z32 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11)) - m * (z30 * (a * z6));
     const n_snake3_lanes z33 = (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32 - z15 * z31) / z16;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const n_snake3_lanes slope1 = c_theta1 * v;
     n_snake3_put(dydt, slope1);
     const n_snake3_lanes slope2 = s_theta1 * v;

@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:77d3570293152dcb).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:1b30f86a8e9383d7).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -175,15 +175,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s5 = k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32 - z15 * z31
         z33 = s5 / z16
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             c_theta1 * v,
-            # y' (I.2.15)
+            # y' (I.2.4)
             s_theta1 * v,
-            # theta1' (I.2.15)
+            # theta1' (I.2.4)
             w,
-            # theta2' (I.2.15)
+            # theta2' (I.2.4)
             z19,
-            # theta3' (I.2.15)
+            # theta3' (I.2.4)
             k1 * z20,
             # v' (I.2.15) 22:4
             z15 * z33 - z14 * z31,

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:c2c44f6b9540bf45)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:502e143ba8638b77)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -248,7 +248,7 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *restrict 
     const double z13 = s2 * (w - z10);
     const double z14 = c2 * z13 + (s2 - z6) * z11;
     const double z15 = z7 * ((z6 - z5) * z12 + c3 * z14);
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = c_theta0 * v; /* x' */
     dydt[1] = s_theta0 * v; /* y' */
     dydt[2] = w; /* theta0' */
@@ -841,7 +841,7 @@ static __attribute__((noinline)) void n_trailer3_rhs_lanes(const double *fixed, 
     const n_trailer3_lanes z13 = s2 * (w - z10);
     const n_trailer3_lanes z14 = c2 * z13 + (s2 - z6) * z11;
     const n_trailer3_lanes z15 = z7 * ((z6 - z5) * z12 + c3 * z14);
-    /* (I.2.15) */
+    /* (I.2.4) */
     const n_trailer3_lanes slope1 = c_theta0 * v;
     n_trailer3_put(dydt, slope1);
     const n_trailer3_lanes slope2 = s_theta0 * v;

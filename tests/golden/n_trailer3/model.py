@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:83078789c7dda9d9).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:15009e81d0366f4b).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -162,17 +162,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z14 = c2 * z13 + (s2 - z6) * z11
         z15 = z7 * ((z6 - z5) * z12 + c3 * z14)
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             c_theta0 * v,
-            # y' (I.2.15)
+            # y' (I.2.4)
             s_theta0 * v,
-            # theta0' (I.2.15)
+            # theta0' (I.2.4)
             w,
-            # theta1' (I.2.15)
+            # theta1' (I.2.4)
             z10,
-            # theta2' (I.2.15)
+            # theta2' (I.2.4)
             z11,
-            # theta3' (I.2.15)
+            # theta3' (I.2.4)
             z12,
             # v' (I.2.15) 30:4
             (m * (z15 + (c1 * z13 + z4 * z14)) - k2 * z15) * (v / z8),

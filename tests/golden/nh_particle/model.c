@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:f5034f2ad1b3804d)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:e368e72fa8adc84f)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -173,7 +173,7 @@ int nh_particle_rhs(double t, const double *y, const double *p, double *restrict
     const double z1 = m * (1.0 + y_2 * y_2);
     const double x_dot = y[3];
     const double z2 = y_2 * x_dot;
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     const double y_dot = y[4];
     dydt[1] = y_dot; /* y' */
@@ -203,7 +203,7 @@ int nh_particle_velocities(double t, const double *y, const double *p, double *q
 
     /* from the state */
     const double x_dot = y[3];
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = x_dot; /* x' */
     const double y_dot = y[4];
     qdot[1] = y_dot; /* y' */
@@ -397,7 +397,7 @@ static __attribute__((noinline)) void nh_particle_rhs_lanes(const double *fixed,
     const nh_particle_lanes y_dot = nh_particle_get(y + 4 * stride);
     const nh_particle_lanes z1 = m * (1.0 + y_2 * y_2);
     const nh_particle_lanes z2 = y_2 * x_dot;
-    /* (III.3) */
+    /* (I.1.2) */
     const nh_particle_lanes slope1 = x_dot;
     nh_particle_put(dydt, slope1);
     const nh_particle_lanes slope2 = y_dot;

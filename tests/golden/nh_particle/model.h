@@ -1,5 +1,5 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:b3b44f3c45893d9d)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:6ee45a8d91720673)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -79,7 +79,7 @@ extern const double nh_particle_parameter_defaults[];
 int nh_particle_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 3 entries
  */
 int nh_particle_velocities(double t, const double *y, const double *p, double *qdot);
@@ -91,7 +91,7 @@ int nh_particle_velocities(double t, const double *y, const double *p, double *q
 int nh_particle_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 5 entries
  */
 int nh_particle_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:5702bc252ba64b21).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:77166e2a6d852005).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -114,11 +114,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(z1), 0.0, 2, "rhs")
         z2 = y_2 * x_dot
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             x_dot,
-            # y' (III.3)
+            # y' (I.1.2)
             y_dot,
-            # z' (III.3)
+            # z' (I.1.2)
             z2,
             # x'' (III.3) 9:4
             -m * (y_dot * z2) / z1,
@@ -135,7 +135,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns qdot (3,).
@@ -146,11 +146,11 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             x_dot,
-            # y' (I.2.4)
+            # y' (I.1.2)
             y_dot,
-            # z' (I.2.4)
+            # z' (I.1.2)
             y_2 * x_dot,
         ]
         return _finish("velocities", qdot)
@@ -202,7 +202,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns y (5,).

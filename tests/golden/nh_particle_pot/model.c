@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:53a542f2d63d51ac)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:88b6549e357be4ea)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -179,7 +179,7 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *rest
     const double z1 = m * (1.0 + y_2 * y_2);
     const double x_dot = y[3];
     const double z2 = y_2 * x_dot;
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     const double y_dot = y[4];
     dydt[1] = y_dot; /* y' */
@@ -210,7 +210,7 @@ int nh_particle_pot_velocities(double t, const double *y, const double *p, doubl
 
     /* from the state */
     const double x_dot = y[3];
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = x_dot; /* x' */
     const double y_dot = y[4];
     qdot[1] = y_dot; /* y' */
@@ -415,7 +415,7 @@ static __attribute__((noinline)) void nh_particle_pot_rhs_lanes(const double *fi
     const nh_particle_pot_lanes y_dot = nh_particle_pot_get(y + 4 * stride);
     const nh_particle_pot_lanes z1 = m * (1.0 + y_2 * y_2);
     const nh_particle_pot_lanes z2 = y_2 * x_dot;
-    /* (III.3) */
+    /* (I.1.2) */
     const nh_particle_pot_lanes slope1 = x_dot;
     nh_particle_pot_put(dydt, slope1);
     const nh_particle_pot_lanes slope2 = y_dot;

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:f0e64456efc96a9b)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:1d139d330b4c724c)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -79,7 +79,7 @@ extern const double nh_particle_pot_parameter_defaults[];
 int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 3 entries
  */
 int nh_particle_pot_velocities(double t, const double *y, const double *p, double *qdot);
@@ -91,7 +91,7 @@ int nh_particle_pot_velocities(double t, const double *y, const double *p, doubl
 int nh_particle_pot_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 5 entries
  */
 int nh_particle_pot_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:b41a4355046ed3bf).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:eaf9e3d633e7fc06).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -116,11 +116,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise _refuse(abs(z1), 0.0, 2, "rhs")
         z2 = y_2 * x_dot
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             x_dot,
-            # y' (III.3)
+            # y' (I.1.2)
             y_dot,
-            # z' (III.3)
+            # z' (I.1.2)
             z2,
             # x'' (III.3) 10:4
             -(x * k + m * (y_dot * z2)) / z1,
@@ -137,7 +137,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (5,), p (2,).
     Returns qdot (3,).
@@ -148,11 +148,11 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             x_dot,
-            # y' (I.2.4)
+            # y' (I.1.2)
             y_dot,
-            # z' (I.2.4)
+            # z' (I.1.2)
             y_2 * x_dot,
         ]
         return _finish("velocities", qdot)
@@ -208,7 +208,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (2,).
     Returns y (5,).

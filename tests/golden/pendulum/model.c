@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:6d8bd41baa390996)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:b3f49aebb7a9ad7c)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -220,7 +220,6 @@ int pendulum_velocities(double t, const double *y, const double *p, double *qdot
 
     /* from the state */
     const double theta_dot = y[1];
-    /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0]) <= DBL_MAX)) {

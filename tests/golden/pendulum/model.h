@@ -1,5 +1,5 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:aca7f8fc6238cd0b)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:c41277f42da3b01b)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -76,7 +76,7 @@ extern const double pendulum_parameter_defaults[];
 int pendulum_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state
  * qdot: 1 entry
  */
 int pendulum_velocities(double t, const double *y, const double *p, double *qdot);
@@ -88,7 +88,7 @@ int pendulum_velocities(double t, const double *y, const double *p, double *qdot
 int pendulum_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 2 entries
  */
 int pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:dc9d5232d0d83f49).
+"""pendulum, emitted by nhc 0.1.0 (nhc:e3d5e3539c11f37d).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -127,7 +127,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns qdot (1,).
@@ -136,7 +136,7 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # theta' (I.2.4)
+            # theta'
             theta_dot,
         ]
         return _finish("velocities", qdot)
@@ -182,7 +182,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (1,), qdot (1,), p (3,).
     Returns y (2,).

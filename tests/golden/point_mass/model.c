@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:7f27f96ec90d8a21)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:069e2c0d6d3c2b6f)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -208,7 +208,6 @@ int point_mass_velocities(double t, const double *y, const double *p, double *qd
 
     /* from the state */
     const double x_dot = y[3];
-    /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     const double y_dot = y[4];
     qdot[1] = y_dot; /* y' */

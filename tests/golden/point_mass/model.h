@@ -1,5 +1,5 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:19131877824a70aa)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:5c5f89958c7d5ff4)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -80,7 +80,7 @@ extern const double point_mass_parameter_defaults[];
 int point_mass_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state
  * qdot: 3 entries
  */
 int point_mass_velocities(double t, const double *y, const double *p, double *qdot);
@@ -92,7 +92,7 @@ int point_mass_velocities(double t, const double *y, const double *p, double *qd
 int point_mass_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 6 entries
  */
 int point_mass_state(double t, const double *q, const double *qdot, const double *p, double *y);

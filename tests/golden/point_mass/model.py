@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:02198e4c315f5386).
+"""point_mass, emitted by nhc 0.1.0 (nhc:114723fe9a75682b).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -137,7 +137,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns qdot (3,).
@@ -148,11 +148,11 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x'
             x_dot,
-            # y' (I.2.4)
+            # y'
             y_dot,
-            # z' (I.2.4)
+            # z'
             z_dot,
         ]
         return _finish("velocities", qdot)
@@ -202,7 +202,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns y (6,).

@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:4441ddeb9cbb3962)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:0be6db1bb6f7c964)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -228,7 +228,6 @@ int pumped_pendulum_velocities(double t, const double *y, const double *p, doubl
 
     /* from the state */
     const double theta_dot = y[1];
-    /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0]) <= DBL_MAX)) {

@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:768467140d658900)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:450fbad1812c0bc5)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -77,7 +77,7 @@ extern const double pumped_pendulum_parameter_defaults[];
 int pumped_pendulum_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state
  * qdot: 1 entry
  */
 int pumped_pendulum_velocities(double t, const double *y, const double *p, double *qdot);
@@ -89,7 +89,7 @@ int pumped_pendulum_velocities(double t, const double *y, const double *p, doubl
 int pumped_pendulum_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 2 entries
  */
 int pumped_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);

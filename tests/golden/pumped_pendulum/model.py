@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:ccb7de0dde284546).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:0c984467a93071d5).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -133,7 +133,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns qdot (1,).
@@ -142,7 +142,7 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # theta' (I.2.4)
+            # theta'
             theta_dot,
         ]
         return _finish("velocities", qdot)
@@ -194,7 +194,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (1,), qdot (1,), p (5,).
     Returns y (2,).

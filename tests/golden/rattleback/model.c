@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:4bc5c69c12896842)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:e0967c82d6827bf2)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -339,7 +339,7 @@ int rattleback_rhs(double t, const double *y, const double *p, double *restrict 
     const double z50 = w2 * z47 - (c_beta * z34 + (s_beta * z35 + (z6 * z48 - r1 * z43))) - z18 * z46;
     const double z51 = (z50 + z21 * z49) / z22;
     const double z52 = z20 * z49 + z21 * z51;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = s_gamma * z26 - c_gamma * z27; /* x' */
     dydt[1] = -(s_gamma * z27 + c_gamma * z26); /* y' */
     dydt[2] = -(mu2 * z23 + c_alpha * z25); /* z' */
@@ -1570,7 +1570,7 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
         z46;
     const rattleback_lanes z51 = (z50 + z21 * z49) / z22;
     const rattleback_lanes z52 = z20 * z49 + z21 * z51;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const rattleback_lanes slope1 = s_gamma * z26 - c_gamma * z27;
     sum += slope1;
     rattleback_put(dydt, slope1);

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:64a7d376392f100d).
+"""rattleback, emitted by nhc 0.1.0 (nhc:905ddcf27d5df375).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -214,17 +214,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z51 = (z50 + z21 * z49) / z22
         z52 = z20 * z49 + z21 * z51
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             s_gamma * z26 - c_gamma * z27,
-            # y' (I.2.15)
+            # y' (I.2.4)
             -(s_gamma * z27 + c_gamma * z26),
-            # z' (I.2.15)
+            # z' (I.2.4)
             -(mu2 * z23 + c_alpha * z25),
-            # alpha' (I.2.15)
+            # alpha' (I.2.4)
             z28,
-            # beta' (I.2.15)
+            # beta' (I.2.4)
             z31,
-            # gamma' (I.2.15)
+            # gamma' (I.2.4)
             -z30,
             # w1' (I.2.15) 41:4
             z18 * z51 - (z13 * z46 - z14 * z52),

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:b428b2435280a27b)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:9f4de14758ac1047)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -249,7 +249,7 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *restric
     const double z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v);
     const double z12 = k3 * (s_phi * z11);
     const double z13 = (z11 * z5 - z12 * z8) / z9;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = c_theta * v; /* x' */
     dydt[1] = s_theta * v; /* y' */
     dydt[2] = theta_dot; /* theta' */
@@ -698,7 +698,7 @@ static __attribute__((noinline)) void roller_racer_rhs_lanes(const double *fixed
     const roller_racer_lanes z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v);
     const roller_racer_lanes z12 = k3 * (s_phi * z11);
     const roller_racer_lanes z13 = (z11 * z5 - z12 * z8) / z9;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const roller_racer_lanes slope1 = c_theta * v;
     sum += slope1;
     roller_racer_put(dydt, slope1);

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:3fe3ff67c59a6d0c).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:c08223a66eb2c51c).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -149,13 +149,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z12 = k3 * (s_phi * z11)
         z13 = (z11 * z5 - z12 * z8) / z9
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             c_theta * v,
-            # y' (I.2.15)
+            # y' (I.2.4)
             s_theta * v,
-            # theta' (I.2.15)
+            # theta' (I.2.4)
             theta_dot,
-            # phi' (I.2.15)
+            # phi' (I.2.4)
             -z10,
             # v' (I.2.15) 17:4
             z7 * z12 - z8 * z13,

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:f3e33a0abd7d1e2e)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:f08010b6c275115a)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -249,7 +249,7 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *restric
     const double z3 = w_u / s_theta;
     const double z4 = c_theta * z3;
     const double z5 = A * z4;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = s_phi * z2 - c_phi * z1; /* x' */
     dydt[1] = -(s_phi * z1 + c_phi * z2); /* y' */
     dydt[2] = z3; /* phi' */
@@ -725,7 +725,7 @@ static __attribute__((noinline)) void rolling_disk_rhs_lanes(const double *fixed
     const rolling_disk_lanes c_theta = cosine1;
     const rolling_disk_lanes z4 = c_theta * z3;
     const rolling_disk_lanes z5 = A * z4;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const rolling_disk_lanes slope1 = s_phi * z2 - c_phi * z1;
     sum += slope1;
     rolling_disk_put(dydt, slope1);

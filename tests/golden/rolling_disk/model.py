@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:3b8171f6e027fe2c).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:b5b11e0d27a33f90).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -153,15 +153,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z4 = c_theta * z3
         z5 = A * z4
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             s_phi * z2 - c_phi * z1,
-            # y' (I.2.15)
+            # y' (I.2.4)
             -(s_phi * z1 + c_phi * z2),
-            # phi' (I.2.15)
+            # phi' (I.2.4)
             z3,
-            # theta' (I.2.15)
+            # theta' (I.2.4)
             w_t,
-            # psi' (I.2.15)
+            # psi' (I.2.4)
             w_n - z4,
             # w_t' (I.2.15) 22:4
             (c_theta * k4 + w_u * (w_n * k3 - z5)) * k7,

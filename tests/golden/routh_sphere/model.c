@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:471b18bf8b5cbbaf)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:f52d4c5a32c4c974)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -263,7 +263,7 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *restric
     const double z15 = (z14 * z8 + z12 * (phi_dot * (I3 + k3 * z3) - c_theta * (psi_dot * k1))) / z9;
     const double z16 = phi_dot * (phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)) + k2 * (g + theta_dot
         * z11);
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = s_phi * z11 - c_phi * z10; /* x' */
     dydt[1] = -(c_phi * z11 + s_phi * z10); /* y' */
     dydt[2] = phi_dot; /* phi' */
@@ -312,7 +312,7 @@ int routh_sphere_velocities(double t, const double *y, const double *p, double *
     /* from the state */
     const double z1 = s_theta * (psi_dot * R);
     const double z2 = theta_dot * R;
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = s_phi * z2 - c_phi * z1; /* x' */
     qdot[1] = -(c_phi * z2 + s_phi * z1); /* y' */
     qdot[2] = phi_dot; /* phi' */
@@ -807,7 +807,7 @@ static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed
         z9;
     const routh_sphere_lanes z16 = phi_dot * (phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)) + k2 * (g
         + theta_dot * z11);
-    /* (III.3) */
+    /* (I.1.2) */
     const routh_sphere_lanes slope1 = s_phi * z11 - c_phi * z10;
     sum += slope1;
     routh_sphere_put(dydt, slope1);

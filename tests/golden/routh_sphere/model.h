@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:3c12e0a0cde33ebb)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:201a5edd7fb52259)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -90,7 +90,7 @@ extern const double routh_sphere_parameter_defaults[];
 int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 5 entries
  */
 int routh_sphere_velocities(double t, const double *y, const double *p, double *qdot);
@@ -102,7 +102,7 @@ int routh_sphere_velocities(double t, const double *y, const double *p, double *
 int routh_sphere_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 8 entries
  */
 int routh_sphere_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:af1317b629b0b31c).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:41f1cb8647f5a5e1).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -165,15 +165,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s3 = phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)
         z16 = phi_dot * s3 + k2 * (g + theta_dot * z11)
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             s_phi * z11 - c_phi * z10,
-            # y' (III.3)
+            # y' (I.1.2)
             -(c_phi * z11 + s_phi * z10),
-            # phi' (III.3)
+            # phi' (I.1.2)
             phi_dot,
-            # theta' (III.3)
+            # theta' (I.1.2)
             theta_dot,
-            # psi' (III.3)
+            # psi' (I.1.2)
             psi_dot,
             # phi'' (III.3) 26:4
             -(z14 * z7 + z8 * z15),
@@ -192,7 +192,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns qdot (5,).
@@ -211,15 +211,15 @@ def velocities(
         s_phi = math.sin(phi)
         z2 = theta_dot * R
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             s_phi * z2 - c_phi * z1,
-            # y' (I.2.4)
+            # y' (I.1.2)
             -(c_phi * z2 + s_phi * z1),
-            # phi' (I.2.4)
+            # phi' (I.1.2)
             phi_dot,
-            # theta' (I.2.4)
+            # theta' (I.1.2)
             theta_dot,
-            # psi' (I.2.4)
+            # psi' (I.1.2)
             psi_dot,
         ]
         return _finish("velocities", qdot)
@@ -319,7 +319,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns y (8,).

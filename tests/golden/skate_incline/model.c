@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:564bca94ca512a29)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:d1144931929557ea)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -209,7 +209,7 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *restri
     const double k1 = g * s_alpha;
 
     /* from the state */
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = c_phi * v; /* x' */
     dydt[1] = s_phi * v; /* y' */
     dydt[2] = phi_dot; /* phi' */
@@ -495,7 +495,7 @@ static __attribute__((noinline)) void skate_incline_rhs_lanes(const double *fixe
     skate_incline_turn_lanes(SKATE_INCLINE_SPREAD(phi), &far, &sine1, &cosine1);
     const skate_incline_lanes c_phi = cosine1;
     const skate_incline_lanes s_phi = sine1;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const skate_incline_lanes slope1 = c_phi * v;
     sum += slope1;
     skate_incline_put(dydt, slope1);

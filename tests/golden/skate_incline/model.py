@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:82fa6fcb41b87832).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:da960cc22eb217d4).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -126,11 +126,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             c_phi * v,
-            # y' (I.2.15)
+            # y' (I.2.4)
             s_phi * v,
-            # phi' (I.2.15)
+            # phi' (I.2.4)
             phi_dot,
             # v' (I.2.15) 15:4
             c_phi * k1,

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:6717fa8c86a9f334)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:184f58fd8abef06c)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -302,7 +302,6 @@ int smooth_tippe_top_velocities(double t, const double *y, const double *p, doub
 
     /* from the state */
     const double x_dot = y[5];
-    /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     const double y_dot = y[6];
     qdot[1] = y_dot; /* y' */

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:54cf4548b2f7255e)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:471d042a6e681bce)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -92,7 +92,7 @@ extern const double smooth_tippe_top_parameter_defaults[];
 int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state
  * qdot: 5 entries
  */
 int smooth_tippe_top_velocities(double t, const double *y, const double *p, double *qdot);
@@ -104,7 +104,7 @@ int smooth_tippe_top_velocities(double t, const double *y, const double *p, doub
 int smooth_tippe_top_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 10 entries
  */
 int smooth_tippe_top_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:6169a0c7f99dd6cb).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:48985c033e9d3436).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -199,7 +199,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns qdot (5,).
@@ -212,15 +212,15 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x'
             x_dot,
-            # y' (I.2.4)
+            # y'
             y_dot,
-            # phi' (I.2.4)
+            # phi'
             phi_dot,
-            # theta' (I.2.4)
+            # theta'
             theta_dot,
-            # psi' (I.2.4)
+            # psi'
             psi_dot,
         ]
         return _finish("velocities", qdot)
@@ -305,7 +305,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns y (10,).

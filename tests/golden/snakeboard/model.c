@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:8a92ebe8bfef51b0)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:91ebfe06442cb919)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -311,7 +311,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     const double z47 = z14 * z46;
     const double z48 = sigma * c2;
     const double z49 = J_w * z44;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = z22 * z19; /* x' */
     dydt[1] = z22 * z17; /* y' */
     dydt[2] = -z23; /* theta' */
@@ -1208,7 +1208,7 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes c2 = cosine4;
     const snakeboard_lanes z48 = sigma * c2;
     const snakeboard_lanes z49 = J_w * z44;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const snakeboard_lanes slope1 = z22 * z19;
     sum += slope1;
     snakeboard_put(dydt, slope1);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:b1fe7707aad7c87a).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:bf70b36744ffa9db).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -230,17 +230,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z48 = sigma * c2
         z49 = J_w * z44
         dydt: list[float] = [
-            # x' (I.2.15)
+            # x' (I.2.4)
             z22 * z19,
-            # y' (I.2.15)
+            # y' (I.2.4)
             z22 * z17,
-            # theta' (I.2.15)
+            # theta' (I.2.4)
             -z23,
-            # psi' (I.2.15)
+            # psi' (I.2.4)
             psi_dot,
-            # p_b' (I.2.15)
+            # p_b' (I.2.4)
             p_b_dot,
-            # p_f' (I.2.15)
+            # p_f' (I.2.4)
             p_f_dot,
             # v' (I.2.15) 22:4
             z46,

@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:87e393643c8972d2)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:4fa60325e480b7d6)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -244,7 +244,6 @@ int spherical_pendulum_velocities(double t, const double *y, const double *p, do
 
     /* from the state */
     const double theta_dot = y[2];
-    /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
     const double phi_dot = y[3];
     qdot[1] = phi_dot; /* phi' */

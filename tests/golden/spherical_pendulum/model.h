@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:edde7421045abc6b)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:3004b0a7d4945aac)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -80,7 +80,7 @@ extern const double spherical_pendulum_parameter_defaults[];
 int spherical_pendulum_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state
  * qdot: 2 entries
  */
 int spherical_pendulum_velocities(double t, const double *y, const double *p, double *qdot);
@@ -92,7 +92,7 @@ int spherical_pendulum_velocities(double t, const double *y, const double *p, do
 int spherical_pendulum_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 4 entries
  */
 int spherical_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:927b9b24ab8d5bcc).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:8f12ed1a1e3cbcd1).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -139,7 +139,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns qdot (2,).
@@ -149,9 +149,9 @@ def velocities(
     try:
         # from the state
         qdot: list[float] = [
-            # theta' (I.2.4)
+            # theta'
             theta_dot,
-            # phi' (I.2.4)
+            # phi'
             phi_dot,
         ]
         return _finish("velocities", qdot)
@@ -206,7 +206,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (2,), qdot (2,), p (3,).
     Returns y (4,).

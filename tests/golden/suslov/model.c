@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:6b1c6cb08675032e)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:4eee462c70a8b31a)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -226,7 +226,7 @@ int suslov_rhs(double t, const double *y, const double *p, double *restrict dydt
     /* from the state */
     const double z1 = (c_psi * w2 + s_psi * w1) / s_theta;
     const double z2 = I13 * w1 + I23 * w2;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = z1; /* phi' */
     dydt[1] = c_psi * w1 - s_psi * w2; /* theta' */
     dydt[2] = -c_theta * z1; /* psi' */
@@ -586,7 +586,7 @@ static __attribute__((noinline)) void suslov_rhs_lanes(const double *fixed, size
     const suslov_lanes z1 = (c_psi * w2 + s_psi * w1) / s_theta;
     const suslov_lanes c_theta = cosine1;
     const suslov_lanes z2 = I13 * w1 + I23 * w2;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const suslov_lanes slope1 = z1;
     suslov_put(dydt, slope1);
     const suslov_lanes slope2 = c_psi * w1 - s_psi * w2;

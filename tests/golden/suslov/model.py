@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:c8f4efc9c8412f16).
+"""suslov, emitted by nhc 0.1.0 (nhc:f5c9d4e59f2bcd05).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -133,11 +133,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         c_theta = math.cos(theta)
         z2 = I13 * w1 + I23 * w2
         dydt: list[float] = [
-            # phi' (I.2.15)
+            # phi' (I.2.4)
             z1,
-            # theta' (I.2.15)
+            # theta' (I.2.4)
             c_psi * w1 - s_psi * w2,
-            # psi' (I.2.15)
+            # psi' (I.2.4)
             -c_theta * z1,
             # w1' (I.2.15) 20:4
             w2 * z2 * k1,

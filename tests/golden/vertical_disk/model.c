@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:ce922636761567d3)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:bcc3758ff9ebcae4)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -207,7 +207,7 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *restri
 
     /* from the state */
     const double v1_x = theta_dot * R;
-    /* (III.3) */
+    /* (I.1.2) */
     dydt[0] = c_phi * v1_x; /* x' */
     dydt[1] = s_phi * v1_x; /* y' */
     dydt[2] = phi_dot; /* phi' */
@@ -247,7 +247,7 @@ int vertical_disk_velocities(double t, const double *y, const double *p, double 
 
     /* from the state */
     const double v1_x = theta_dot * R;
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = c_phi * v1_x; /* x' */
     qdot[1] = s_phi * v1_x; /* y' */
     qdot[2] = phi_dot; /* phi' */
@@ -487,7 +487,7 @@ static __attribute__((noinline)) void vertical_disk_rhs_lanes(const double *fixe
     const vertical_disk_lanes c_phi = cosine1;
     const vertical_disk_lanes v1_x = theta_dot * R;
     const vertical_disk_lanes s_phi = sine1;
-    /* (III.3) */
+    /* (I.1.2) */
     const vertical_disk_lanes slope1 = c_phi * v1_x;
     sum += slope1;
     vertical_disk_put(dydt, slope1);

@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:ebc94f1792c51f32)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:50c6a342c3696930)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -86,7 +86,7 @@ extern const double vertical_disk_parameter_defaults[];
 int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 4 entries
  */
 int vertical_disk_velocities(double t, const double *y, const double *p, double *qdot);
@@ -98,7 +98,7 @@ int vertical_disk_velocities(double t, const double *y, const double *p, double 
 int vertical_disk_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 6 entries
  */
 int vertical_disk_state(double t, const double *q, const double *qdot, const double *p, double *y);

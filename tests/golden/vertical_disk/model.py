@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:5019dc80b9e8471f).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:36dd62c45a830e89).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -126,13 +126,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         v1_x = theta_dot * R
         s_phi = math.sin(phi)
         dydt: list[float] = [
-            # x' (III.3)
+            # x' (I.1.2)
             c_phi * v1_x,
-            # y' (III.3)
+            # y' (I.1.2)
             s_phi * v1_x,
-            # phi' (III.3)
+            # phi' (I.1.2)
             phi_dot,
-            # theta' (III.3)
+            # theta' (I.1.2)
             theta_dot,
             # phi'' (III.3) 16:4
             0.0,
@@ -149,7 +149,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns qdot (4,).
@@ -164,13 +164,13 @@ def velocities(
         v1_x = theta_dot * R
         s_phi = math.sin(phi)
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             c_phi * v1_x,
-            # y' (I.2.4)
+            # y' (I.1.2)
             s_phi * v1_x,
-            # phi' (I.2.4)
+            # phi' (I.1.2)
             phi_dot,
-            # theta' (I.2.4)
+            # theta' (I.1.2)
             theta_dot,
         ]
         return _finish("velocities", qdot)
@@ -228,7 +228,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (4,), qdot (4,), p (4,).
     Returns y (6,).

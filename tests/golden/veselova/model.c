@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:7000e0f4458d77b0)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:4ca3a8c351875e96)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -249,7 +249,7 @@ int veselova_rhs(double t, const double *y, const double *p, double *restrict dy
     const double z18 = s_theta * (k1 * (s_psi * (c_psi * z17 - z15 * z6)) - k2 * (c_theta * z15));
     const double z19 = w_y * z18;
     const double z20 = (w_x * z18 + z19 * z12) / z14;
-    /* (I.2.15) */
+    /* (I.2.4) */
     dydt[0] = -c_theta * z16; /* phi' */
     dydt[1] = z17; /* theta' */
     dydt[2] = z16; /* psi' */
@@ -826,7 +826,7 @@ static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, si
     const veselova_lanes z18 = s_theta * (k1 * (s_psi * (c_psi * z17 - z15 * z6)) - k2 * (c_theta * z15));
     const veselova_lanes z19 = w_y * z18;
     const veselova_lanes z20 = (w_x * z18 + z19 * z12) / z14;
-    /* (I.2.15) */
+    /* (I.2.4) */
     const veselova_lanes slope1 = -c_theta * z16;
     sum += slope1;
     veselova_put(dydt, slope1);

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:f4f6dda7abdb9189).
+"""veselova, emitted by nhc 0.1.0 (nhc:7df17bf5bc5f68ee).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -154,11 +154,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z19 = w_y * z18
         z20 = (w_x * z18 + z19 * z12) / z14
         dydt: list[float] = [
-            # phi' (I.2.15)
+            # phi' (I.2.4)
             -c_theta * z16,
-            # theta' (I.2.15)
+            # theta' (I.2.4)
             z17,
-            # psi' (I.2.15)
+            # psi' (I.2.4)
             z16,
             # w_x' (I.2.15) 24:4
             z12 * z20 - z19 * z11,

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:a7ee58e9aeebbbab)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:13e994aaad6ffc9b)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -242,7 +242,7 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *res
     const double z22 = z12 * (x_dot * (2.0 * z + 0.3 * (s_z * z1)) - (z14 + z15)) + z21;
     const double z23 = z * z6 * (1.5 - 0.5 * z16) - (0.5 * (z10 * z22) - (2.0 * y_2 + z12 * z18));
     const double z24 = (z23 + z6 * (0.5 * z20 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13)))) / z11;
-    /* (I.4.9) */
+    /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z12; /* z' */
@@ -280,7 +280,7 @@ int voronec_particle_velocities(double t, const double *y, const double *p, doub
     const double y_dot = y[4];
 
     /* from the state */
-    /* (I.2.4) */
+    /* (I.1.2) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = x_dot * (y_2 * c_z) + 0.5 * (y_dot * (x * z)); /* z' */
@@ -709,7 +709,7 @@ static __attribute__((noinline)) void voronec_particle_rhs_lanes(const double *f
         z18));
     const voronec_particle_lanes z24 = (z23 + z6 * (0.5 * z20 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13))))
         / z11;
-    /* (I.4.9) */
+    /* (I.1.2) */
     const voronec_particle_lanes slope1 = x_dot;
     voronec_particle_put(dydt, slope1);
     const voronec_particle_lanes slope2 = y_dot;

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:9e293ff53407e2a7)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:2d224f4f78a7ee7b)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -78,7 +78,7 @@ extern const double voronec_particle_parameter_defaults[];
 int voronec_particle_rhs(double t, const double *y, const double *p, double *dydt);
 
 /*
- * all velocities q' from the state (I.2.4)
+ * all velocities q' from the state (I.1.2)
  * qdot: 3 entries
  */
 int voronec_particle_velocities(double t, const double *y, const double *p, double *qdot);
@@ -90,7 +90,7 @@ int voronec_particle_velocities(double t, const double *y, const double *p, doub
 int voronec_particle_accelerations(double t, const double *y, const double *p, double *qddot);
 
 /*
- * the state y from coordinates and velocities (I.2.1)
+ * the state y from coordinates and velocities
  * y: 5 entries
  */
 int voronec_particle_state(double t, const double *q, const double *qdot, const double *p, double *y);

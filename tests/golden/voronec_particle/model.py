@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:4a9e0c4bd5bfb2c4).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:c78c115edd83d73e).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Čaplygin's hypotheses fail.
@@ -141,11 +141,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s5 = z6 * (0.5 * z20 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13)))
         z24 = (z23 + s5) / z11
         dydt: list[float] = [
-            # x' (I.4.9)
+            # x' (I.1.2)
             x_dot,
-            # y' (I.4.9)
+            # y' (I.1.2)
             y_dot,
-            # z' (I.4.9)
+            # z' (I.1.2)
             z12,
             # x'' (I.4.9) 7:4
             0.5 * (z10 * z24) - z9 * z22,
@@ -162,7 +162,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """all velocities q' from the state (I.1.2)
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qdot (3,).
@@ -176,11 +176,11 @@ def velocities(
         # from the state
         c_z = math.cos(z)
         qdot: list[float] = [
-            # x' (I.2.4)
+            # x' (I.1.2)
             x_dot,
-            # y' (I.2.4)
+            # y' (I.1.2)
             y_dot,
-            # z' (I.2.4)
+            # z' (I.1.2)
             x_dot * (y_2 * c_z) + 0.5 * (y_dot * (x * z)),
         ]
         return _finish("velocities", qdot)
@@ -264,7 +264,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """the state y from coordinates and velocities
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns y (5,).
