@@ -358,6 +358,31 @@ def test_a_stiff_scene_is_measured_by_a_method_for_it() -> None:
     assert meter.method == "radau5" and meter.second.method == "radau5" and meter.second.tolerance < 1e-7
 
 
+DAMPED = """\
+nhc: 1
+system: damped
+coordinates: [x, y]
+parameters: {k: 1, K: 1e6, c: 1e5}
+T: (x'^2 + y'^2)/2
+V: k*x^2/2 + K*(y - x)^2/2
+forces: {x: "c*(y' - x')", y: "-c*(y' - x')"}
+scenes: {slow: {initial: {x: 1, y: 1}, time: [0, 10]}}
+"""
+
+
+def test_what_is_not_confirmed_bars_nothing() -> None:
+    """Without the damper, coarse steps of radau5 damp what finer ones do not; it goes first, and stays at last.
+
+    The spring beside it may go while the damper is there: exp(A t) with K = 0 is 1.16e-5 away.
+    """
+    ladder = simplify(source(DAMPED), "slow", 1e-2)
+    reasons = {kept.about: kept.reason for kept in ladder.kept}
+    assert reasons["parameter `c`, set to 0"].startswith("not confirmed")
+    assert ladder.dropped == ("term `K*(y - x)^2/2` of `V`",)
+    assert ladder.dropped[0] not in reasons
+    assert max(ladder.again) == pytest.approx(1.165e-5, rel=0.02)
+
+
 RUBBING = """\
 nhc: 1
 system: rubbing

@@ -188,6 +188,13 @@ class _Search:
             self.reasons[candidate] = f"nothing is saved without it (error {trial.error:.2g})"
         return gone
 
+    def forbid(self, candidate: Candidate, gone: list[Candidate]) -> None:
+        """Keep one for good; behind what is ``gone`` the rest is dropped anew."""
+        del self.alone[candidate]
+        reason = self.reasons[candidate]
+        self.gone = self._drop(gone, [other for other in self.alone if other not in gone])
+        self.reasons = {c: why for c, why in self.reasons.items() if c not in self.gone} | {candidate: reason}
+
     def _sure(self, gone: Sequence[Candidate]) -> Trial:
         trial = self.trial(gone)
         assert isinstance(trial, Trial)
@@ -277,18 +284,31 @@ def _rungs(search: _Search, gone: Sequence[Candidate], prices: Sequence[Price]) 
 
 
 def _confirmed(search: _Search) -> tuple[list[Candidate], tuple[float, ...]]:
-    """What goes when the smallest model is measured again in the second way; the last ones stay where that does not agree."""
-    gone, meter = list(search.gone), search.meter
+    """What goes when the smallest model is measured again in the second way: with what does not stand that, others that it had kept
+    from going are tried anew.
+    """
+    while True:
+        gone, errors, failing = _agreed(search)
+        if failing is None:
+            return gone, errors
+        search.forbid(failing, gone)
+
+
+def _agreed(search: _Search) -> tuple[list[Candidate], tuple[float, ...], Candidate | None]:
+    """The longest beginning of what is gone that the second way confirms, its errors, and the one that may not follow it."""
+    gone, meter, failing = list(search.gone), search.meter, None
     while gone:
         try:
             errors, _ = meter.measure(search.text(gone), again=True)
         except Refused as refused:
-            search.reasons[gone.pop()] = f"not confirmed: {refused}"
-            continue
-        if max(errors) + max(meter.own) <= meter.tolerance:
-            return gone, errors
-        search.reasons[gone.pop()] = f"not confirmed: the second method finds an error of {max(errors):.2g}"
-    return gone, meter.own
+            reason = str(refused)
+        else:
+            if max(errors) + max(meter.own) <= meter.tolerance:
+                return gone, errors, failing
+            reason = f"the second method finds an error of {max(errors):.2g}"
+        failing = gone.pop()
+        search.reasons[failing] = f"not confirmed: {reason}"
+    return gone, meter.own, failing
 
 
 def _about(number: int, search: _Search) -> str:
