@@ -184,6 +184,24 @@ def test_laws_of_growth() -> None:
     law, rate, horizon = fit(t, [1 + x**2 for x in t])
     assert law == "power" and rate == pytest.approx(2.0, rel=0.1)
     assert math.isinf(fit(t, [1.0] * len(t))[2])
+    # beside a motion that returns perturbations only swing, and a trend of the swings is none
+    law, rate, horizon = fit(t, [1.35 + 0.35 * math.sin(4 * x + 2) for x in t])
+    assert law == "none" and math.isnan(rate) and math.isnan(horizon)
+
+
+def test_a_forced_oscillator_has_no_law_of_growth(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """x'' = -4 x + cos t: perturbations are turned, never more, so that nothing can be said of when rounding is seen."""
+    path = tmp_path / "forced.yaml"
+    path.write_text(
+        "nhc: 1\nsystem: forced\ncoordinates: [x]\nT: x'^2/2\nV: 2*x^2\nforces: {x: cos(t)}\n"
+        "scenes: {beat: {initial: {x: 0.5}, time: [0, 20]}}\n"
+    )
+    assert main(["stability", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert "no law: no steady growth" in out and "not known without a law" in out
+    assert main(["stability", str(path), "--json"]) == 0
+    growth = json.loads(capsys.readouterr().out)["sensitivity"]
+    assert growth["law"] == "none" and growth["rate"] is None and growth["horizon"] is None
 
 
 def test_distances_see_the_singular_dependent_choice() -> None:
