@@ -149,6 +149,17 @@ def test_the_picture_shows_every_case_and_marks_failures_and_unresolved_points()
     assert all("nan" not in value for e in root.iter() for value in e.attrib.values())
 
 
+def test_what_is_beaten_by_an_unresolved_case_is_not_among_the_best() -> None:
+    """The slow line's finest resolved case has the least resolved error; a case on the grey ground is better and faster."""
+    fast = [
+        replace(r, error=1e-4 * r.error, unresolved=r.error <= 1e-6) for r in line("voronec", "dop853", "c", 1e-6, 0.1)
+    ]
+    slow = [replace(r, unresolved=r.error < 1e-10) for r in line("voronec", "radau5", "c", 1e-3, 0.1)]
+    root = ET.fromstring(draw_study(study([*fast, *slow], 1e-12)))
+    (front,) = (e.get("points") or "" for e in root.iter() if e.get("stroke") == "#bbbbbb" and e.get("points"))
+    assert len(front.split()) == sum(not r.unresolved for r in fast)
+
+
 def test_markers_stay_inside_their_panels_and_off_the_legend() -> None:
     root = ET.fromstring(draw_study(study(CROSSING)))
     frames = [e for e in root.iter() if e.tag.endswith("rect") and e.get("stroke") == "#555555"]
