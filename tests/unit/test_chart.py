@@ -112,7 +112,17 @@ def test_failures_and_peers_are_never_recommended_and_what_none_reaches_is_said(
         assert advice.best is not None and advice.best.case.language == "c" and advice.best.case.method != "rk4"
         assert "SciPy's LSODA on the same C takes" in advice.text
     (none,) = advise(made, (1e-14,))
-    assert none.best is None and "no case of this chart reaches 1e-14 (6 of" in none.text
+    assert (
+        none.best is None and "no case of this chart reaches 1e-14: the least error is 1.0e-12, of voronec" in none.text
+    )
+    assert "with dop853 in C at tolerance 1e-12 (6 of" in none.text
+    (near,) = advise(study([replace(r, unresolved=True) for r in CROSSING], 9e-13), (1.5e-12,))
+    assert (
+        near.best is None and "the least error is at most 1.9e-12" in near.text
+    )  # of which the reference has the half
+    lucky = [replace(r, error=1e-9) if r.case.tolerance < 1e-10 else r for r in line("voronec", "rk4", "c", 1e-6, 0.2)]
+    (luck,) = advise(study(lucky), (5e-10,))
+    assert luck.best is None and luck.text.endswith("and not all finer runs of that line reach it")
     (blind,) = advise(study(CROSSING, 1e-5), (1e-6,))
     assert blind.best is None and "the reference itself is known to 1.0e-05 only" in blind.text
 
