@@ -104,7 +104,7 @@ def command(
         show_line("")
     _deliver(found, question, target, as_json)
     if found.failed:
-        advice = [f"`nhc run` {found.conduct[-1]}"] if found.stopped else []
+        advice = [f"`nhc run`: {found.conduct[-1]}"] if found.stopped else []
         if found.conduct and not advice:
             advice = ["`nhc run` ends this scene in other formulations: leave `--formulation` out"]
         raise Failure(f"the scene cannot be studied: {found.failed}", advice, exit=Exit.NUMERICAL)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from nhc.report.comparison_text import run_of
 from nhc.report.marks import HEADING, draw_cross, draw_document, draw_line, draw_marker, draw_text
 from nhc.report.panel import Panel, Style, draw_panel, style_of
 from nhc.report.svg import Axis, Chart, Series, dash_of, draw_inside, time_axis
@@ -59,13 +58,12 @@ def _draw_models(made: Comparison, style: Style, top: float) -> tuple[list[str],
     at = top + 19
     for rung in made.rungs:
         colour = style.colour(rung.name)
-        run = run_of(made, rung)
         error = "0 by definition" if rung.name == made.finest else f"{rung.error:.1e}"
         cells = (
             f"{rung.states} of {rung.full_states}",
             str(rung.operations),
             duration(rung.rhs),
-            "-" if run is None else duration(run.best),
+            duration(rung.run),
         )
         dash = dash_of(style.methods.index(rung.name))
         parts.append(draw_line(LEFT, at - 4, LEFT + 30, at - 4, colour, f' stroke-width="2.5"{dash}'))

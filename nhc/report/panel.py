@@ -196,9 +196,14 @@ def _draw_floor(panel: Panel, x: Scale) -> list[str]:
 
 
 def _draw_front(panel: Panel, results: Sequence[Result], x: Scale, y: Scale) -> list[str]:
-    """A broad grey line through the cases that nothing beats in both error and time."""
+    """A broad grey line through the cases that nothing beats in both error and time.
+
+    What the reference does not resolve has no place on it, and yet beats all that is resolved and takes longer.
+    """
+    least = min((panel.y(r) for r in results if r.unresolved), default=math.inf)
+    resolved = [r for r in results if not r.unresolved and panel.y(r) < least]
     front: list[Result] = []
-    for result in sorted((r for r in results if not r.unresolved), key=lambda r: (panel.y(r), panel.x(r))):
+    for result in sorted(resolved, key=lambda r: (panel.y(r), panel.x(r))):
         if not front or panel.x(result) < panel.x(front[-1]):
             front.append(result)
     if len(front) < 2:

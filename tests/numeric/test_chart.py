@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import sys
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -21,14 +22,17 @@ from nhc.report.chart_file import make_file
 from nhc.simulate.auto import choose_method
 from nhc.simulate.c import compile as compiling
 from nhc.simulate.changes import Changes
+from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.opening import open_scene
 from nhc.simulate.task import Task
 from nhc.simulate.workshop import load
 from nhc.study.chart.advice import advise
-from nhc.study.chart.case import RESOLVED, Study
+from nhc.study.chart.case import RESOLVED, Reference, Study
 from nhc.study.chart.grid import Grid
 from nhc.study.chart.model import ChartModel, compile_chart
-from nhc.study.chart.study import chart
+from nhc.study.chart.reference import Solution
+from nhc.study.chart.single import Rig
+from nhc.study.chart.study import chart, cost_of
 from tests.support import spec_path
 
 STIFF = """
@@ -99,6 +103,30 @@ def test_only_right_hand_sides_are_timed_and_no_conversions_of_states(monkeypatc
     repeat(3)
     with pytest.raises(AssertionError):
         model.rhs_at(job.time[:1], (job.y,), job.p)
+
+
+def test_a_right_hand_side_is_timed_along_the_motion_in_both_languages(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not at the start alone, which may be at rest or lie on one side of a jump."""
+    job = open_scene(gallery("pendulum"))
+    times = (0.0, 0.5, 1.0)
+    nothing = Solution([], [], Reference("", "", "", 0.0, 0.0))
+    model = InterpretedModel(job.program, job.events, job.holds)
+    rig = Rig("lagrange", job, times, nothing, None, model)
+    seen: set[float] = set()
+    whole = model.rhs
+
+    def rhs(t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
+        seen.add(t)
+        return whole(t, y, p)
+
+    def repeat_once(repeat: Callable[[int], None], budget: float) -> tuple[float, float, int]:
+        monkeypatch.setattr(model, "rhs", rhs)
+        repeat(1)
+        return 6.0, 6.0, 1
+
+    monkeypatch.setattr("nhc.study.chart.study.time_repeats", repeat_once)
+    cost = cost_of(rig, ("python",), None)
+    assert seen == set(times) and cost.python == 2.0  # of three states
 
 
 def test_c_and_python_make_the_same_errors() -> None:

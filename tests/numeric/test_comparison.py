@@ -116,6 +116,35 @@ def test_a_known_error_comes_out() -> None:
     assert both.needs == ("x", "pull") and len(both.rungs[0].errors) == 2
 
 
+def test_a_method_with_fixed_steps_takes_finer_and_finer_ones() -> None:
+    """Without a step of its own, rk4 would take five for any tolerance, and its error would pass for the model's."""
+    made = compare_models(
+        [oscillator("free", "0")],
+        oscillator("held", "0.01"),
+        Grid(methods=("rk4",), tolerances=(1e-4, 1e-6, 1e-8), budget=1e-4),
+    )
+    free, held = ([r for r in made.results if r.case.formulation == name] for name in ("free", "held"))
+    assert [r.steps for r in held] == sorted({r.steps for r in held})
+    assert all(r.case.step == pytest.approx(3 / r.steps) for r in (*free, *held))
+    assert held[0].error > 30 * held[1].error > 900 * held[2].error > 0  # of fourth order
+    assert made.rungs[0].errors[0] == pytest.approx(0.01 * (1 - math.cos(3.0)), rel=1e-3)
+    assert 0 < made.rungs[0].own < 1e-5
+    assert "steps of" in to_markdown(made)
+
+
+def test_the_runs_of_all_models_are_held_to_the_same_accuracy() -> None:
+    """The time of a run is that of the fastest whose integrator errs by no more than the scene's tolerance, in each model."""
+    free, held = oscillator("free", "0"), oscillator("held", "0.01")
+    sources = [Source(one.path, one.text.replace("need: [x]", "need: [x], tolerance: 1e-3")) for one in (free, held)]
+    made = compare_models(sources[:1], sources[1], Grid(tolerances=(1e-2, 1e-5, 1e-10), budget=1e-4))
+    for rung in made.rungs:
+        own = [r for r in made.results if r.case.formulation == rung.name]
+        near = [r.best for r in own if abs(r.error - own[-1].error) <= 1e-3]
+        assert rung.run == min(near) > 0
+    short = compare_models(sources[:1], sources[1], Grid(tolerances=(1e-9,), budget=1e-4))
+    assert math.isnan(short.rungs[0].run)  # nothing says how good a single run is
+
+
 def test_a_scene_is_changed_in_all_models_as_far_as_they_have_the_names() -> None:
     """x = 2 cos t against x = f + (2 - f) cos t; only the finer model has the force f."""
     held = oscillator("held", "f")

@@ -184,6 +184,24 @@ def test_laws_of_growth() -> None:
     law, rate, horizon = fit(t, [1 + x**2 for x in t])
     assert law == "power" and rate == pytest.approx(2.0, rel=0.1)
     assert math.isinf(fit(t, [1.0] * len(t))[2])
+    # beside a motion that returns perturbations only swing, and a trend of the swings is none
+    law, rate, horizon = fit(t, [1.35 + 0.35 * math.sin(4 * x + 2) for x in t])
+    assert law == "none" and math.isnan(rate) and math.isnan(horizon)
+
+
+def test_a_forced_oscillator_has_no_law_of_growth(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """x'' = -4 x + cos t: perturbations are turned, never more, so that nothing can be said of when rounding is seen."""
+    path = tmp_path / "forced.yaml"
+    path.write_text(
+        "nhc: 1\nsystem: forced\ncoordinates: [x]\nT: x'^2/2\nV: 2*x^2\nforces: {x: cos(t)}\n"
+        "scenes: {beat: {initial: {x: 0.5}, time: [0, 20]}}\n"
+    )
+    assert main(["stability", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert "no law: no steady growth" in out and "not known without a law" in out
+    assert main(["stability", str(path), "--json"]) == 0
+    growth = json.loads(capsys.readouterr().out)["sensitivity"]
+    assert growth["law"] == "none" and growth["rate"] is None and growth["horizon"] is None
 
 
 def test_distances_see_the_singular_dependent_choice() -> None:
@@ -241,6 +259,35 @@ def test_numbers_and_axes_have_the_units_of_the_spec() -> None:
     axes = {chart.x.label for chart in list_charts(found)}
     assert {"w_n [rad/s]", "t [s]", "real part [1/s]"} <= axes
     assert "real parts: growth" in {chart.title for chart in list_charts(found)}  # nothing is left out of it
+
+
+def test_a_drift_is_relative_to_what_the_quantity_is(tmp_path: Path) -> None:
+    """On Kepler's ellipse of eccentricity 0.9 slopes at the pericentre times sizes at the apocentre are 22 times the energy."""
+    path = tmp_path / "kepler.yaml"
+    path.write_text(
+        "nhc: 1\nsystem: kepler\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nV: -1/sqrt(x^2 + y^2)\n"
+        "scenes: {ellipse: {initial: {x: 0.1, y': 4.358898943540674}, time: [0, 6.283185307179586]}}\n"
+    )
+    run = stability(read(str(path)), Question(lengths=2), Options()).runs[1]
+    energy, momentum = run.drifts
+
+    def slope(y: np.ndarray) -> np.ndarray:
+        return np.concatenate([y[2:], -y[:2] / np.hypot(y[0], y[1]) ** 3])
+
+    y, h = np.array([0.1, 0.0, 0.0, 4.358898943540674]), run.step
+    seen = [y]
+    for _ in range(round(4 * math.pi / h)):
+        a = slope(y)
+        b = slope(y + h / 2 * a)
+        c = slope(y + h / 2 * b)
+        y = y + h / 6 * (a + 2 * b + 2 * c + slope(y + h * c))
+        seen.append(y)
+    x, z, u, v = np.array(seen).T
+    kinetic, area = (u**2 + v**2) / 2, x * v - z * u
+    total = kinetic - 1 / np.hypot(x, z)
+    # rows between the steps are interpolated, which shows at the pericentre
+    assert 0.5 < energy.last / float(abs(total - total[0]).max() / kinetic[0]) < 2
+    assert 0.5 < momentum.last / float(abs(area - area[0]).max() / area[0]) < 2
 
 
 def test_a_drift_is_told_by_its_ratio() -> None:

@@ -112,7 +112,17 @@ def test_failures_and_peers_are_never_recommended_and_what_none_reaches_is_said(
         assert advice.best is not None and advice.best.case.language == "c" and advice.best.case.method != "rk4"
         assert "SciPy's LSODA on the same C takes" in advice.text
     (none,) = advise(made, (1e-14,))
-    assert none.best is None and "no case of this chart reaches 1e-14 (6 of" in none.text
+    assert (
+        none.best is None and "no case of this chart reaches 1e-14: the least error is 1.0e-12, of voronec" in none.text
+    )
+    assert "with dop853 in C at tolerance 1e-12 (6 of" in none.text
+    (near,) = advise(study([replace(r, unresolved=True) for r in CROSSING], 9e-13), (1.5e-12,))
+    assert (
+        near.best is None and "the least error is at most 1.9e-12" in near.text
+    )  # of which the reference has the half
+    lucky = [replace(r, error=1e-9) if r.case.tolerance < 1e-10 else r for r in line("voronec", "rk4", "c", 1e-6, 0.2)]
+    (luck,) = advise(study(lucky), (5e-10,))
+    assert luck.best is None and luck.text.endswith("and not all finer runs of that line reach it")
     (blind,) = advise(study(CROSSING, 1e-5), (1e-6,))
     assert blind.best is None and "the reference itself is known to 1.0e-05 only" in blind.text
 
@@ -147,6 +157,17 @@ def test_the_picture_shows_every_case_and_marks_failures_and_unresolved_points()
         result = made.results[k]
         assert hollow[k] == 2 * (result.error < 1e-10) + (result.grid_error < 1e-10)
     assert all("nan" not in value for e in root.iter() for value in e.attrib.values())
+
+
+def test_what_is_beaten_by_an_unresolved_case_is_not_among_the_best() -> None:
+    """The slow line's finest resolved case has the least resolved error; a case on the grey ground is better and faster."""
+    fast = [
+        replace(r, error=1e-4 * r.error, unresolved=r.error <= 1e-6) for r in line("voronec", "dop853", "c", 1e-6, 0.1)
+    ]
+    slow = [replace(r, unresolved=r.error < 1e-10) for r in line("voronec", "radau5", "c", 1e-3, 0.1)]
+    root = ET.fromstring(draw_study(study([*fast, *slow], 1e-12)))
+    (front,) = (e.get("points") or "" for e in root.iter() if e.get("stroke") == "#bbbbbb" and e.get("points"))
+    assert len(front.split()) == sum(not r.unresolved for r in fast)
 
 
 def test_markers_stay_inside_their_panels_and_off_the_legend() -> None:

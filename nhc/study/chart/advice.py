@@ -58,21 +58,38 @@ def _advise(study: Study, target: float) -> Advice:
     own = [r for r in study.results if r.case.language in ("c", "python")]
     best = fastest(own, target, floor)
     if best is None:
-        return Advice(target, None, f"no case of this chart reaches {spell_power(target)}{_why_none(study, target)}")
-    case = best.case
-    error = f"at most {best.error + floor:.1e}" if best.unresolved else f"{best.error:.1e}"
+        return Advice(
+            target, None, f"no case of this chart reaches {spell_power(target)}{_why_none(study, own, target)}"
+        )
     text = (
-        f"{case.formulation} with {case.method} in {LANGUAGE_NAMES[case.language]} at {setting(case)}: error {error}, "
-        f"{duration(best.best)} ({best.calls} right-hand sides)"
+        f"{_spell_case(best)}: error {_spell_error(best, floor)}, {duration(best.best)} ({best.calls} right-hand sides)"
     )
     return Advice(target, best, "; ".join([text, *_reasons(study, best, target)]))
 
 
-def _why_none(study: Study, target: float) -> str:
-    if not study.reference.error < target:
-        return f": the reference itself is known to {study.reference.error:.1e} only"
+def _spell_case(result: Result) -> str:
+    case = result.case
+    return f"{case.formulation} with {case.method} in {LANGUAGE_NAMES[case.language]} at {setting(case)}"
+
+
+def _spell_error(result: Result, floor: float) -> str:
+    """The error, or a bound where the reference does not resolve it."""
+    return f"at most {result.error + floor:.1e}" if result.unresolved else f"{result.error:.1e}"
+
+
+def _why_none(study: Study, own: Sequence[Result], target: float) -> str:
+    """The reference, or what comes nearest; and how many runs there is nothing of."""
+    floor = study.reference.error
+    if not floor < target:
+        return f": the reference itself is known to {floor:.1e} only"
+    nearest = min((r for r in own if not r.failed), key=lambda r: r.error, default=None)
+    reason = ""
+    if nearest is not None:
+        reason = f": the least error is {_spell_error(nearest, floor)}, of {_spell_case(nearest)}"
+        if nearest.error + floor <= target:
+            reason += ", and not all finer runs of that line reach it"
     failed = sum(bool(r.failed) for r in study.results)
-    return f" ({failed} of {len(study.results)} cases failed)" if failed else ""
+    return reason + (f" ({failed} of {len(study.results)} cases failed)" if failed else "")
 
 
 def _reasons(study: Study, best: Result, target: float) -> list[str]:

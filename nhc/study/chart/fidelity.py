@@ -20,6 +20,7 @@ from nhc.records import record
 from nhc.simulate.auto import choose_method
 from nhc.simulate.c.compile import find_compiler
 from nhc.simulate.changes import Changes, changed
+from nhc.simulate.methods import is_adaptive
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
 from nhc.simulate.requests import find_need, find_scene
@@ -30,8 +31,8 @@ from nhc.study.chart.grid import Grid
 from nhc.study.chart.jobs import scene_of_needs
 from nhc.study.chart.measure import Rows, describe_machine
 from nhc.study.chart.reference import Solution, make_reference
-from nhc.study.chart.single import follow_case
-from nhc.study.chart.study import cost_of, open_long, open_rig
+from nhc.study.chart.single import Rig, follow_case
+from nhc.study.chart.study import cost_of, count_steps, open_long, open_rig, step_of
 
 TOLERANCES = tuple(float(f"1e-{k}") for k in range(2, 11))
 POINTS = 201
@@ -43,8 +44,9 @@ class Rung:
     """A model of the comparison; errors are those of its finest run, the largest on the grid relative to the quantity's size.
 
     ``own``: how much its own last two tolerances differ, so what of ``error`` is the integrator's; ``rhs``: seconds of one
-    right-hand side; ``left``: what the scene's model leaves out of the ``full_states`` entries, with the reason; ``rows``: the
-    needed quantities at the study's times.
+    right-hand side; ``run``: seconds of its fastest run whose integrator errs by no more than the scene's tolerance; ``left``:
+    what the scene's model leaves out of the ``full_states`` entries, with the reason; ``rows``: the needed quantities at the
+    study's times.
     """
 
     name: str
@@ -59,6 +61,7 @@ class Rung:
     full_states: int
     operations: int
     rhs: float
+    run: float
     left: tuple[tuple[str, str], ...]
     errors: tuple[float, ...]
     own: float
@@ -192,20 +195,12 @@ def _run(
     chosen = grid.methods or (method,)
     rig = open_rig(one.name, one.job, times, solution, chosen, compiled)
     language = "c" if compiled else "python"
-    results: list[Result] = []
-    kept: list[Rows] = []
-    for name in chosen:
-        for tolerance in tolerances:
-            result, rows = follow_case(rig, Case(one.name, name, language, tolerance), grid.budget)
-            if not result.failed:
-                error = max(errors_of(rows, solution.rows, solution.sizes))
-                result = replace(result, error=error, unresolved=not error >= RESOLVED * solution.about.error)
-                kept += [rows] if name == chosen[0] else []
-            results.append(result)
+    lines = [_follow(rig, name, language, tolerances, grid.budget) for name in chosen]
+    kept = [(result, rows) for result, rows in lines[0] if not result.failed]
     width = len(one.job.columns)
-    finest = kept[-1] if kept else ()
+    finest = kept[-1][1] if kept else ()
     errors = errors_of(finest, solution.rows, solution.sizes) if kept else (math.nan,) * width
-    own = max(errors_of(kept[-2], finest, solution.sizes)) if len(kept) > 1 else math.nan
+    own = max(errors_of(kept[-2][1], finest, solution.sizes)) if len(kept) > 1 else math.nan
     cost = cost_of(rig, (language,), None)
     rhs = next(function for function in one.job.program.functions if function.name == "rhs")
     return Rung(
@@ -221,11 +216,35 @@ def _run(
         full_states=len(one.made.full_state),
         operations=count_operations_of(rhs),
         rhs=cost.c if compiled else cost.python,
+        run=_time_within(one.job.tolerance, kept, own, solution.sizes),
         left=tuple((omission.name, omission.reason) for omission in one.made.reduction.left),
         errors=errors,
         own=own,
         rows=tuple(tuple(row[:width]) for row in finest),
-    ), results
+    ), [result for line in lines for result, _ in line]
+
+
+def _follow(
+    rig: Rig, method: str, language: str, tolerances: Sequence[float], budget: float
+) -> list[tuple[Result, Rows]]:
+    """A method's runs, from coarse to fine, each with its rows; fixed steps shrink as the method's order wants."""
+    anchor = 0 if is_adaptive(method) else count_steps(rig)
+    solution, found = rig.solution, []
+    for tolerance in tolerances:
+        case = Case(rig.name, method, language, tolerance, step_of(rig, method, tolerance, anchor))
+        result, rows = follow_case(rig, case, budget)
+        if not result.failed:
+            error = max(errors_of(rows, solution.rows, solution.sizes))
+            result = replace(result, error=error, unresolved=not error >= RESOLVED * solution.about.error)
+        found.append((result, rows))
+    return found
+
+
+def _time_within(tolerance: float, kept: Sequence[tuple[Result, Rows]], own: float, sizes: Sequence[float]) -> float:
+    """Seconds of the fastest run that is no farther than this from the model's finest one, which itself is ``own`` off."""
+    coarse = [(max(errors_of(rows, kept[-1][1], sizes)), result.best) for result, rows in kept[:-1]]
+    found = [*coarse, *((own, result.best) for result, _ in kept[-1:])]
+    return min((best for error, best in found if error <= tolerance), default=math.nan)
 
 
 def errors_of(rows: Rows, truth: Rows, sizes: Sequence[float]) -> tuple[float, ...]:

@@ -158,9 +158,10 @@ def cost_of(rig: Rig, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
 
         def repeat(count: int) -> None:
             for _ in range(count):
-                interpreted.rhs(times[0], states[0], job.p)
+                for t, y in zip(times, states, strict=True):
+                    interpreted.rhs(t, y, job.p)
 
-        in_python = time_repeats(repeat, 0.02)[0]
+        in_python = time_repeats(repeat, 0.02)[0] / len(times)
     calls = f"{function.adds} +-, {function.multiplications} *, {function.divisions} /, {function.calls} calls"
     form = job.formulation
     left, full = (shrunk.left, shrunk.full_states) if shrunk is not None else ((), len(job.y))

@@ -15,7 +15,7 @@ from nhc.study.chart.measure import describe_machine
 from nhc.study.simplify.abreast import measure_abreast
 from nhc.study.simplify.candidate import Candidate
 from nhc.study.simplify.draft import Draft, draft_of
-from nhc.study.simplify.ladder import Kept, Ladder, Price, Rung, Size
+from nhc.study.simplify.ladder import Kept, Ladder, Rung, Size
 from nhc.study.simplify.measure import TIGHTER, Meter, Refused, meter_of, ranges_of
 from nhc.study.simplify.text import NoLimit, write_draft
 
@@ -188,6 +188,16 @@ class _Search:
             self.reasons[candidate] = f"nothing is saved without it (error {trial.error:.2g})"
         return gone
 
+    def forbid(self, candidate: Candidate, gone: list[Candidate]) -> None:
+        """Keep one for good; behind what is ``gone`` the rest is dropped anew, as far as the runs go."""
+        del self.alone[candidate]
+        reason = self.reasons[candidate]
+        try:
+            self.gone = self._drop(gone, [other for other in self.alone if other not in gone])
+        except Bounded:  # what is left of an exchange was never measured by itself
+            self.gone, self.bounded = gone, True
+        self.reasons = {c: why for c, why in self.reasons.items() if c not in self.gone} | {candidate: reason}
+
     def _sure(self, gone: Sequence[Candidate]) -> Trial:
         trial = self.trial(gone)
         assert isinstance(trial, Trial)
@@ -236,7 +246,7 @@ def simplify(
     search = _Search(draft, meter, most, show)
     search.search(draft.candidates(meter.job.start))
     gone, again = _confirmed(search)
-    prices = [meter.price(search.text(gone[:k])) for k in range(len(gone) + 1)]
+    rungs = _rungs(search, gone)
     names = [parameter.name for parameter in draft.spec.parameters]
     return Ladder(
         system=draft.spec.system,
@@ -252,7 +262,7 @@ def simplify(
         parameters=tuple(zip(names, meter.job.start.p, strict=True)),
         needs=meter.needs,
         ranges=ranges_of(source, draft.spec, meter),
-        rungs=tuple(_rungs(search, gone, prices)),
+        rungs=tuple(rungs),
         kept=tuple(Kept(candidate.about, reason) for candidate, reason in search.reasons.items()),
         runs=search.runs,
         turned_back=search.turned_back,
@@ -264,31 +274,51 @@ def simplify(
     )
 
 
-def _rungs(search: _Search, gone: Sequence[Candidate], prices: Sequence[Price]) -> list[Rung]:
-    found = []
-    for k, price in enumerate(prices):
-        errors, size = search.meter.own, search.meter.size
-        if k:
-            trial = search.trial(gone[:k])
-            assert isinstance(trial, Trial)
-            errors, size = trial.errors, trial.size
-        found.append(Rung(gone[k - 1].about if k else "", errors, size, price))
+def _rungs(search: _Search, gone: Sequence[Candidate]) -> list[Rung]:
+    """The models on the way to the smallest.
+
+    After an exchange some of them may be no models, or too far off; then what is left out next stands in the same rung.  They are
+    measured even where the search has used up its runs.
+    """
+    search.most += len(gone)
+    found = [Rung("", search.meter.own, search.meter.size, search.meter.price(search.text([])))]
+    names: list[str] = []
+    for k, candidate in enumerate(gone, 1):
+        names.append(candidate.about)
+        trial = search.trial(gone[:k])
+        if isinstance(trial, Trial) and search.fits(trial):
+            price = search.meter.price(search.text(gone[:k]))
+            found.append(Rung(" and ".join(names), trial.errors, trial.size, price))
+            names = []
     return found
 
 
 def _confirmed(search: _Search) -> tuple[list[Candidate], tuple[float, ...]]:
-    """What goes when the smallest model is measured again in the second way; the last ones stay where that does not agree."""
-    gone, meter = list(search.gone), search.meter
+    """What goes when the smallest model is measured again in the second way: with what does not stand that, others that it had kept
+    from going are tried anew.
+    """
+    while True:
+        gone, errors, failing = _agreed(search)
+        if failing is None:
+            return gone, errors
+        search.forbid(failing, gone)
+
+
+def _agreed(search: _Search) -> tuple[list[Candidate], tuple[float, ...], Candidate | None]:
+    """The longest beginning of what is gone that the second way confirms, its errors, and the one that may not follow it."""
+    gone, meter, failing = list(search.gone), search.meter, None
     while gone:
         try:
             errors, _ = meter.measure(search.text(gone), again=True)
         except Refused as refused:
-            search.reasons[gone.pop()] = f"not confirmed: {refused}"
-            continue
-        if max(errors) + max(meter.own) <= meter.tolerance:
-            return gone, errors
-        search.reasons[gone.pop()] = f"not confirmed: the second method finds an error of {max(errors):.2g}"
-    return gone, meter.own
+            reason = str(refused)
+        else:
+            if max(errors) + max(meter.own) <= meter.tolerance:
+                return gone, errors, failing
+            reason = f"the second method finds an error of {max(errors):.2g}"
+        failing = gone.pop()
+        search.reasons[failing] = f"not confirmed: {reason}"
+    return gone, meter.own, failing
 
 
 def _about(number: int, search: _Search) -> str:

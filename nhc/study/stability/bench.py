@@ -41,6 +41,7 @@ MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, (20_000, 500)
 """Steps that one run may take: in C, in Python, and by a structure-preserving method in C and in Python."""
 _MOST_SCHEMES = 6  # coordinates up to which structure-preserving methods are tried
 _MOST_MASS = 12  # coordinates up to which the mass matrix is looked at
+_CANCELLED = 1e-8  # of what a column can be: one that is never larger is zero but for its rounding, or its integration
 
 
 class NotRun(ArithmeticError):
@@ -182,6 +183,17 @@ class Bench:
             found = np.asarray(np.maximum(found, np.sum(changes, axis=0) / 2e-4))
         return found
 
+    @cached_property
+    def typical_sizes(self) -> Matrix:
+        """How large each column gets in the scene, an energy at least as its kinetic part; what is zero because its parts cancel
+        is as large as :attr:`column_sizes` has it.
+        """
+        found: Matrix = np.max(np.abs(self.table), axis=0, initial=0.0)
+        (kinetic,) = self.group("kinetic")
+        for k in (*self.group("energy"), *self.group("jacobi")):
+            found[k] = max(found[k], found[kinetic])
+        return np.where(found > _CANCELLED * self.column_sizes, found, self.column_sizes)
+
     def _change(self, row: int, entry: int, move: float) -> Matrix:
         """By how much the columns differ on both sides of a row of the reference; 0 where one side is out of the model's domain."""
         moved = [self.reference[row].tolist() for _ in range(2)]
@@ -259,10 +271,11 @@ def _list_columns(
     system = planner.system
     forms = [form_value(system, form) for form in system.constraints]
     integrals = [i for i in kept.integrals if not set(i.where) & nonzero]
-    energy, general, *rest = planner.on_motion(
-        [system.energy, generalized_energy(system), *forms, *(i.node for i in integrals)]
+    energy, general, kinetic, *rest = planner.on_motion(
+        [system.energy, generalized_energy(system), system.T, *forms, *(i.node for i in integrals)]
     )
     found = [Column("T + V", "energy", energy), Column("p q' - T + V", "jacobi", general)]
+    found.append(Column("T", "kinetic", kinetic))
     found.append(_power_column(planner))
     found += [Column(f.name, "residual", r) for f, r in zip(system.constraints, rest, strict=False)]
     found += [

@@ -30,8 +30,8 @@ Series = NDArray[np.float64]
 class Drift:
     """``first`` and ``last``: the largest deviations in the first and the last tenth; ``floor``: what is rounding.
 
-    ``relative``: to what the quantity can be in this scene, its slopes times the sizes of the state; one that is zero by
-    cancellation is not measured against its own rounding.
+    ``relative``: to the quantity's largest magnitude in the scene, an energy's also to that of T; one that is zero by cancellation
+    is not measured against its own rounding, but against what it can be, its slopes times the sizes of the state.
     """
 
     what: str
@@ -127,7 +127,7 @@ def _energy(bench: Bench, times: Sequence[float], table: Matrix) -> Drift:
         return _relative(bench, place, "p q' - T + V", "energy", general)
     work, error = accumulate(times, table[:, bench.group("power")[0]])
     early = work[: max(2, len(work) // 10)]  # a run that blows up is not measured by what it comes to
-    scale = max(float(bench.column_sizes[place]), float(np.max(np.abs(early), initial=0.0))) or 1.0
+    scale = max(float(bench.typical_sizes[place]), float(np.max(np.abs(early), initial=0.0))) or 1.0
     return _drift("p q' - T + V less the work", "balance", True, (general - general[0] - work) / scale, error / scale)
 
 
@@ -155,8 +155,9 @@ def _cumulative(f: Series, h: float) -> Series:
 
 
 def _relative(bench: Bench, place: int, what: str, kind: str, values: Series) -> Drift:
-    scale = float(bench.column_sizes[place])
-    return _drift(what, kind, scale > 0, (values - values[0]) / (scale or 1.0), ROUNDING)
+    scale, most = float(bench.typical_sizes[place]), float(bench.column_sizes[place])
+    floor = ROUNDING * max(most / scale, 1.0) if scale > 0 else ROUNDING
+    return _drift(what, kind, scale > 0, (values - values[0]) / (scale or 1.0), floor)
 
 
 def _drift(what: str, kind: str, relative: bool, deviations: Series, floor: float) -> Drift:

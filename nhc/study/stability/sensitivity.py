@@ -19,6 +19,7 @@ from nhc.study.stability.bench import Bench
 _SEGMENTS = 40
 _NUDGE = 3e-6  # of a component's size: central differences of a run at 1e-13 are good to about 1e-7
 _ROUNDING = 2.0**-53
+_EXPLAINED = 0.5  # of the variation of log norm: a line that explains less says nothing of what comes
 
 
 @record
@@ -26,8 +27,8 @@ class Sensitivity:
     """``norms`` at ``times``: by how much admissible perturbations of the start are multiplied at most, each component relative to
     its size in the scene; ``plain`` is the last one in the state's own units.
 
-    ``law`` is "exponential" (norm ~ exp(rate t)) or "power" (norm ~ t^rate); ``horizon`` the time at which rounding of the
-    start has grown to one per cent of the motion, by this law (infinite beyond 1e6 scenes).
+    ``law`` is "exponential" (norm ~ exp(rate t)), "power" (norm ~ t^rate) or "none"; ``horizon`` the time at which rounding of the
+    start has grown to one per cent of the motion, by this law (infinite beyond 1e6 scenes).  Without a law neither is a number.
     """
 
     times: tuple[float, ...]
@@ -104,7 +105,10 @@ def _segment(bench: Bench, first: int, last: int) -> Matrix:
 
 
 def fit(times: list[float], norms: list[float]) -> tuple[str, float, float]:
-    """(law, rate, horizon): the straight line in t or in log t that lies closer to log norm over the last two thirds."""
+    """(law, rate, horizon): the straight line in t or in log t that lies closer to log norm over the last two thirds.
+
+    Where the norm goes up and down with no more than a slight trend, as beside a periodic motion, there is no law.
+    """
     start, duration = times[0], times[-1] - times[0]
     t = np.array([(x - start) / duration for x in times])[len(times) // 3 :]
     y = np.log(np.maximum(np.array(norms), 1e-300))[len(times) // 3 :]
@@ -113,7 +117,9 @@ def fit(times: list[float], norms: list[float]) -> tuple[str, float, float]:
         slope, base = np.polyfit(x, y, 1)
         lines[name] = (float(np.sum((y - slope * x - base) ** 2)), float(slope), float(base))
     law = "exponential" if lines["exponential"][0] < lines["power"][0] and lines["exponential"][1] > 0 else "power"
-    _, slope, base = lines[law]
+    rest, slope, base = lines[law]
+    if rest > (1.0 - _EXPLAINED) * float(np.sum((y - y.mean()) ** 2)):
+        return "none", math.nan, math.nan
     rate = slope / duration if law == "exponential" else slope
     if slope <= 1e-3:
         return law, rate, math.inf

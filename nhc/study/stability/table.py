@@ -210,6 +210,8 @@ def _sensitivity(lab: Laboratory) -> list[Row]:
     law = f"exp({found.rate:.3g} t)" if found.law == "exponential" else f"t^{found.rate:.2g}"
     law = law if found.rate > 0 else "nothing: it decays"
     horizon = "far beyond the scene" if math.isinf(found.horizon) else f"about t = {time_of(found.horizon, unit, 4)}"
+    if found.law == "none":
+        law, horizon = "no law: no steady growth", "not known without a law"
     return [
         Row("largest growth", f"{max(found.norms):.4g}", "of relative perturbations, at any time of the scene"),
         Row("growth at the end", f"{found.norms[-1]:.4g}", f"{found.plain:.4g} in the state's own units"),
@@ -299,7 +301,7 @@ def _growth_tree(found: Sensitivity | None) -> dict[str, Any] | None:
         "largest": max(found.norms),
         "plain": found.plain,
         "law": found.law,
-        "rate": found.rate,
+        "rate": _finite(found.rate),
         "horizon": _finite(found.horizon),
     }
 
