@@ -40,6 +40,7 @@ from nhc.simulate.switching import SOUND
 from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_ranges, keep_speeds
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady, SingularFrame, Steady, check_frame, check_smooth
+from nhc.study.linearization.kept import defined_at, held_on_leaf, leaf_integrals
 from nhc.study.linearization.linearize import Linearisation, linearise_at
 from nhc.study.linearization.steady import find_steady
 from nhc.study.linearization.sweep import Branch, Sweep, sweep
@@ -113,6 +114,9 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     model = steady_model(equations, formulation, start.p)
     flow = model.flow
     guess = state_of(flow, formulation.frame, start)
+    if model.leaf.dimension < system.n:
+        known = defined_at(system, leaf_integrals(system, formulation), model.values(guess))
+        model = held_on_leaf(model, guess, known)
     holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
     nearest = keep_ranges(model, guess, find_steady(model, guess, holds), holds)
     steady = keep_speeds(model, scene, guess, nearest, holds)

@@ -10,7 +10,15 @@ import numpy as np
 
 from nhc.study.linearization.equations import all_but, bound, equations, exact_equations, turned
 from nhc.study.linearization.field import RANK, Hold, SteadyModel
-from nhc.study.linearization.found import NotSteady, Steady, check_coordinates, check_frame, tell_singular, tell_way
+from nhc.study.linearization.found import (
+    Locked,
+    NotSteady,
+    Steady,
+    check_coordinates,
+    check_frame,
+    tell_singular,
+    tell_way,
+)
 from nhc.study.linearization.roots import newton_step, refined, undecided
 from nhc.study.linearization.turns import Turn, combined
 from nhc.study.linearization.units import Matrix, Vector, is_steady, trials
@@ -23,12 +31,29 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
     """The steady motion near the guess: damped Gauss-Newton (Levenberg) steps of least norm.
 
     Without ``holds`` the nearest member of the family of steady motions is found; the steps keep to the leaf of the guess (to first
-    order in each step), so that what a hidden holonomic constraint holds stays what it was, unless a hold or a holonomic constraint
-    sets it.
+    order in each step, and to the integrals that are known of it), so that what a hidden holonomic constraint holds stays what it
+    was, unless a hold or a holonomic constraint sets it.
 
     Raises:
         NotSteady: the iteration ends elsewhere, or the model is singular on the way, or at the motion itself.
     """
+    if model.kept:
+        try:
+            return _nearest(model, guess, holds)
+        except Locked:
+            raise
+        except NotSteady:
+            model = replace(model, kept=())  # there is none on the leaf
+    return _nearest(model, guess, holds)
+
+
+def _nearest(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold]) -> Steady:
+    """The steady motion near the guess that has what is held.
+
+    Raises:
+        NotSteady: none is found.
+    """
+    every = (*holds, *model.kept)
     found: list[tuple[float, Steady]] = []
     failed: list[NotSteady] = []
     try:
@@ -39,12 +64,12 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
     groups = own.symmetries or ((),)
     if groups[0] and not holds and not y[model.flow.system.n :].any():  # who asks about rest means an equilibrium
         with suppress(ArithmeticError):
-            still = _iterate(own, (), y, holds)
+            still = _iterate(own, (), y, every)
             found.append((0.0, replace(still, turns=model.symmetries[0])))
             groups = ()
     for turns in groups:
         try:
-            made = _iterate(own, turns, np.concatenate([y, _first_turn(own, turns, y)]), holds)
+            made = _iterate(own, turns, np.concatenate([y, _first_turn(own, turns, y)]), every)
         except ArithmeticError as error:
             failed.append(
                 tell_way(own, y, error) if isinstance(error, NotSteady) else tell_singular(model, guess, error)

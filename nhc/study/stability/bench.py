@@ -13,10 +13,7 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.frame import coordinate_frame, form_value
 from nhc.mechanics.properties.conserved import Conserved, find_conserved, generalized_energy, power
-from nhc.mechanics.properties.integrability import classify
-from nhc.mechanics.properties.integrals import find_position_integrals
 from nhc.mechanics.regular.regularity import choose_dependent
-from nhc.mechanics.regular.undefined import are_defined
 from nhc.mechanics.rotations.turning import mass_matrix
 from nhc.mechanics.starts.scenes import Start
 from nhc.program.build import build_functions
@@ -34,6 +31,7 @@ from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE, ModelError, Outcome, Task
+from nhc.study.linearization.kept import defined_at, leaf_integrals
 from nhc.study.linearization.units import Matrix, cleaned, sizes_of, trials
 
 ROWS = 201
@@ -211,13 +209,11 @@ def open_bench(equations: Equations, formulation: Formulation, start: Start, com
     job = prepare(Recipe(equations, jacobian=True), formulation, start)
     planner = Planner(equations, formulation)
     system = equations.system
+    hidden = leaf_integrals(system, formulation)
     frame = coordinate_frame(system, choose_dependent(system).dependent) if system.l else None
-    found = classify(system, formulation.frame) if system.l else None
-    hidden = find_position_integrals(system, frame, found.hidden, found.closed) if found and frame else ()
     kept = find_conserved(system, frame, formulation.frame, [i.node for i in hidden])
     nonzero = {q.name for q, value in zip(system.spec.parameters, start.p, strict=True) if value != 0.0}
-    shown = are_defined(system, [i.node for i in hidden], start.values(system))
-    watched = [(i.text, i.node) for i, defined in zip(hidden, shown, strict=True) if defined]
+    watched = defined_at(system, hidden, start.values(system))
     columns = _list_columns(planner, kept, watched, nonzero)
     needed = needed_function(planner, columns)
     functions = tuple(needed if f.name == "needed" else f for f in job.program.functions)

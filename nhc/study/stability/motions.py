@@ -23,6 +23,7 @@ from nhc.records import record
 from nhc.study.linearization.asked import keep_ranges, keep_speeds
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.found import Locked, NotSteady, SingularFrame, Steady, check_smooth
+from nhc.study.linearization.kept import held_on_leaf
 from nhc.study.linearization.linearize import Linearisation, linearise_at
 from nhc.study.linearization.motion import branch_of, nearest_of, read_holds, steady_model
 from nhc.study.linearization.steady import find_steady
@@ -98,9 +99,9 @@ def _motion(
 ) -> Motion:
     model = steady_model(equations, better, start.p)
     guess = state_of(model.flow, better.frame, start)
-    held = tuple(Hold(text, node, model.value(guess, node)) for text, node in search.hidden)
+    model = held_on_leaf(model, guess, search.hidden)
     holds = tuple(hold for text in search.holds for hold in read_holds(model, text, guess))
-    steady, holds, place, regularity = _find(model, scene, guess, (holds, held), beside)
+    steady, place, regularity = _find(model, scene, guess, holds, beside)
     if regularity > SINGULAR:
         check_smooth(model, steady)
     made = linearise_at(model, steady)
@@ -124,11 +125,10 @@ def _find(
     model: SteadyModel,
     scene: Scene,
     guess: Sequence[float],
-    holds: tuple[tuple[Hold, ...], tuple[Hold, ...]],
+    holds: tuple[Hold, ...],
     beside: Sequence[tuple[float, Start]],
-) -> tuple[Steady, tuple[Hold, ...], str, float]:
-    """The steady motion, what was held for it, from where it was found, and how regular the coordinates are there."""
-    asked, hidden = holds
+) -> tuple[Steady, str, float]:
+    """The steady motion, from where it was found, and how regular the coordinates are there."""
     begun = tuple(guess)
     guesses = [("the start", begun)]
     forms = kept_forms(model.flow.system, model.frame)
@@ -136,15 +136,14 @@ def _find(
         guesses.append((f"the scene at t = {t:.6g}", (*start.q, *kept_velocities(model.flow.system, forms, start))))
     first: NotSteady | None = None
     for place, y in guesses:
-        for kept in ((*asked, *hidden), asked) if hidden else (asked,):
-            try:
-                found = keep_ranges(model, y, find_steady(model, y, kept), kept)
-                if y is begun:  # what was asked for is a start, not what a scene comes to later
-                    found = keep_speeds(model, scene, y, found, kept)
-                return found, kept, place, model.regularity(found.y)
-            except Locked as error:
-                return error.steady, kept, place, error.regularity
-            except NotSteady as error:
-                first = first or error
+        try:
+            found = keep_ranges(model, y, find_steady(model, y, holds), holds)
+            if y is begun:  # what was asked for is a start, not what a scene comes to later
+                found = keep_speeds(model, scene, y, found, holds)
+            return found, place, model.regularity(found.y)
+        except Locked as error:
+            return error.steady, place, error.regularity
+        except NotSteady as error:
+            first = first or error
     assert first is not None
     raise first
