@@ -22,7 +22,8 @@ from pathlib import Path
 from nhc.kept import clear, hash_of, keep, recall
 from nhc.resources import cache_folder
 
-FLAGS = ("-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-fno-math-errno", "-fno-trapping-math")
+FAST_FLAGS = ("-O2", "-fno-math-errno", "-fno-trapping-math")
+FLAGS = ("-std=c99", "-fPIC", "-shared", "-fvisibility=hidden", *FAST_FLAGS)
 HASTY_FLAGS = ("-O0", "-ffp-contract=off")
 """After FLAGS: code as it is written, in a fifth of the time; the second is gcc's own default there, and not clang's."""
 TIME_LIMIT = 600.0  # seconds

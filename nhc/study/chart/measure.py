@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from nhc.simulate.c.compile import CompileError, compiler_version, find_compiler, machine_flags
+from nhc.simulate.c.compile import FAST_FLAGS, CompileError, compiler_version, find_compiler, machine_flags
 from nhc.study.chart.case import Machine
 from nhc.version import __version__
 
@@ -102,7 +102,7 @@ def describe_machine() -> Machine:
         line = compiler_version(compiler).split("\n", 1)[0].strip() if compiler else "no C compiler"
     except CompileError as error:
         line = str(error)
-    flags = " ".join(("-O2", *machine_flags())) if compiler else ""
+    flags = " ".join((*FAST_FLAGS, *machine_flags())) if compiler else ""
     return Machine(_processor(), os.cpu_count() or 1, line, flags, platform.python_version(), __version__)
 
 
