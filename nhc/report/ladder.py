@@ -7,6 +7,7 @@ from typing import Any
 from nhc.study.chart.words import duration
 from nhc.study.simplify.ladder import Ladder
 
+_LONGER = 1.2  # times the work of another model in a run, where the smallest one is said to take longer
 _SHOWN = 6  # needed quantities with a column of their own in the table
 
 
@@ -19,6 +20,7 @@ def print_ladder(ladder: Ladder, width: int = 0) -> str:
         "those of the full model are the reference's own",
         *_table(ladder, width),
         _confirmation(ladder),
+        *note_longer(ladder),
     ]
     if len(ladder.rungs) == 1:
         lines.append("nothing can be left out within the tolerance")
@@ -62,6 +64,18 @@ def _stacked(rows: list[list[str]], widths: list[int], sizes: int) -> list[str]:
 
 def _confirmation(ladder: Ladder) -> str:
     return f"the last one again, by {ladder.confirmed}: error {max(ladder.again):.1e}"
+
+
+def note_longer(ladder: Ladder) -> list[str]:
+    """Where the smallest model is not the one that has the least to do in a run: it needs so many more steps."""
+    work = [rung.size.run_work for rung in ladder.rungs]
+    least = work.index(min(work))
+    if work[-1] <= _LONGER * work[least]:
+        return []
+    calls, fewer = ladder.rungs[-1].size.calls, ladder.rungs[least].size.calls
+    return [
+        f"the smallest model is not the quickest: its run takes {calls} right-hand sides, that of number {least} only {fewer}"
+    ]
 
 
 def list_rungs(ladder: Ladder) -> list[list[str]]:

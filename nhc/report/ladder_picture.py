@@ -9,7 +9,7 @@ from dataclasses import replace
 from html import escape
 
 from nhc.emit.environment import create_environment
-from nhc.report.ladder import list_rungs, print_how, reduced_spec
+from nhc.report.ladder import list_rungs, note_longer, print_how, reduced_spec
 from nhc.report.marks import draw_axes, draw_document, draw_line, draw_marker, draw_text
 from nhc.report.ticks import linear_scale, log_scale
 from nhc.study.chart.words import duration
@@ -99,7 +99,12 @@ def make_ladder_page(ladder: Ladder) -> str:
     context: dict[str, object] = {
         "title": escape(f"{ladder.system}, scene {ladder.scene}: models within {ladder.tolerance:g}"),
         "how": escape(
-            f"Needed: {', '.join(ladder.needs)}. Measured {print_how(ladder)}; confirmed by {ladder.confirmed}."
+            " ".join(
+                [
+                    f"Needed: {', '.join(ladder.needs)}. Measured {print_how(ladder)}; confirmed by {ladder.confirmed}.",
+                    *(f"{note[0].upper()}{note[1:]}." for note in note_longer(ladder)),
+                ]
+            )
         ),
         "chart": draw_ladder(ladder),
         "needs": [escape(need) for need in ladder.needs],

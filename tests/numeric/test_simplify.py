@@ -22,7 +22,7 @@ from nhc.language.expressions.unparse import unparse
 from nhc.language.spec import Scene
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.starts.scenes import Start, start_of
-from nhc.report.ladder import reduced_spec
+from nhc.report.ladder import print_ladder, reduced_spec
 from nhc.report.ladder_picture import draw_ladder, make_ladder_page
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.opening import open_scene
@@ -353,6 +353,17 @@ def test_an_exchange_that_uses_up_the_runs_leaves_a_ladder(most: int) -> None:
         search._exchange()
     assert "".join(c.about for c in search.gone) == "adcfe"
     assert [rung.dropped for rung in _rungs(search, search.gone)] == ["", "a", "d and c", "f", "e"]
+
+
+def test_a_smallest_model_that_needs_more_steps_is_said_to_take_longer() -> None:
+    """Operations are what is made fewer; whether a run is shorter is another question."""
+    ladder = simplify(source(), "small", TOLERANCE)
+    assert "quickest" not in print_ladder(ladder)
+    last = ladder.rungs[-1]
+    many = replace(last, size=replace(last.size, calls=100 * last.size.calls))
+    text = print_ladder(replace(ladder, rungs=(*ladder.rungs[:-1], many)))
+    fewer = ladder.rungs[1].size.calls
+    assert f"its run takes {many.size.calls} right-hand sides, that of number 1 only {fewer}" in text
 
 
 def test_the_ladder_has_prices_and_a_second_measurement() -> None:

@@ -19,6 +19,11 @@ class Size:
         """What is made smaller: operations, with what an entry of the state costs in a run."""
         return self.operations + ENTRY * self.states
 
+    @property
+    def run_work(self) -> int:
+        """The same over a run: what is smaller may need more steps, as where a fast motion is left without what damps it."""
+        return self.work * self.calls
+
 
 @record
 class Price:
