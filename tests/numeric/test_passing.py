@@ -175,7 +175,9 @@ OFTEN = {
 }
 
 
-@pytest.mark.parametrize("potential", OFTEN)
+@pytest.mark.parametrize(
+    "potential", [pytest.param(one, marks=pytest.mark.slow if one.startswith("-") else ()) for one in OFTEN]
+)
 def test_a_place_that_is_passed_again_and_again(potential: str) -> None:
     """Thirty times: more turns of the argument than a grid over the scene can tell."""
     found = swing(potential, 50.0, Settings(points=2))

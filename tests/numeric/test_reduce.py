@@ -122,6 +122,7 @@ def pairs() -> dict[tuple[str, str], Pair]:
     return {(pair.name, pair.scene): pair for pair in list_pairs()}
 
 
+@pytest.mark.slow
 def test_the_whole_scene_is_the_same_to_its_tolerance_in_emitted_c() -> None:
     """Over the whole time of every scene whose model is another one: exact reductions leave a thousandth of the tolerance."""
     found = {}

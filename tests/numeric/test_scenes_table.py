@@ -6,6 +6,8 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from benchmarks import scenes
 from nhc.language import decode, read
 from nhc.pipeline import Options, reduce_scene
@@ -46,6 +48,7 @@ def test_the_measured_table_has_the_scenes_whose_model_is_another_one() -> None:
     assert all(len(p.reduced.y) <= len(p.full.y) for p in pairs)
 
 
+@pytest.mark.slow
 def test_what_a_scene_saves_is_measured() -> None:
     (pair,) = [p for p in scenes.list_pairs() if (p.name, p.scene) == ("suslov", "rates_only")]
     full, reduced = scenes.measure(pair)
