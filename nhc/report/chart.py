@@ -202,6 +202,7 @@ def _draw_foot(study: Study, y: float) -> list[str]:
     lines = (
         f"reference: {about.method} in {about.arithmetic}, confirmed by {about.confirmed_by}; they differ by {about.error:.1e}",
         f"machine: {study.machine.line}",
+        *study.notes,
     )
     return [
         draw_text(LEFT - 54, y + 17 * k, line, more=' font-size="10.5"', colour="#555555")

@@ -36,7 +36,7 @@ def draw_comparison(made: Comparison) -> str:
     at = main.top + MAIN_HEIGHT + 66
     curves, bottom = _draw_curves(made, at)
     parts += [*curves, *_draw_foot(made, bottom + 20)]
-    total = bottom + 62
+    total = bottom + 62 + 17 * len(made.notes)
     title = f"scene {made.scene}: models against {made.finest}"
     return draw_document(WIDTH, total, [draw_text(WIDTH / 2, 26, title, "middle", HEADING), *parts])
 
@@ -115,6 +115,7 @@ def _draw_foot(made: Comparison, y: float) -> list[str]:
         f"reference: {made.finest} by {about.method} in {about.arithmetic}, confirmed by {about.confirmed_by}; "
         f"they differ by {about.error:.1e}",
         f"machine: {made.machine.line}",
+        *made.notes,
     )
     return [
         draw_text(LEFT - 54, y + 17 * k, line, more=' font-size="10.5"', colour="#555555")
