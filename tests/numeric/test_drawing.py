@@ -114,7 +114,7 @@ def written_on(point: str, start: str) -> list[tuple[str, float, float]]:
     data = json.dumps(json.dumps(drawing_in(page)))
     script = page.rsplit("<script>", 1)[1].split("</script>")[0]
     stage = f"const DATA = {data};\n{STAGE}{script}\nconsole.log(JSON.stringify(written));\n"
-    done = subprocess.run([node, "-"], input=stage, capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run([node, "-"], input=stage, capture_output=True, text=True, timeout=20, check=True)
     return [(text, x, y) for text, x, y in json.loads(done.stdout)]
 
 
