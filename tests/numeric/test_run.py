@@ -614,3 +614,16 @@ def test_what_oscillates_is_drawn_as_a_curve(
     )
     assert main(["run", str(spec), "-o", str(tmp_path / f"x.{kind}"), *more]) == 0
     assert f"{rows} rows, " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("kind", "more", "rows"), [("html", [], 202), ("csv", [], 8), ("html", ["--points", "50"], 3)])
+def test_what_an_event_ends_is_drawn_as_a_motion(
+    kind: str, more: list[str], rows: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of a scene's 201 rows few may be left, too few for a picture that moves."""
+    spec = tmp_path / "free.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: free\ncoordinates: [x]\nT: x'^2/2\nscenes:\n  go: {initial: {x': 1}, time: [0, 30]}\n"
+    )
+    assert main(["run", str(spec), "--until", "x - 1", "-o", str(tmp_path / f"x.{kind}"), *more]) == 0
+    assert f"{rows} rows, " in capsys.readouterr().err
