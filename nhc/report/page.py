@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from html import escape
 
 from nhc.emit.environment import create_environment
@@ -126,8 +127,9 @@ def make_page(found: Trajectory) -> str:
 
 
 def _number(value: float, unit: str = "") -> str:
-    """The shortest decimal that reads back as the same double, without a `.0`; its unit after it."""
-    text = repr(value).removesuffix(".0")
+    """The shortest decimal that reads back as the same double, long rows of zeros as a power of ten; its unit after it."""
+    text = re.sub(r"e([+-]?)0*(?=\d)", lambda found: f"e{found[1].strip('+')}", repr(value).removesuffix(".0"))
+    text = re.sub(r"0{9,}$", lambda zeros: f"e{len(zeros[0])}", text) if text.lstrip("-").isdigit() else text
     return f"{text} {unit}" if unit not in ("", "1") else text
 
 
