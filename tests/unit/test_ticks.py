@@ -44,6 +44,11 @@ def test_labels_tell_the_values(ends: tuple[float, float], exact: bool) -> None:
         assert abs(place / LENGTH - float((value - Fraction(scale.low)) / Fraction(span))) < 1e-3  # half a pixel
 
 
+def test_zero_has_no_sign() -> None:
+    scale = linear_scale(999999.999975, 1e6, LENGTH)
+    assert scale.note == "×1e-5 + 1000000" and [text for _, text in scale.ticks][-3:-1] == ["-0.5", "0"]
+
+
 @pytest.mark.parametrize("value", [0.0, -0.0, 5.0, 1e-7, -3e-300, 5e-324, 1e300, 0.1])
 def test_a_constant_stands_inside(value: float) -> None:
     """Also one that rounding moves: its steps of a unit in the last place are no picture."""
