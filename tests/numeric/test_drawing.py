@@ -181,7 +181,7 @@ def test_a_long_run_is_thinned() -> None:
     drawing = describe_drawing(run_drawn(SPEC + DRAW, 3 * MOST_FRAMES))
     assert drawing is not None
     count = len(drawing["times"])  # type: ignore[arg-type]
-    assert count == MOST_FRAMES
+    assert count == MOST_FRAMES + 1 and drawing["times"][-1] == 3  # type: ignore[index]
     assert {len(c) for c in drawing["columns"] if isinstance(c, list)} == {count}  # type: ignore[attr-defined]
 
 
