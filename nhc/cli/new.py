@@ -22,7 +22,8 @@ def command(name: str, output: str | None, force: bool) -> int:
     The spec is called NAME and stands in NAME.yaml; it compiles and runs as it is.
     """
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
-        proposal = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_0123456789") or "my_system"
+        stem = re.sub(r"\.ya?ml$", "", name.lower())  # the file's name in place of the system's
+        proposal = re.sub(r"[^a-z0-9]+", "_", stem).strip("_0123456789") or "my_system"
         raise Failure(
             f"`{name}` is no name for a system: lower case letters, digits and `_`, a letter first",
             [f"nhc new {proposal}"],

@@ -34,6 +34,10 @@ def refuse_empty(context: click.Context, parameter: click.Parameter, value: str 
     return value or ""
 
 
+def _refuse_empties(context: click.Context, parameter: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(refuse_empty(context, parameter, one) for one in value)
+
+
 def check_steps(step: float, start: float, end: float) -> None:
     """Refuse fixed steps that are longer than a scene, or more than any run takes.
 
@@ -105,6 +109,7 @@ set_option = click.option(
     "settings",
     metavar="A=1,...",
     multiple=True,
+    callback=_refuse_empties,
     help="Change values of MOTION: of its state or of parameters.",
 )
 scene_set_option = click.option(
@@ -112,6 +117,7 @@ scene_set_option = click.option(
     "values",
     metavar="A=1,...",
     multiple=True,
+    callback=_refuse_empties,
     help="Change values of the scene: of its start or of parameters.",
 )
 scene_time_option = click.option(

@@ -191,7 +191,7 @@ DRAWN_BODY_KEYS = (
         "angle",
         "expression",
         True,
-        "not beside `parent`; from the x axis to the body's first axis, counterclockwise, in radians",
+        "from the x axis to the body's first axis, counterclockwise, in radians; not beside `parent`",
     ),
     Key("shape", "polygon", True, "three corners or more on the body's axes"),
 )

@@ -13,6 +13,7 @@ from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import depends, solve_rows
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language import Initial, Name, Number, Override, Prime, Scene, Spec, Syntax, walk
+from nhc.language.advice import meant_rate
 from nhc.language.expressions.names import fold_typed
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.orientation import scaled
@@ -46,7 +47,9 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
         blank = len(part) - len(part.lstrip())
         span = Span(start + blank, start + len(part.rstrip()))
         if not equals:
-            bag.error("E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, separated by commas",))
+            decimals = start > 0 and part.strip().isdigit()  # of a number with a comma
+            help = "decimal numbers are written with `.`" if decimals else "write `name=value`, separated by commas"
+            bag.error("E0208", f"`{part.strip()}` has no `=`", span, help=(help,))
             continue
         if "=" in value:
             help = "write `name=value`, separated by commas"
@@ -166,7 +169,8 @@ def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
     if target is None:
         coordinates = [c.name for c in spec.coordinates]
         known = [*coordinates, *(f"{c}'" for c in coordinates), *(d.name for d in spec.quasi_velocities), *parameters]
-        help = suggest(pair.name, known, f"known: {quote(known[:12])}")
+        more = ", ..." if len(known) > 12 else ""
+        help = meant_rate(pair.name, coordinates) or suggest(pair.name, known, f"known: {quote(known[:12])}{more}")
         bag.error(
             "E0419", f"`{pair.name}` is no coordinate, velocity, quasi-velocity or parameter", pair.span, help=(help,)
         )

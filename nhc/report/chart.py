@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from nhc.report.marks import HEADING, draw_box, draw_cross, draw_document, draw_line, draw_marker, draw_text
+from nhc.report.marks import HEADING, draw_box, draw_cross, draw_document, draw_foot, draw_line, draw_marker, draw_text
 from nhc.report.panel import ROUNDING, Panel, Style, draw_panel, style_of
 from nhc.report.ticks import log_scale
 from nhc.study.chart.case import RESOLVED, Result, Study
@@ -40,8 +40,9 @@ def draw_study(study: Study) -> str:
     at = small[-1].top + small[-1].height + 80
     bars, height = _draw_costs(study, at)
     parts += bars
-    parts += _draw_foot(study, height + 30)
-    total = height + 84
+    foot, below = _draw_foot(study, height + 30)
+    parts += foot
+    total = below + 20
     title = f"{study.system}, scene {study.scene}: work against precision"
     return draw_document(WIDTH, total, [draw_text(WIDTH / 2, 26, title, "middle", HEADING), *parts])
 
@@ -196,14 +197,12 @@ def _draw_costs(study: Study, top: float) -> tuple[list[str], float]:
     return parts, top + height + 18
 
 
-def _draw_foot(study: Study, y: float) -> list[str]:
+def _draw_foot(study: Study, y: float) -> tuple[list[str], float]:
     """Method, tolerance, reference and machine of the numbers above."""
     about = study.reference
     lines = (
         f"reference: {about.method} in {about.arithmetic}, confirmed by {about.confirmed_by}; they differ by {about.error:.1e}",
         f"machine: {study.machine.line}",
+        *study.notes,
     )
-    return [
-        draw_text(LEFT - 54, y + 17 * k, line, more=' font-size="10.5"', colour="#555555")
-        for k, line in enumerate(lines)
-    ]
+    return draw_foot(LEFT - 54, y, WIDTH - 2 * (LEFT - 54), lines)

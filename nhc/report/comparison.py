@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from nhc.report.marks import HEADING, draw_cross, draw_document, draw_line, draw_marker, draw_text
+from nhc.report.marks import HEADING, draw_cross, draw_document, draw_foot, draw_line, draw_marker, draw_text
 from nhc.report.panel import Panel, Style, draw_panel, style_of
 from nhc.report.svg import Axis, Chart, Series, dash_of, draw_inside, time_axis
 from nhc.study.chart.case import RESOLVED, Result
@@ -35,8 +35,9 @@ def draw_comparison(made: Comparison) -> str:
     parts = [*legend, *draw_panel(main, results, style), *_draw_failures(results, style, main)]
     at = main.top + MAIN_HEIGHT + 66
     curves, bottom = _draw_curves(made, at)
-    parts += [*curves, *_draw_foot(made, bottom + 20)]
-    total = bottom + 62
+    foot, below = _draw_foot(made, bottom + 20)
+    parts += [*curves, *foot]
+    total = below + 8
     title = f"scene {made.scene}: models against {made.finest}"
     return draw_document(WIDTH, total, [draw_text(WIDTH / 2, 26, title, "middle", HEADING), *parts])
 
@@ -109,14 +110,12 @@ def _draw_curves(made: Comparison, top: float) -> tuple[list[str], float]:
     return parts, bottom
 
 
-def _draw_foot(made: Comparison, y: float) -> list[str]:
+def _draw_foot(made: Comparison, y: float) -> tuple[list[str], float]:
     about = made.reference
     lines = (
         f"reference: {made.finest} by {about.method} in {about.arithmetic}, confirmed by {about.confirmed_by}; "
         f"they differ by {about.error:.1e}",
         f"machine: {made.machine.line}",
+        *made.notes,
     )
-    return [
-        draw_text(LEFT - 54, y + 17 * k, line, more=' font-size="10.5"', colour="#555555")
-        for k, line in enumerate(lines)
-    ]
+    return draw_foot(LEFT - 54, y, WIDTH - 2 * (LEFT - 54), lines)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import TypeVar
 
 from nhc.report.svg import COLOURS
 from nhc.simulate.run import Trajectory
 
 MOST_FRAMES = 2000
+Row = TypeVar("Row")
 
 
 def describe_drawing(found: Trajectory) -> dict[str, object] | None:
@@ -20,8 +22,7 @@ def describe_drawing(found: Trajectory) -> dict[str, object] | None:
     sketch = found.job.sketch
     if not sketch.outlines or not found.drawn:
         return None
-    stride = max(1, len(found.times) // MOST_FRAMES)
-    rows = found.drawn[::stride]
+    rows = thin_rows(found.drawn, MOST_FRAMES)
     columns: list[float | list[float]] = []
     for k in range(len(sketch.nodes)):
         values = shorten([row[k] for row in rows])
@@ -39,10 +40,15 @@ def describe_drawing(found: Trajectory) -> dict[str, object] | None:
     return {
         "spatial": sketch.spatial,
         "unit": found.job.system.spec.time_unit,
-        "times": shorten(found.times[::stride]),
+        "times": shorten(thin_rows(found.times, MOST_FRAMES)),
         "columns": columns,
         "shapes": shapes,
     }
+
+
+def thin_rows(rows: Sequence[Row], most: int) -> list[Row]:
+    """Every k-th of the rows, so that they are not much more than ``most``, and the last: a motion is shown to its end."""
+    return [*rows[: -1 : max(1, len(rows) // most)], *rows[-1:]]
 
 
 def shorten(values: Sequence[float]) -> list[float]:

@@ -10,7 +10,7 @@ from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.ladder import list_rungs, note_longer, print_how, reduced_spec
-from nhc.report.marks import draw_axes, draw_document, draw_line, draw_marker, draw_text
+from nhc.report.marks import draw_axes, draw_document, draw_foot, draw_line, draw_marker, draw_text
 from nhc.report.ticks import linear_scale, log_scale
 from nhc.study.chart.words import duration
 from nhc.study.simplify.ladder import Ladder, Rung
@@ -75,7 +75,7 @@ def _is_apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
 
 
 def _draw_list(ladder: Ladder, top: float) -> tuple[list[str], float]:
-    columns = (LEFT - 40, LEFT - 10, LEFT + 70, LEFT + 155, LEFT + 265, LEFT + 335, LEFT + 405)
+    columns = (LEFT - 40, LEFT - 10, LEFT + 70, LEFT + 155, LEFT + 272, LEFT + 338, LEFT + 408)
     head = ("", "equations", "operations", "right-hand side", "run", "error", "left out")
     parts = [draw_text(x, top, text, more=BOLD) for x, text in zip(columns, head, strict=True)]
     at = top + 18
@@ -88,10 +88,8 @@ def _draw_list(ladder: Ladder, top: float) -> tuple[list[str], float]:
         "0, hollow: the full model, at the reference's own error",
         f"machine: {ladder.machine}",
     )
-    for line in foot:
-        parts.append(draw_text(LEFT - 40, at + 10, line, more=' font-size="10.5"', colour="#555555"))
-        at += 16
-    return parts, at
+    lines, below = draw_foot(LEFT - 40, at + 10, WIDTH - 2 * (LEFT - 40), foot)
+    return [*parts, *lines], below - 10
 
 
 def make_ladder_page(ladder: Ladder) -> str:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from html import escape
+from textwrap import wrap
 
 from nhc.report.ticks import Scale
 
 HEADING = ' font-size="17" font-weight="bold"'
+_FOOT, _APART, _WIDE = 10.5, 17, 0.56  # size of small lines, from one to the next, width of a letter in sizes
 SHAPES = ("circle", "square", "up", "diamond", "down", "hexagon")
 _POINTS = {
     "square": ((-1, -1), (1, -1), (1, 1), (-1, 1)),
@@ -59,6 +61,17 @@ def draw_document(width: float, height: float, parts: Iterable[str]) -> str:
         'font-family="sans-serif" font-size="12">'
     )
     return "\n".join([head, '<rect width="100%" height="100%" fill="#ffffff"/>', *parts, "</svg>\n"])
+
+
+def draw_foot(x: float, y: float, width: float, lines: Iterable[str]) -> tuple[list[str], float]:
+    """Small grey lines below a picture, folded where one is longer than ``width``; and where the next one would stand."""
+    most = int(width / (_FOOT * _WIDE))
+    folded = [
+        part for line in lines for part in wrap(line, most, subsequent_indent=4 * "\u00a0", break_on_hyphens=False)
+    ]
+    look = f' font-size="{_FOOT}"'
+    parts = [draw_text(x, y + _APART * k, line, more=look, colour="#555555") for k, line in enumerate(folded)]
+    return parts, y + _APART * len(folded)
 
 
 def draw_axes(left: float, top: float, x: Scale, y: Scale) -> list[str]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.mechanics.properties.conserved import power_terms
-from nhc.report.drawing import describe_drawing, shorten
+from nhc.report.drawing import describe_drawing, shorten, thin_rows
 from nhc.report.marks import draw_document
 from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, time_axis
 from nhc.simulate.prepare import Job
@@ -126,8 +127,9 @@ def make_page(found: Trajectory) -> str:
 
 
 def _number(value: float, unit: str = "") -> str:
-    """The shortest decimal that reads back as the same double, without a `.0`; its unit after it."""
-    text = repr(value).removesuffix(".0")
+    """The shortest decimal that reads back as the same double, long rows of zeros as a power of ten; its unit after it."""
+    text = re.sub(r"e([+-]?)0*(?=\d)", lambda found: f"e{found[1].strip('+')}", repr(value).removesuffix(".0"))
+    text = re.sub(r"0{9,}$", lambda zeros: f"e{len(zeros[0])}", text) if text.lstrip("-").isdigit() else text
     return f"{text} {unit}" if unit not in ("", "1") else text
 
 
@@ -179,8 +181,6 @@ def _summary(found: Trajectory) -> list[tuple[str, str]]:
 def _readable(chart: Chart) -> dict[str, object]:
     """What the page's script needs to read a value under the pointer; long series are thinned by a stride."""
     frame = find_frame(chart, len(legend_rows(chart)))
-    times = chart.series[0].x
-    stride = max(1, len(times) // MOST_READ)
     return {
         "left": frame.left,
         "top": frame.top,
@@ -191,6 +191,6 @@ def _readable(chart: Chart) -> dict[str, object]:
         "time": chart.x.unit,
         "unit": chart.y.unit,
         "names": [series.label for series in chart.series],
-        "x": shorten(times[::stride]),
-        "y": [[None if math.isnan(y) else y for y in shorten(s.y[::stride])] for s in chart.series],
+        "x": shorten(thin_rows(chart.series[0].x, MOST_READ)),
+        "y": [[None if math.isnan(y) else y for y in shorten(thin_rows(s.y, MOST_READ))] for s in chart.series],
     }

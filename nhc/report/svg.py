@@ -13,7 +13,7 @@ from nhc.report.ticks import Scale, linear_scale, log_scale
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c6d1f")
 DASHES = ("", "7 3", "2 2", "9 3 2 3", "12 4")  # colours are not all that tells lines apart: on paper they may be grey
 MOST = 2000  # points of a line; more do not show
-LEFT, RIGHT, TOP, BOTTOM, ROW = 68, 16, 30, 46, 17
+LEFT, RIGHT, TOP, BOTTOM, ROW = 68, 24, 30, 46, 17
 
 
 @record

@@ -85,7 +85,8 @@ def label(values: Sequence[float], step: float) -> tuple[list[str], str]:
     power = math.floor(math.log10(size) + 1e-9) if size >= _LARGE or 0.0 < size < _SMALL else 0
     unit = 10.0**power
     digits = max(0, power - math.floor(math.log10(step) + 1e-9))
-    labels = ["0" if abs(v) < 1e-9 * step else f"{v / unit:.{digits}f}" for v in left]
+    # rounding of what is far from zero is no sign: a tick within a thousandth of a step is at zero
+    labels = ["0" if abs(v) < 1e-3 * step else f"{v / unit:.{digits}f}" for v in left]
     return labels, " ".join(part for part in (f"\u00d71e{power}" if power else "", added) if part)
 
 

@@ -28,6 +28,13 @@ class Changes:
     values: tuple[str, ...] = ()
     time: str = ""
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader must know who has the spec beside the result; nothing where nothing was changed."""
+        parts = [", ".join(self.values)] if self.values else []
+        parts += [f"time {self.time}"] if self.time else []
+        return (f"other values than those of the spec's scene: {'; '.join(parts)}",) if parts else ()
+
 
 UNCHANGED = Changes()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Sequence
 
 from nhc.program.ir import Program
@@ -98,12 +99,14 @@ class NaturalModel(TextModel):
     ) -> None:
         """Rows of this step."""
         (q0, v0), (q1, v1) = before, after
+        # late times are rounded by more than a billionth of a short step
+        slack = 1e-9 + 4.0 * sys.float_info.epsilon * max(abs(task.times[0]), abs(task.times[-1])) / abs(h)
         while len(outcome.states) < len(task.times):
             time = task.times[len(outcome.states)]
             x = (time - t) / h
-            if x > 1.0 + 1e-9:
+            if x > 1.0 + slack:
                 return
-            q, v = (q1, v1) if x >= 1.0 - 1e-9 else _hermite(x, h, q0, v0, q1, v1)
+            q, v = (q1, v1) if x >= 1.0 - slack else _hermite(x, h, q0, v0, q1, v1)
             outcome.states.append(self.module.state(time, q, v, task.p))
 
 

@@ -24,6 +24,7 @@ from nhc.simulate.workshop import Model, Workshop
 POINTS = 201
 _SMOOTH = 8  # rows in the time of a step: methods of high order step over a good part of a period
 _MOST = 2001  # rows of a picture, which has some 700 pixels for them
+_LONGEST = 1_000_000  # rows of a scene of which an event leaves a part
 
 
 @record
@@ -73,13 +74,19 @@ def list_times(start: float, end: float, points: int) -> tuple[float, ...]:
 
 
 def picture_points(found: Trajectory) -> int:
-    """How many rows it takes to draw a motion as a curve, if it came to its end: no more than there are where these will do.
+    """How many rows of the scene it takes to draw a motion as a curve: no more than there are where these will do.
 
-    Between fixed steps rows are interpolated, and what a method conserves at its steps is not conserved there.
+    Between fixed steps rows are interpolated, and what a method conserves at its steps is not conserved there.  A motion that an
+    event ends has few of the scene's rows, and gets as many of its own.
     """
-    wanted = min(_SMOOTH * found.outcome.steps + 1, _MOST)
-    fits = found.ended != "done" or found.step > 0 or wanted <= 2 * len(found.times)
-    return len(found.times) if fits else wanted
+    wanted, whole = min(_SMOOTH * found.outcome.steps + 1, _MOST), found.ended == "done"
+    if found.ended == "event":
+        wanted = max(wanted, POINTS)
+    if not (whole or found.ended == "event") or found.step > 0 or wanted <= 2 * len(found.times):
+        return len(found.times)
+    start, end = found.job.time
+    share = 1.0 if whole else (found.times[-1] - start) / (end - start)
+    return min(math.ceil((wanted - 1) / share), _LONGEST) + 1 if share > 0 else len(found.times)
 
 
 def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:

@@ -112,7 +112,8 @@ def list_starts(system: System, scene: Scene, table: Table) -> list[Start]:
             found.append(start_of(system, vary(scene, table.keys, row)))
         except SpecError as error:
             first = error.diagnostics[0]
-            raise RunError(f"row {number}: {first.message}", (*first.notes, *first.help)) from error
+            advice = [text.partition("; or run with")[0] for text in first.help]  # a table's rows are not projected
+            raise RunError(f"row {number}: {first.message}", (*first.notes, *advice)) from error
     return found
 
 

@@ -59,6 +59,9 @@ def test_it_runs_as_if_the_spec_said_so(
     [
         (["--set", "g=1, z=3"], "E0419", "--set:1:6"),
         (["--set", "height=3"], "E0419", "--set:1:1"),
+        (["--set", "g=9,81"], "E0208", "decimal numbers are written with `.`"),
+        (["--set", "y_dot=1"], "E0419", "the velocity is written `y'`"),
+        (["--set", "ẋ=1"], "E0419", "the velocity is written `x'`"),
         (["--set", "y=x"], "E0314", "--set:1:3"),
         (["--set", "y"], "E0208", "--set:1:1"),
         (["--set", "y=1/0"], "E0417", "--set:1:5"),

@@ -88,6 +88,8 @@ def test_a_chart_of_a_changed_scene_is_that_of_a_spec_with_these_values() -> Non
     text = STIFF.replace("RATE", "1").replace("x: 0.3", "x: 0.3, y: 2").replace("[0, 10]", "[0, 4]")
     wanted = chart(Source("fall.yaml", text), grid)
     assert made.time == (0.0, 4.0)
+    for kind in (".svg", ".html", ".md", ".json"):  # each of them may be all that a reader has
+        assert "scene: c=1, y=2; time 4" in make_file(made, kind) and "other values" not in make_file(wanted, kind)
     assert [r.error for r in made.results] == [r.error for r in wanted.results] and made.results
 
 

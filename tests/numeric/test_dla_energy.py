@@ -65,3 +65,14 @@ def test_the_unit_of_mass_means_nothing(method: str, compiled: bool) -> None:
     assert ends[0][0] == pytest.approx(0.005 * math.cos(20 * math.sqrt(0.05 / 0.375)), abs=1e-5)
     for end in ends[1:]:
         assert end == pytest.approx(ends[0], rel=1e-9)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("method", ["energy", "dla", "leapfrog", "perlmutter"])
+def test_late_times_lose_no_row(method: str, compiled: bool) -> None:
+    """A million seconds after zero the times are rounded by more than a billionth of a short step."""
+    text = "nhc: 1\nsystem: free\ncoordinates: [x]\nT: x'^2/2\nscenes: {go: {initial: {x': 1}, time: [1000000, 1000000.001]}}\n"
+    job = open_scene(Source("free.yaml", text), method=method)
+    found = run(job, Settings(points=65, method=method, step=1.5625e-5, compiled=compiled))
+    assert found.ended == "done" and len(found.rows) == len(found.times) == 65
+    assert found.rows[-1][0] == pytest.approx(found.times[-1] - 1e6, rel=1e-9)

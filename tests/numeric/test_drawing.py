@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import math
 import re
+import shutil
+import subprocess
 from pathlib import Path
 
 import jsonschema
@@ -18,6 +20,7 @@ from nhc.language.schema import schema
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit
 from nhc.report.drawing import MOST_FRAMES, describe_drawing
+from nhc.report.trajectory import make_file
 from nhc.resources import find_specs
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
@@ -90,6 +93,59 @@ def test_the_picture_is_the_trajectory(tmp_path: Path, capsys: pytest.CaptureFix
         assert points_of(drawing, 2, k) == near([(x, y, 0), (x + 2 * c, y + 2 * s, 0), (x - s, y + c, 0)])
 
 
+STAGE = """
+const written = [];
+const pen = { measureText: (text) => ({ width: 6.5 * text.length }), fillText: (...where) => written.push(where) };
+for (const name of ["setTransform", "clearRect", "beginPath", "lineTo", "stroke", "fill", "arc"]) { pen[name] = () => {}; }
+const part = () => ({ addEventListener() {}, style: {}, clientWidth: 760, clientHeight: 506, getContext: () => pen });
+const window = { devicePixelRatio: 1, addEventListener() {} };
+const document = { getElementById: () => ({ textContent: DATA }), querySelector: () => ({ querySelector: part }) };
+"""
+
+
+def written_on(point: str, start: str) -> list[tuple[str, float, float]]:
+    """The texts on the canvas of a point that moves with these start values, and their places."""
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("no node")
+    text = "nhc: 1\nsystem: far\ncoordinates: [x, y, z]\nT: x'^2 + y'^2 + z'^2\n"
+    text += f"scenes: {{go: {{initial: {start}, time: [0, 10]}}}}\ndraw: [{{point: {point}, trace: true}}]\n"
+    page = make_file(run_drawn(text), ".html").decode()
+    data = json.dumps(json.dumps(drawing_in(page)))
+    script = page.rsplit("<script>", 1)[1].split("</script>")[0]
+    stage = f"const DATA = {data};\n{STAGE}{script}\nconsole.log(JSON.stringify(written));\n"
+    done = subprocess.run([node, "-"], input=stage, capture_output=True, text=True, timeout=20, check=True)
+    return [(text, x, y) for text, x, y in json.loads(done.stdout)]
+
+
+@pytest.mark.parametrize(
+    ("start", "texts"),
+    [
+        ("{x: 7000000, y: -3000000, x': 1, y': 2}", {"7000005", "-2999985", "7000010"}),
+        ("{x': 1e-7, y': 2e-7}", {"5e-7", "1e-6"}),
+        ("{x: 1e20}", {"1e20", "8e19"}),
+        ("{}", {"0", "0.2", "-0.4"}),
+    ],
+)
+def test_the_grid_tells_its_lines_apart(start: str, texts: set[str]) -> None:
+    """Each label is that of one line, whole, and covers no other; what is at rest far away is shown as well."""
+    written = written_on("[x, y]", start)
+    assert texts <= {text for text, _, _ in written}
+    for places in ([(text, x) for text, x, y in written if y == 501], [(text, y) for text, x, y in written if x == 4]):
+        assert len({text for text, _ in places}) == len(places) >= 2
+    boxes = [(x, y - 9, x + 6.5 * len(text), y + 3) for text, x, y in written]
+    assert all(a >= 0 and b >= 0 and c <= 760 and d <= 506 for a, b, c, d in boxes)
+    for k, (a, b, c, d) in enumerate(boxes):
+        assert all(c < e or g < a or d < f or h < b for e, f, g, h in boxes[:k])
+
+
+def test_the_view_in_space_says_where_it_is() -> None:
+    """Numbers beside the axes are places, not lengths, and a motion high above the ground is no dot."""
+    written = {text for text, _, _ in written_on("[x, y, z]", "{x: 7000, z: 5000, x': 1, y': 2, z': 1}")}
+    assert {"x", "y", "z", "7005", "5005", "15"} <= written
+    assert {"x", "y", "z", "0", "20"} <= {text for text, _, _ in written_on("[x, y, z]", "{z: 8, x': 2, z': 1}")}
+
+
 def test_shapes_in_space() -> None:
     found = run_drawn(SPEC + DRAW + SPATIAL)
     drawing = describe_drawing(found)
@@ -125,7 +181,7 @@ def test_a_long_run_is_thinned() -> None:
     drawing = describe_drawing(run_drawn(SPEC + DRAW, 3 * MOST_FRAMES))
     assert drawing is not None
     count = len(drawing["times"])  # type: ignore[arg-type]
-    assert count == MOST_FRAMES
+    assert count == MOST_FRAMES + 1 and drawing["times"][-1] == 3  # type: ignore[index]
     assert {len(c) for c in drawing["columns"] if isinstance(c, list)} == {count}  # type: ignore[attr-defined]
 
 

@@ -347,7 +347,7 @@ def test_an_inconsistent_start_is_refused_or_projected(tmp_path: Path, capsys: p
     spec.write_text(text.replace("{theta: 0.1, v: 1, w: 0.5}", "{theta: 0, x': 1, y': 0.1, theta': 0.5}"))
     arguments = [str(spec), "--scene", "glide", "--points", "2", "--need", "x',y',theta'"]
     code, out, err = call(capsys, *arguments)
-    assert (code, out) == (1, "") and "violate the constraints by 0.1" in err
+    assert (code, out) == (1, "") and "violate the constraints by 0.1" in err and "or run with `--project`" in err
     code, out, err = call(capsys, *arguments, "--project")
     assert code == 0 and "y' 0.1 -> 0" in err and "energy changes from" in err
     # m = 1, J = 1/2, a = 7/10: y' + a theta' is what the impulse at the edge leaves to the spin
@@ -596,6 +596,8 @@ def test_a_page_names_units_and_says_where_a_change_of_energy_is_no_error(
     assert "<td>all coordinates and velocities are zero</td>" in page
     assert call(capsys, str(spec), "--set", "x=1/4, x'=-3", "-o", str(tmp_path / "set.html"))[0] == 0
     assert "<td>x\u00a0=\u00a00.25\u00a0m, x&#x27;\u00a0=\u00a0-3\u00a0m/s</td>" in (tmp_path / "set.html").read_text()
+    assert call(capsys, str(spec), "--set", "F=4e14, m=2e-9", "-o", str(tmp_path / "large.html"))[0] == 0
+    assert "<td>m\u00a0=\u00a02e-9\u00a0kg, F\u00a0=\u00a04e14\u00a0N</td>" in (tmp_path / "large.html").read_text()
     assert call(capsys, "double_pendulum", "-o", str(tmp_path / "double.html"))[0] == 0
     assert "need not be constant" not in (tmp_path / "double.html").read_text()
 
@@ -613,4 +615,17 @@ def test_what_oscillates_is_drawn_as_a_curve(
         "scenes:\n  go: {initial: {x: 1}, time: [0, 2]}\n"
     )
     assert main(["run", str(spec), "-o", str(tmp_path / f"x.{kind}"), *more]) == 0
+    assert f"{rows} rows, " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("kind", "more", "rows"), [("html", [], 202), ("csv", [], 8), ("html", ["--points", "50"], 3)])
+def test_what_an_event_ends_is_drawn_as_a_motion(
+    kind: str, more: list[str], rows: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of a scene's 201 rows few may be left, too few for a picture that moves."""
+    spec = tmp_path / "free.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: free\ncoordinates: [x]\nT: x'^2/2\nscenes:\n  go: {initial: {x': 1}, time: [0, 30]}\n"
+    )
+    assert main(["run", str(spec), "--until", "x - 1", "-o", str(tmp_path / f"x.{kind}"), *more]) == 0
     assert f"{rows} rows, " in capsys.readouterr().err

@@ -294,13 +294,20 @@ def test_a_drift_is_told_by_its_ratio() -> None:
     """A run cannot show that an error is bounded."""
     told = {
         (first, last, relative): judge(Drift("x", "energy", relative, first, last, 1e-14, (first, last)))
-        for first, last, relative in ((2e-6, 3e-6, True), (2e-6, 5e-6, False), (0.0, 1e-9, True), (1e-15, 9e-15, True))
+        for first, last, relative in (
+            (2e-6, 3e-6, True),
+            (2e-6, 5e-6, False),
+            (0.0, 1e-9, True),
+            (1e-15, 9e-15, True),
+            (1e-6, 1.23e-4, True),
+        )
     }
     assert list(told.values()) == [
         "1.5 times as large",
         "grows, 2.5 times as large, absolute",
         "grows, from zero",
         "rounding",
+        "grows, 120 times as large",
     ]
 
 

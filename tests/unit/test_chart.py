@@ -408,3 +408,15 @@ def test_what_compiled_code_takes_too_long_for_is_not_interpreted(monkeypatch: p
     assert [len(made.run(Case("m", "gauss6", "python", t), rung)) for rung, t in rungs] == [1, 1, 0]
     assert made.many == ["gauss6"]
     assert all(alone.run(Case("m", "gauss6", "python", t), rung) for rung, t in rungs)
+
+
+def test_a_long_compiler_line_stays_in_the_picture() -> None:
+    machine = Machine(
+        "A Processor of a Long Name", 96, "cc (Distribution 12.2.0-14+deb12u1)", "-fno-flag " * 16, "3", "1"
+    )
+    root = ET.fromstring(draw_study(replace(study(CROSSING), machine=machine)))
+    small = [e for e in root.iter() if e.get("font-size") == "10.5" and e.get("fill") == "#555555"]
+    assert len(small) == 3 and " ".join(str(e.text).strip() for e in small).endswith("nhc 1")
+    for line in small:
+        assert float(line.get("x", "")) + 10.5 * 0.56 * len(line.text or "") < float(root.get("width", ""))
+        assert float(line.get("y", "")) < float(root.get("height", "")) - 4

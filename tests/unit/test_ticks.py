@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from fractions import Fraction
 
 import pytest
@@ -43,6 +44,11 @@ def test_labels_tell_the_values(ends: tuple[float, float], exact: bool) -> None:
         assert abs(place / LENGTH - float((value - Fraction(scale.low)) / Fraction(span))) < 1e-3  # half a pixel
 
 
+def test_zero_has_no_sign() -> None:
+    scale = linear_scale(999999.999975, 1e6, LENGTH)
+    assert scale.note == "×1e-5 + 1000000" and [text for _, text in scale.ticks][-3:-1] == ["-0.5", "0"]
+
+
 @pytest.mark.parametrize("value", [0.0, -0.0, 5.0, 1e-7, -3e-300, 5e-324, 1e300, 0.1])
 def test_a_constant_stands_inside(value: float) -> None:
     """Also one that rounding moves: its steps of a unit in the last place are no picture."""
@@ -79,3 +85,13 @@ def test_readings_keep_apart_what_the_picture_keeps_apart() -> None:
     late = [1e6 + 1e-5 * k for k in range(100)]
     assert len(set(shorten(late))) == 100 and max(abs(a - b) for a, b in zip(late, shorten(late), strict=True)) < 1e-9
     assert len(set(shorten([0.5, 0.5 + 1e-16, 0.5 - 1e-16]))) == 1  # rounding
+
+
+@pytest.mark.parametrize("end", [12000.0, -12000.0, 100.5])
+def test_the_last_time_is_not_cut(end: float) -> None:
+    """Its label stands about the end of the axis, half of it beyond."""
+    chart = Chart("c", Axis("t", exact=True), Axis("x"), (Series("x", [end - abs(end) / 3, end], [0, 1]),))
+    places = re.findall(
+        r'<text x="([0-9.]+)" y="[0-9.]+" text-anchor="middle" fill="#222222">(-?[0-9.]+)</text>', draw(chart)
+    )
+    assert places and all(float(x) + 3.75 * len(text) <= chart.width for x, text in places)

@@ -265,7 +265,7 @@ def _velocities(
             f"the initial velocities of {scene.called} violate the constraints by {abs(off):.3g}",
             next((e.span for e in scene.initial if name == _FOUND_AS.get(e.kind, "").format(e.name)), scene.span),
             notes=(f"{name} does not fit {together} and the values before it",),
-            help=("leave the dependent velocities out: they follow from the constraints",),
+            help=("leave the dependent velocities out: they follow from the others; or run with `--project`",),
         )
     for row, value, _ in _equations_at(system, place, [(form, 0.0, "") for form in _free_order(system, given)]):
         solver.add([a * u for a, u in zip(row, units, strict=True)], value)

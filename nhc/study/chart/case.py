@@ -107,7 +107,7 @@ class Machine:
 
 @record
 class Study:
-    """A chart's data.  ``left_out`` are (what, why); ``notes`` say what could not be had on this machine."""
+    """A chart's data.  ``left_out`` are (what, why); ``notes`` say what was changed, and what could not be had here."""
 
     system: str
     about: str

@@ -152,7 +152,10 @@ def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: 
         rungs=tuple(rungs),
         results=tuple(results),
         reference=solution.about,
-        notes=() if compiled else ("there is no C compiler here: the emitted Python is timed",),
+        notes=(
+            *grid.changes.notes,
+            *(() if compiled else ("there is no C compiler here: the emitted Python is timed",)),
+        ),
         machine=describe_machine(),
     )
 

@@ -198,7 +198,7 @@ def judge(drift: Drift) -> str:
     if max(drift.first, drift.last) <= drift.floor:
         told = "rounding"
     else:
-        told = f"{drift.last / drift.first:.2g} times as large" if drift.first else "from zero"
+        told = f"{float(f'{drift.last / drift.first:.2g}'):g} times as large" if drift.first else "from zero"
     return ("grows, " if drift.grows else "") + told + ("" if drift.relative else ", absolute")
 
 
