@@ -55,6 +55,17 @@ def _list_below(graph: Graph, roots: Iterable[Node]) -> list[Node]:
     return found
 
 
+def made_of(graph: Graph, roots: Iterable[Node], parts: Iterable[Node]) -> list[Node]:
+    """The nodes below the roots that are made of some of the parts, and these themselves, in increasing order."""
+    found, kids = set(parts), graph.kids
+    order = list[Node]()
+    for node in _list_below(graph, roots):
+        if node in found or not found.isdisjoint(kids[node]):
+            found.add(node)
+            order.append(node)
+    return order
+
+
 def count(graph: Graph, roots: Sequence[Node]) -> int:
     """Operations that the shared roots cost; leaves and signs are free, and powers are products."""
     op, kids, exponents, total = graph.op, graph.kids, graph.b, 0

@@ -104,22 +104,21 @@ json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON w
 explain_option = click.option(
     "--explain", is_flag=True, help="Also say what kind of system it is, what is conserved, and why this formulation."
 )
-set_option = click.option(
-    "--set",
-    "settings",
-    metavar="A=1,...",
-    multiple=True,
-    callback=_refuse_empties,
-    help="Change values of MOTION: of its state or of parameters.",
-)
-scene_set_option = click.option(
-    "--set",
-    "values",
-    metavar="A=1,...",
-    multiple=True,
-    callback=_refuse_empties,
-    help="Change values of the scene: of its start or of parameters.",
-)
+
+
+def _set_option(name: str, whole: str, part: str) -> Callable[[Command], Command]:
+    return click.option(
+        "--set",
+        name,
+        metavar="A=1,...",
+        multiple=True,
+        callback=_refuse_empties,
+        help=f"Change values of {whole}: of its {part} or of parameters.",
+    )
+
+
+set_option = _set_option("settings", "MOTION", "state")
+scene_set_option = _set_option("values", "the scene", "start")
 scene_time_option = click.option(
     "--time",
     metavar="[START:]END",

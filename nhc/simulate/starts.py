@@ -13,7 +13,7 @@ from nhc.diagnostics import SpecError, suggest
 from nhc.language.expressions.names import fold_typed
 from nhc.language.expressions.syntax import Number
 from nhc.language.spec import Initial, Override, Scene, Spec
-from nhc.mechanics.starts.scenes import Start, start_of
+from nhc.mechanics.starts.scenes import PROJECT, Start, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
 from nhc.simulate.requests import RunError
@@ -112,7 +112,7 @@ def list_starts(system: System, scene: Scene, table: Table) -> list[Start]:
             found.append(start_of(system, vary(scene, table.keys, row)))
         except SpecError as error:
             first = error.diagnostics[0]
-            advice = [text.partition("; or run with")[0] for text in first.help]  # a table's rows are not projected
+            advice = [text for text in first.help if text != PROJECT]  # which is not for a table's rows
             raise RunError(f"row {number}: {first.message}", (*first.notes, *advice)) from error
     return found
 

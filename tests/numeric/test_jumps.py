@@ -349,7 +349,6 @@ scenes: {go: {time: [0, 10]}}
 
 @pytest.mark.parametrize(("method", "seen"), [("dop853", True), ("scipy-dop853", False), ("scipy-bdf", False)])
 def test_a_solver_from_elsewhere_does_not_know_of_pulses_and_that_is_said(method: str, seen: bool) -> None:
-    pytest.importorskip("scipy")
     found = run(open_scene(Source("pulse.yaml", PULSE), method=method), Settings(method, points=3))
     (told,) = found.notes or ("",)
     assert told.startswith("functions of the time jump, bend or pulse at t = 4.99, 5, 5.01,") is not seen
@@ -357,7 +356,6 @@ def test_a_solver_from_elsewhere_does_not_know_of_pulses_and_that_is_said(method
 
 
 def test_where_nothing_pulses_nothing_is_said() -> None:
-    pytest.importorskip("scipy")
     spec = PULSE.replace("max(0, 0.01 - abs(t - 5))*1e4", "cos(t)")
     found = run(open_scene(Source("pulse.yaml", spec), method="scipy-dop853"), Settings("scipy-dop853", points=3))
     assert found.notes == ()

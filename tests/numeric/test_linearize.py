@@ -973,10 +973,10 @@ def test_what_hidden_constraints_hold_stays_what_it_was() -> None:
     """Long steps from a scene that is hit from the side lifted the bicycle by a millimetre, and changed its crossings."""
     found = find("bicycle", "reference")
     assert found.linearisation.steady.y[:9] == pytest.approx([0, 0, -0.3, 0, 0, 0, 0, 0, 0], abs=1e-13)
-    assert [hold.name for hold in found.model.kept] == ["rear_height", "front_height"]
-    assert [hold.value for hold in found.model.kept] == pytest.approx([0.0, 0.0], abs=1e-15)
+    assert [hold.name for hold in found.model.leaf_holds] == ["rear_height", "front_height"]
+    assert [hold.value for hold in found.model.leaf_holds] == pytest.approx([0.0, 0.0], abs=1e-15)
     lifted = find("bicycle", "reference", settings=("z=-0.301",))  # the start's own leaf, wherever that is
-    assert [hold.value for hold in lifted.model.kept] == pytest.approx([-0.001, -0.001], abs=1e-12)
+    assert [hold.value for hold in lifted.model.leaf_holds] == pytest.approx([-0.001, -0.001], abs=1e-12)
     assert lifted.linearisation.steady.y[2] == pytest.approx(-0.301, abs=1e-12)
 
 

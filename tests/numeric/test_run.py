@@ -347,7 +347,7 @@ def test_an_inconsistent_start_is_refused_or_projected(tmp_path: Path, capsys: p
     spec.write_text(text.replace("{theta: 0.1, v: 1, w: 0.5}", "{theta: 0, x': 1, y': 0.1, theta': 0.5}"))
     arguments = [str(spec), "--scene", "glide", "--points", "2", "--need", "x',y',theta'"]
     code, out, err = call(capsys, *arguments)
-    assert (code, out) == (1, "") and "violate the constraints by 0.1" in err and "or run with `--project`" in err
+    assert (code, out) == (1, "") and "violate the constraints by 0.1" in err and "`nhc run --project` move" in err
     code, out, err = call(capsys, *arguments, "--project")
     assert code == 0 and "y' 0.1 -> 0" in err and "energy changes from" in err
     # m = 1, J = 1/2, a = 7/10: y' + a theta' is what the impulse at the edge leaves to the spin

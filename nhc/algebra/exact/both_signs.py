@@ -15,7 +15,7 @@ from math import comb
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.exact.signs import Signs, bits_of
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.walks import reachable
+from nhc.algebra.walks import made_of, reachable
 
 _MOST = 64  # evaluations at a point
 _TURNED = frozenset(("sign", "abs", "sqrt", "min", "max"))
@@ -28,7 +28,7 @@ def vanish_for_both_signs(signs: Signs, nodes: Sequence[Node], points: Sequence[
         return set()
     for chosen in _choices(signs, nodes):
         turned = {node for number in chosen for node in signs.holders[number]}
-        stale = _holding(graph, alive, turned)
+        stale = made_of(graph, alive, turned)
         for point in points:
             other = point.beside(stale)
             try:
@@ -59,16 +59,6 @@ def _are_apart(signs: Signs, nodes: Sequence[Node]) -> bool:
     holders = {node for number in numbers for node in signs.holders[number]}
     below = [child for node in holders for child in graph.children(node)]
     return all(graph.op[node] in _TURNED for node in holders) and holders.isdisjoint(reachable(graph, below))
-
-
-def _holding(graph: Graph, roots: Sequence[Node], turned: set[Node]) -> list[Node]:
-    """What of the roots is made of nodes that change, and these themselves."""
-    found, order = set(turned), list[Node]()
-    for node in reachable(graph, roots):
-        if node in turned or not found.isdisjoint(graph.kids[node]):
-            found.add(node)
-            order.append(node)
-    return order
 
 
 def _turn(graph: Graph, point: FieldPoint, node: Node) -> int:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.walks import reachable
+from nhc.algebra.walks import made_of, reachable
 
 MOST_DRAWS = 20_000
 _EXPONENT = 65537
@@ -73,7 +73,7 @@ def _are_too_many(graph: Graph, radicals: Sequence[Node], draw: Callable[[int], 
 
     Those that hold no other root are looked at: their quadratic characters as rows of bits, by elimination modulo 2.
     """
-    nested = _holding(graph, radicals)
+    nested = set(made_of(graph, radicals, radicals))
     radicands = list(dict.fromkeys(graph.a[n] for n in radicals if graph.op[n] == "sqrt" and graph.a[n] not in nested))
     if len(radicands) <= _MOST_INDEPENDENT:
         return False
@@ -92,15 +92,6 @@ def _are_too_many(graph: Graph, radicals: Sequence[Node], draw: Callable[[int], 
         while row and (pivot := pivots.setdefault(row.bit_length(), row)) != row:
             row ^= pivot
     return len(pivots) > _MOST_INDEPENDENT
-
-
-def _holding(graph: Graph, radicals: Sequence[Node]) -> set[Node]:
-    """What is made of the roots, and they themselves."""
-    found = set(radicals)
-    for node in reachable(graph, radicals):
-        if not found.isdisjoint(graph.kids[node]):
-            found.add(node)
-    return found
 
 
 class QuickPoint(FieldPoint):

@@ -24,8 +24,8 @@ from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 
-TOLERANCE = 1e-9
-"""How far, relative to the size of its terms, a given start may be from satisfying the constraints."""
+TOLERANCE = 1e-9  # how far, relative to the size of its terms, a given start may be from satisfying the constraints
+PROJECT = "or let `nhc run --project` move them to the nearest ones that fit"  # no help for the starts of a table
 _FOUND_AS = {"velocity": "`{}'`", "quasi": "`{}`"}
 
 
@@ -265,7 +265,7 @@ def _velocities(
             f"the initial velocities of {scene.called} violate the constraints by {abs(off):.3g}",
             next((e.span for e in scene.initial if name == _FOUND_AS.get(e.kind, "").format(e.name)), scene.span),
             notes=(f"{name} does not fit {together} and the values before it",),
-            help=("leave the dependent velocities out: they follow from the others; or run with `--project`",),
+            help=("leave the dependent velocities out: they follow from the others", PROJECT),
         )
     for row, value, _ in _equations_at(system, place, [(form, 0.0, "") for form in _free_order(system, given)]):
         solver.add([a * u for a, u in zip(row, units, strict=True)], value)

@@ -45,8 +45,8 @@ class SteadyModel:
 
     ``symmetries`` are groups of turns and shifts that a steady motion may go along: it stands still in axes that move with
     it, by ``turning``; ``generators`` are they as functions of the parameters.  ``units``: those of every state and rate that goes
-    in or comes out, where they are not the spec's.  ``kept``: what hidden holonomic constraints hold, see
-    :mod:`nhc.study.linearization.kept`.
+    in or comes out, where they are not the spec's.  ``leaf_holds``: what hidden holonomic constraints hold, see
+    :mod:`nhc.study.linearization.leaf`.
     """
 
     flow: Flow
@@ -59,7 +59,7 @@ class SteadyModel:
     generators: tuple[tuple[Generator, ...], ...] = ()
     turning: Turn | None = None
     units: Units | None = None
-    kept: tuple[Hold, ...] = ()
+    leaf_holds: tuple[Hold, ...] = ()
 
     @cached_property
     def rest(self) -> tuple[int, ...]:

@@ -40,7 +40,7 @@ from nhc.simulate.switching import SOUND
 from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_ranges, keep_speeds
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady, SingularFrame, Steady, check_frame, check_smooth
-from nhc.study.linearization.kept import defined_at, held_on_leaf, leaf_integrals
+from nhc.study.linearization.leaf import defined_at, held_on_leaf, leaf_integrals
 from nhc.study.linearization.linearize import Linearisation, linearise_at
 from nhc.study.linearization.steady import find_steady
 from nhc.study.linearization.sweep import Branch, Sweep, sweep

@@ -37,13 +37,13 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
     Raises:
         NotSteady: the iteration ends elsewhere, or the model is singular on the way, or at the motion itself.
     """
-    if model.kept:
+    if model.leaf_holds:
         try:
             return _nearest(model, guess, holds)
         except Locked:
             raise
         except NotSteady:
-            model = replace(model, kept=())  # there is none on the leaf
+            model = replace(model, leaf_holds=())  # there is none on the leaf
     return _nearest(model, guess, holds)
 
 
@@ -53,7 +53,7 @@ def _nearest(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold]) 
     Raises:
         NotSteady: none is found.
     """
-    every = (*holds, *model.kept)
+    every = (*holds, *model.leaf_holds)
     found: list[tuple[float, Steady]] = []
     failed: list[NotSteady] = []
     try:

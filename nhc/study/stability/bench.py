@@ -31,7 +31,7 @@ from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE, ModelError, Outcome, Task
-from nhc.study.linearization.kept import defined_at, leaf_integrals
+from nhc.study.linearization.leaf import defined_at, leaf_integrals
 from nhc.study.linearization.units import Matrix, cleaned, sizes_of, trials
 
 ROWS = 201

@@ -23,7 +23,7 @@ from nhc.records import record
 from nhc.study.linearization.asked import keep_ranges, keep_speeds
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.found import Locked, NotSteady, SingularFrame, Steady, check_smooth
-from nhc.study.linearization.kept import held_on_leaf
+from nhc.study.linearization.leaf import held_on_leaf
 from nhc.study.linearization.linearize import Linearisation, linearise_at
 from nhc.study.linearization.motion import branch_of, nearest_of, read_holds, steady_model
 from nhc.study.linearization.steady import find_steady

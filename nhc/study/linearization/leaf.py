@@ -39,4 +39,4 @@ def defined_at(
 
 def held_on_leaf(model: SteadyModel, guess: Sequence[float], integrals: Sequence[tuple[str, Node]]) -> SteadyModel:
     """The model whose searches keep the integrals at their values at the guess, where there is a steady motion with them."""
-    return replace(model, kept=tuple(Hold(text, node, model.value(guess, node)) for text, node in integrals))
+    return replace(model, leaf_holds=tuple(Hold(text, node, model.value(guess, node)) for text, node in integrals))
