@@ -12,7 +12,10 @@ from nhc.language.expressions.names import ENERGIES
 _DOT, _DOTS = "\u0307", "\u0308"  # combining marks of first and second derivatives
 # how a rate is spelled elsewhere; the most telling first
 _RATES = tuple(
-    map(re.compile, (r"(.+)_dot", r"dot_(.+)", r"d_?(.+?)_?dt", r"d_?(.+)", r"(.+)_dt?", r"(.+)_prime", r"(.+)dt"))
+    map(
+        re.compile,
+        (r"(.+)_dot", r"dot_(.+)", r"d_?(.+?)_?dt", r"d_?(.+)", r"v_?(.+)", r"(.+)_dt?", r"(.+)_prime", r"(.+)dt"),
+    )
 )
 _SECOND = re.compile(r"(.+?)_?(?:ddot|dotdot)|(?:ddot_?|dd_?|d2_?)(.+?)(?:_?dt2)?")
 # key of a spec as others call it -> (this language's key, what to do)

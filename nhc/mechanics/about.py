@@ -170,7 +170,10 @@ def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
         coordinates = [c.name for c in spec.coordinates]
         known = [*coordinates, *(f"{c}'" for c in coordinates), *(d.name for d in spec.quasi_velocities), *parameters]
         more = ", ..." if len(known) > 12 else ""
-        help = meant_rate(pair.name, coordinates) or suggest(pair.name, known, f"known: {quote(known[:12])}{more}")
+        time = "a motion has no time of its own; `nhc run` and `nhc chart` take `--time`" if pair.name == "t" else ""
+        help = (
+            time or meant_rate(pair.name, coordinates) or suggest(pair.name, known, f"known: {quote(known[:12])}{more}")
+        )
         bag.error(
             "E0419", f"`{pair.name}` is no coordinate, velocity, quasi-velocity or parameter", pair.span, help=(help,)
         )

@@ -21,6 +21,7 @@ TINY = 1e-20
 LONGEST = 32  # letters of names beside an axis
 FLAT = 30.0  # times as large as another quantity, which would seem to be zero in the same panel
 MOST_STARTED = 24  # coordinates and velocities of the start that are named
+ROUNDING = 1e-15  # of a velocity that follows from the constraints, relative to the largest
 MOST_READ = 2000  # rows that the page carries as numbers
 
 
@@ -140,13 +141,14 @@ def _list_parameters(job: Job) -> str:
 
 
 def _list_start(job: Job) -> str:
-    """Coordinates and velocities at the start, but for those that are zero."""
+    """Coordinates and velocities at the start, but for those that are zero, or that only rounding keeps from it."""
     units, names = job.system.units, job.system.q_names
+    least = ROUNDING * max(map(abs, job.start.v), default=0.0)
     values = (*zip(names, job.start.q, strict=True), *zip((f"{name}'" for name in names), job.start.v, strict=True))
     shown = [
         f"{name} = {_number(float(f'{value:.10g}'), units.get(name, ''))}".replace(" ", "\u00a0")
         for name, value in values
-        if value
+        if value and not (name.endswith("'") and abs(value) <= least)
     ]
     more = [f"... and {len(shown) - MOST_STARTED} more"] if len(shown) > MOST_STARTED else []
     return ", ".join([*shown[:MOST_STARTED], *more])

@@ -72,7 +72,7 @@ def open_scene(
     implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
     plain = not (wanted or until or natural or checks or whole or draw)  # else more is asked than the scene needs
     weak = (method in RUNGE_KUTTA or method == AUTO) and not (stay or whole)
-    recipe = Recipe(equations, wanted, ending, implicit, hold, checks, draw, weak)
+    recipe = Recipe(equations, wanted, ending, implicit, hold, checks, draw, weak, " ".join(until.split()))
     job = prepare_reduced(recipe, form, start) if plain else None
     job = job or prepare(recipe, form, start, natural=natural, fixed=not beside)
     job = replace(job, notes=notes)

@@ -29,7 +29,8 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
     if outcome.kind == DONE:
         return "done", ""
     if outcome.kind == EVENT:
-        return "event", "the expression of `--until` crosses zero"
+        text = "" if job.recipe is None else job.recipe.until
+        return "event", f"`{text}` of `--until` crosses zero"
     if outcome.kind == STOPPED:
         return "stopped", "interrupted"
     if outcome.kind == CROSSED:

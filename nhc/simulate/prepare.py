@@ -33,9 +33,10 @@ _NOTHING = Sketch()
 class Recipe:
     """What a job is made of beside formulation and start, so that a run can make it again in another formulation.
 
-    ``needs``: names of what the user wants (none: the scene's own); ``event``: its zero ends the run; ``jacobian``: an implicit
-    method needs it; ``hold``: states are brought back to the constraints; ``checks``: energy and residuals are computed as well,
-    with ``draw`` what the spec draws; ``weak``: the coframe is watched for where it becomes weak, before it is singular.
+    ``needs``: names of what the user wants (none: the scene's own); ``event``: its zero ends the run, ``until``: its text;
+    ``jacobian``: an implicit method needs it; ``hold``: states are brought back to the constraints; ``checks``: energy and
+    residuals are computed as well, with ``draw`` what the spec draws; ``weak``: the coframe is watched for where it becomes
+    weak, before it is singular.
     """
 
     equations: Equations
@@ -46,6 +47,7 @@ class Recipe:
     checks: bool = False
     draw: bool = False
     weak: bool = False
+    until: str = ""
 
 
 @record

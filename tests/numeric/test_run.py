@@ -596,10 +596,15 @@ def test_a_page_names_units_and_says_where_a_change_of_energy_is_no_error(
     assert "<td>all coordinates and velocities are zero</td>" in page
     assert call(capsys, str(spec), "--set", "x=1/4, x'=-3", "-o", str(tmp_path / "set.html"))[0] == 0
     assert "<td>x\u00a0=\u00a00.25\u00a0m, x&#x27;\u00a0=\u00a0-3\u00a0m/s</td>" in (tmp_path / "set.html").read_text()
+    assert call(capsys, str(spec), "--set", "x'=2e-20", "-o", str(tmp_path / "slow.html"))[0] == 0
+    assert "<td>x&#x27;\u00a0=\u00a02e-20\u00a0m/s</td>" in (tmp_path / "slow.html").read_text()
     assert call(capsys, str(spec), "--set", "F=4e14, m=2e-9", "-o", str(tmp_path / "large.html"))[0] == 0
     assert "<td>m\u00a0=\u00a02e-9\u00a0kg, F\u00a0=\u00a04e14\u00a0N</td>" in (tmp_path / "large.html").read_text()
     assert call(capsys, "double_pendulum", "-o", str(tmp_path / "double.html"))[0] == 0
     assert "need not be constant" not in (tmp_path / "double.html").read_text()
+    assert call(capsys, "bicycle", "--time", "0.1", "--python", "-o", str(tmp_path / "bicycle.html"))[0] == 0
+    (start,) = re.findall(r"start</td><td>(.*?)</td>", (tmp_path / "bicycle.html").read_text())
+    assert "x&#x27;\u00a0=\u00a04.6\u00a0m/s" in start and "yaw&#x27;" not in start
 
 
 @pytest.mark.parametrize(

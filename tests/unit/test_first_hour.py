@@ -40,6 +40,7 @@ SLIPS = [
     ("l: 0.5", "l: '1,5'", "E0202", "decimal numbers are written with `.`", "l: 1.5"),
     ("θ: 0.1", "θ: nan", "E0313", "write a finite number", "θ: 0"),
     ("x': 1", "dx: 1", "E0419", "the velocity is written `x'`", "x': 1"),
+    ("x': 1", "vx: 1", "E0419", "the velocity is written `x'`", "x': 1"),
     ("x': 1", "dtheta_dt: 1", "E0419", "the velocity is written `theta'`", "theta': 1"),
     ("+ x'^2", "+ diff(x, t)^2", "E0206", "write `x'`", "+ x'^2"),
     ("+ x'^2", "+ diff(θ)^2", "E0206", "write `θ'`", "+ theta'^2"),
