@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.mechanics.reduction.reduce import keep_everything
-from nhc.mechanics.starts.scenes import kept_velocities
+from nhc.mechanics.starts.scenes import Start, kept_velocities
 from nhc.program.build import build_function
 from nhc.program.ir import NO_DRIVING, Driving, Function, Program, Quantity, SceneData
 from nhc.program.model import build_program
@@ -55,16 +55,16 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),
         warnings=warn_of_coframe(planner, (model.scene,)),
-        driving=_make_driving(planner, model.start.p, held) if driver else NO_DRIVING,
+        driving=_make_driving(planner, model.start, held) if driver else NO_DRIVING,
     )
 
 
-def _make_driving(planner: ScenePlanner, p: tuple[float, ...], held: bool) -> Driving:
+def _make_driving(planner: ScenePlanner, start: Start, held: bool) -> Driving:
     """What a driver of the scene needs; ``held``: its state is brought back to the constraints."""
     return Driving(
-        lookout=look_out(planner, [p]),
+        lookout=look_out(planner, [start.p], [start.values(planner.system)]),
         hold=make_hold(planner) if held else None,
-        leaps=find_leaps(planner, known_values(planner.system, [p])),
+        leaps=find_leaps(planner, known_values(planner.system, [start.p])),
         beats=find_beats(planner),
     )
 

@@ -119,7 +119,7 @@ def prepare(
     checks = list_checks(planner) if recipe.checks else []
     sketch = planned_sketch(planner) if recipe.draw else _NOTHING
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
-    watch, watched = watch_function(planner, recipe.event, recipe.weak, known if fixed else {})
+    watch, watched = watch_function(planner, recipe.event, recipe.weak, known if fixed else {}, [start.values(system)])
     structure = structure_of(planner) if natural else Structure()
     beside = _Beside(structure.functions) if natural else _beside_steps(planner, known, recipe.hold)
     functions = (

@@ -60,7 +60,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
     ]
     checks = list_energy(planner) if energy else []
     known = {x: (v, v) for x, v in zip(system.p, start.p, strict=True)}
-    watch, watched = watch_function(planner, None, weak, known)
+    watch, watched = watch_function(planner, None, weak, known, [start.values(system)])
     leaps, beats = find_leaps(planner, known), find_beats(planner)
     functions = build_scene_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (

@@ -27,7 +27,7 @@ _FRAME = ("frame", "deep")
 _NEAR = {
     "deep": "the coframe is nearly singular, and no other choice is better",
     "mass": "the mass matrix is nearly singular, as it is where the coordinates are",
-    "rank": "the constraints nearly lose rank",
+    **dict.fromkeys(("rank", "row"), "the constraints nearly lose rank"),
     "whole": "the constraints and the mass matrix hardly determine the accelerations",
 }
 

@@ -157,6 +157,9 @@ def test_integrals_of_the_gallery_imply_the_constraints(name: str) -> None:
         ("x, y", "c: x' = 3", "x - 3*t"),
         ("x, y", "c: x*x' + y' = 0", "x^2 + 2*y"),
         ("x, y, z", "c: x*z*y' + y*z*x' + x*y*z' = 0", "log(abs(x)) + log(abs(y)) + log(abs(z))"),
+        ("x, y, z", "c: (x^2 + y^2)*z' = 3*(x*y' - y*x')", "z - 3*atan2(y, x)"),
+        ("x, y, z", "c: (x^2 + y^2)*z' = x*x' + y*y'", "z - log(x^2 + y^2)/2"),
+        ("x, y, z", "c: x*x' + y*y' = x*y' - y*x'", "log(x^2 + y^2)/2 - atan2(y, x)"),
     ],
 )
 def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None:

@@ -14,7 +14,7 @@ from nhc.pipeline import Options, emit
 from nhc.simulate.methods.dop853 import METHOD
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
-from tests.numeric.test_singular_stop import CLOSED, board, body
+from tests.numeric.test_singular_stop import CLOSED, SPIRAL, board, body
 from tests.support import compile_c, spec_path
 
 VESELOVA = Source(
@@ -108,6 +108,17 @@ def run_to_stop(source: Source, scene: str, formulation: str) -> float:
     trajectory = run(open_scene(source, scene, formulation, stay=True), Settings("dop853", points=2))
     assert trajectory.ended == "failed"
     return trajectory.outcome.t
+
+
+@pytest.mark.parametrize("reduce", [False, True])
+def test_where_a_constraint_vanishes(reduce: bool, tmp_path: Path) -> None:
+    source = Source("spiral.yaml", SPIRAL.replace("START", "1"))
+    done = drive(source, tmp_path, "in", scene="in", reduce=reduce)
+    assert (
+        find_stop(done) == pytest.approx(1 / 0.3, abs=1e-5) and "all coefficients of one of them vanish" in done.stderr
+    )
+    if not reduce:
+        assert drive(source, tmp_path, "out").returncode == 0
 
 
 def test_close_by_it_goes_on(tmp_path: Path) -> None:

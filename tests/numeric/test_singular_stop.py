@@ -62,6 +62,30 @@ def test_close_by_it_goes_on_says_so_and_is_right() -> None:
     assert any("the constraints nearly lose rank" in note for note in other.notes)
 
 
+SPIRAL = """nhc: 1
+system: spiral
+about: A mass on a logarithmic spiral, whose pole it comes to at constant speed.
+coordinates: [x, y]
+parameters: {m: 1, b: 0.3}
+T: m/2*(x'^2 + y'^2)
+constraints:
+  - angle: x*x' + y*y' = -b*(x*y' - y*x')
+scenes: {in: {initial: {x: START, y': START}, time: [0, 5]}, out: {initial: {x: START, y': -START}, time: [0, 5]}}
+"""
+
+
+@pytest.mark.parametrize("formulation", ["", "voronec", "multipliers"])
+@pytest.mark.parametrize(("method", "start"), [("auto", "1"), ("auto", "1e4"), ("dop853", "1e-3"), ("radau5", "1")])
+def test_no_run_through_a_place_where_a_constraint_vanishes(formulation: str, method: str, start: str) -> None:
+    """Its coefficients vanish together, none of them before the others: at (x, y) = 0, after the length sqrt(1 + 1/b^2)."""
+    source = Source("spiral.yaml", SPIRAL.replace("START", start))
+    found = follow(source, "in", formulation, method)
+    assert found.ended == "failed" and found.outcome.t == pytest.approx(1 / 0.3, abs=1e-5)
+    assert "all coefficients of one of them vanish" in found.reason
+    assert any("the constraints nearly lose rank" in note for note in found.notes)
+    assert follow(source, "out", formulation, method).ended == "done"
+
+
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ["dop853", "dopri5"])
 def test_what_comes_to_rest_keeps_its_size_through_all_parts_of_a_run(method: str, compiled: bool) -> None:

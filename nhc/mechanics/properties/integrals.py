@@ -10,7 +10,7 @@ constraints and of combinations alike, with no integrating factor; each is teste
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations_with_replacement
+from itertools import combinations, combinations_with_replacement
 
 from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
@@ -123,6 +123,7 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
         [*coordinates, *scaled, *products, *(g.mul(s, x) for s in parameters for x in products)],
         [*coordinates, *find_primitives(system)],
         [*coordinates, *scaled, *_elementary(g, coordinates)],
+        [*coordinates, *scaled, *(g.mul(s, x) for s in (g.one, *parameters) for x in _polar(system))],
     ]
     for form in system.constraints:
         if form.name not in closed:
@@ -151,6 +152,17 @@ def _elementary(g: Graph, coordinates: Sequence[Node]) -> list[Node]:
     logs = [g.function("log", g.function("abs", x)) for x in (*coordinates, *waves)]
     quotients = [g.div(x, y) for x in (g.one, *coordinates) for y in coordinates if x != y]
     return [*waves, *logs, *quotients, *(g.mul(x, wave) for x in coordinates for wave in waves)]
+
+
+def _polar(system: System) -> list[Node]:
+    """Angle and logarithm of the radius in the planes of two coordinates that the constraints' coefficients hold both: of screws,
+    spirals and what moves about an axis, in Cartesian coordinates.
+    """
+    g, found, entries = system.graph, list[Node](), _entries(system.constraints)
+    held = [x for x in system.q if any(g.depends(entry, g.deps[x]) for entry in entries)]
+    for x, y in combinations(held, 2):
+        found += [g.function("atan2", y, x), g.function("log", g.add(g.mul(x, x), g.mul(y, y)))]
+    return found
 
 
 def _entries(forms: Sequence[Form]) -> list[Node]:

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from functools import reduce
 from itertools import combinations
-from operator import and_
+from operator import and_, or_
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
@@ -30,6 +30,7 @@ from nhc.records import record
 _MOST_ROWS = 3
 _MOST_MINORS = 60
 _FEW_TERMS = 100
+_FEW_COORDINATES = 4
 
 
 @record
@@ -88,6 +89,37 @@ def find_vanishing_factors(system: System) -> list[Node]:
     for row in rows_in_base(system, system.constraints):
         found |= dict.fromkeys(_vanishing_shared(system, row))
     return list(found)
+
+
+def find_vanishing_rows(system: System) -> list[tuple[Node, ...]]:
+    """Constraints whose coefficients may all vanish at one place, though they share no factor: x y' - y x' = 0 where x = y = 0.
+
+    There no part of them tells by its sign, nor by its size against that of the others.  Where that hangs on many coordinates
+    nothing is said.
+    """
+    g, known, found = system.graph, intervals(system), list[tuple[Node, ...]]()
+    for row in rows_in_base(system, system.constraints):
+        entries = tuple(node for node in row if node != g.zero)
+        several = len(entries) > 1 and _may_vanish_together(system, entries, known)
+        if several and not _vanishing_shared(system, entries):
+            found.append(entries)
+    return found
+
+
+def _may_vanish_together(system: System, entries: Sequence[Node], known: Mapping[Node, Interval]) -> bool:
+    """Whether a few coordinates can make all entries zero; most often two of them, a sine and a cosine, tell that none can."""
+    g, moving = system.graph, system.graph.mask((*system.q, system.t))
+    groups: dict[int, list[Node]] = {}
+    for entry in entries:
+        groups.setdefault(g.deps[entry] & moving, []).append(entry)
+    if any(m.bit_count() == 1 and cannot_vanish_together(g, group, known) for m, group in groups.items()):
+        return False
+    whole = reduce(or_, groups)
+    if not 0 < whole.bit_count() <= _FEW_COORDINATES or any(cannot_vanish(g, entry, known) for entry in entries):
+        return False
+    held = [form.equation for form in system.constraints if form.equation is not None]
+    held = [node for node in held if not g.deps[node] & moving & ~whole]
+    return not cannot_vanish_together(g, [*entries, *held], known)
 
 
 def find_vanishing_minors(system: System) -> list[Node]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nhc.algebra.graph import Node
 from nhc.mechanics.starts.scenes import Start
 from nhc.mechanics.system import System
 from nhc.program.ir import NO_DRIVING, Driving, Needed, SceneData, Stop
@@ -25,12 +26,18 @@ def make_driving(planner: Planner, scenes: Sequence[SceneData]) -> Driving:
         return NO_DRIVING
     parameters = [scene.p for scene in scenes]
     return Driving(
-        lookout=look_out(planner, parameters),
+        lookout=look_out(planner, parameters, [_values(planner.system, scene) for scene in scenes]),
         hold=make_hold(planner),
         leaps=find_leaps(planner, known_values(planner.system, parameters)),
         beats=find_beats(planner),
         needed=_needed(planner, scenes),
     )
+
+
+def _values(system: System, scene: SceneData) -> dict[Node, float]:
+    """Those of t, q and p at a scene's start."""
+    known = zip((system.t, *system.q, *system.p), (scene.time[0], *scene.y[: system.n], *scene.p), strict=True)
+    return dict(known)
 
 
 def stops_of(system: System, start: Start) -> tuple[Stop, ...]:

@@ -3,24 +3,31 @@
 In this order: the user's event; the edges beyond which it has no value; the determinants that the formulation divides by; how far
 those, the pivots of the mass matrix and the rank of the constraints are from nothing; how far they are from weak.  All after the
 edges are free of scale: a determinant d with the size s that its entries allow gives d^2 - (c s)^2, a pivot or a sum of squares p
-gives p - c s.
+gives p - c s.  Of a constraint whose coefficients vanish all at once s is what the start has.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain
 
 from nhc.algebra.bounds.interval import cannot_vanish
-from nhc.algebra.graph import Node
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.algebra.solving.sizes import row_scale, size_of
 from nhc.algebra.walks import count
-from nhc.mechanics.properties.singular import find_rank_loss, find_vanishing_factors, find_vanishing_minors
+from nhc.mechanics.properties.singular import (
+    find_rank_loss,
+    find_vanishing_factors,
+    find_vanishing_minors,
+    find_vanishing_rows,
+)
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.regular.trials import usual_digits, usual_part
 from nhc.mechanics.system import System
@@ -40,6 +47,8 @@ SMALL = Fraction(1, 100)
 """Of its scale: the largest part that a determinant is anywhere; if it is less, levels are of that part."""
 THIN = Fraction(1, 10**4)
 """The same of a square's scale, and of a determinant's that is divided by once, not squared: four digits are lost there."""
+SLIGHT = Fraction(1, 10**8)
+"""The same of the sum of a constraint's squares, against the start's: it has a ten thousandth of its size."""
 RANK_LOST = "the constraints lose rank"
 _LARGE = 400  # operations beyond which a pivot is not followed
 _TERMS = 60
@@ -57,8 +66,8 @@ class Event:
 
 @record
 class Watch:
-    """``about[k]`` says what value k is, ``kinds[k]`` is event, edge, frame, mass, rank, minors or whole, and deep for a frame's
-    lower levels.
+    """``about[k]`` says what value k is, ``kinds[k]`` is event, edge, frame, mass, rank, row, minors or whole, and deep for a
+    frame's lower levels.
 
     ``events``, ``signs``, ``close`` count the user's events, the edges and determinants, and the values that tell a singularity by
     closeness; those after them tell weakness, first of ``frames`` determinants of coframes, each at the levels ``WEAK``.
@@ -85,7 +94,7 @@ class Watch:
         """What it means that value ``index``, which is not the user's, changed its sign."""
         what, kind = self.about[index], self.kinds[index]
         beyond = "results beyond it would be wrong"
-        if index < self.dips and kind == "rank":
+        if kind == "row" or (index < self.dips and kind == "rank"):
             return f"{what} here: all coefficients of one of them vanish, and {beyond}"
         if kind == "edge":
             return f"the expression of `--until` has no value beyond this place, where {what}"
@@ -122,10 +131,11 @@ def watch_function(
     event: Event | None,
     weak: bool,
     known: dict[Node, tuple[float, float]],
+    starts: Sequence[Mapping[Node, float]] = (),
 ) -> tuple[Function | None, Watch]:
     """The function of a run's watched values, None where there are none; ``weak``: with the levels of weakness.
 
-    ``known``: intervals of symbols beside those of the spec, such as a scene's parameters.
+    ``known``: intervals of symbols beside those of the spec, such as a scene's parameters; ``starts``: values of t, q and p.
     """
     events, edges = _asked(planner, event)
     frames = _frames(planner)
@@ -133,7 +143,7 @@ def watch_function(
     whole, solves = _whole(planner, known)
     # pivots of a mass matrix have no value where one of the coframe's vanishes, which is no singular place
     pivots = [] if planner.exchanges else _pivots(planner, known)
-    measures = [*frames, *determinants, *pivots, *_rank(planner), *whole]
+    measures = [*frames, *determinants, *pivots, *_rank(planner), *(whole or _rows(planner, starts))]
     seen = {m.value for m in (*frames, *determinants)}
     factors = [m for m in _factors(planner) if m.value not in seen]
     signs = [m for m in (*frames, *determinants, *factors) if m.value not in events]
@@ -167,9 +177,13 @@ def _asked(planner: Planner, event: Event | None) -> tuple[list[Node], list[Node
     return [value], edges
 
 
-def look_out(planner: Planner, parameters: Sequence[Sequence[float]]) -> Lookout | None:
-    """What a driver watches in scenes with these values of the spec's parameters; None where nothing can be lost."""
-    function, watch = watch_function(planner, None, False, known_values(planner.system, parameters))
+def look_out(
+    planner: Planner, parameters: Sequence[Sequence[float]], starts: Sequence[Mapping[Node, float]]
+) -> Lookout | None:
+    """What a driver watches in scenes with these values of the spec's parameters that start with these of t, q and p; None where
+    nothing can be lost.
+    """
+    function, watch = watch_function(planner, None, False, known_values(planner.system, parameters), starts)
     if function is None:
         return None
     return Lookout(function, tuple(watch.describe(k) + _way_out(watch, k) for k in range(len(watch.about))), watch.dips)
@@ -271,6 +285,27 @@ def _rank(planner: Planner) -> list[_Measure]:
     if planner.is_constant(value):
         return []
     return [_Measure(value, size_of(g, value), True, "rank", RANK_LOST, (THIN,))]
+
+
+def _rows(planner: Planner, starts: Sequence[Mapping[Node, float]]) -> list[_Measure]:
+    """Constraints whose coefficients may vanish all at once, against the least of the sizes that they start with."""
+    g, found = planner.graph, list[_Measure]()
+    for row in find_vanishing_rows(planner.system) if starts else ():
+        square = g.sum([g.power(entry, 2) for entry in row])
+        (value,) = substitute(g, [square], planner.put_in)
+        least = min(_value_at(g, square, start) for start in starts)
+        if least > 0 and not g.deps[value] & ~g.mask((*planner.y_nodes, *planner.parameters, planner.system.t)):
+            found.append(_Measure(value, g.number(Fraction(f"{least:.3g}")), True, "row", RANK_LOST, (SLIGHT,)))
+    return found
+
+
+def _value_at(graph: Graph, node: Node, place: Mapping[Node, float]) -> float:
+    """The node's value; 0 where it has none."""
+    try:
+        (value,) = evaluate(graph, [node], dict(place))
+    except (ArithmeticError, ValueError):
+        return 0.0
+    return float(value) if math.isfinite(value) else 0.0
 
 
 def _factors(planner: Planner) -> list[_Measure]:

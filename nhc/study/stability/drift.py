@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from nhc.mechanics.properties.constancy import has_jumps
 from nhc.records import record
 from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE, ModelError, Outcome
@@ -108,6 +109,8 @@ def drifts_of(bench: Bench, times: Sequence[float], table: Matrix) -> list[Drift
     for group in ("integral", "hidden"):
         for k in bench.group(group):
             heading = bench.columns[k].heading
+            if group == "hidden" and has_jumps(bench.equations.system, [bench.columns[k].node]):
+                continue  # it is another constant after a whole turn
             if heading not in ("E", "(T + V)", "(p q' - T + V)"):
                 found.append(_relative(bench, k, heading, group, table[:, k]))
     for group in ("residual", "position"):
