@@ -260,7 +260,9 @@ class _Decoder:
         for text, value in table.entries if table else ():
             name = fold(text.value)
             tree = self._parse(value)
-            if not self.scope.check_coordinate(text, moving, quaternions):
+            if self.scope.kind(name) == "entry":
+                self.scope.used.add(name)
+            elif not self.scope.check_coordinate(text, moving, quaternions):
                 continue
             if pushes_quaternion(text, self.draft.rotations, self.bag):
                 continue
