@@ -8,6 +8,7 @@ from fractions import Fraction
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, several, suggest
 from nhc.language.advice import meant_formulation, meant_key
 from nhc.language.bodies.without import without_bodies
+from nhc.language.constants import constant_definitions
 from nhc.language.drawing import decode_drawing
 from nhc.language.equations import Equations
 from nhc.language.expressions.names import fold, is_name
@@ -207,6 +208,8 @@ class _Decoder:
         draft.order = order_definitions(named, spans, self.bag)
         for name in draft.order:
             draft.velocities[name] = self.scope.holds_velocities(named[name], draft.velocities)
+        constants = constant_definitions(self._in_order(), {p.name for p in draft.parameters})
+        self.scope.constants = frozenset(d.name for d in constants)
 
     def _in_order(self) -> tuple[Definition, ...]:
         """Definitions, after the entries of rotations' matrices that are spoken of."""
@@ -257,7 +260,9 @@ class _Decoder:
         for text, value in table.entries if table else ():
             name = fold(text.value)
             tree = self._parse(value)
-            if not self.scope.check_coordinate(text, moving, quaternions):
+            if self.scope.kind(name) == "entry":
+                self.scope.used.add(name)
+            elif not self.scope.check_coordinate(text, moving, quaternions):
                 continue
             if pushes_quaternion(text, self.draft.rotations, self.bag):
                 continue

@@ -227,6 +227,8 @@ class _SceneReader:
         tree = self.scope.resolve(tree, "start")
         self.scope.holds_velocities(tree, {})
         for name in names_in(tree):
+            if name in self.scope.constants:
+                continue
             if self.scope.kind(name) not in ("parameter", "rotation", "") or name == "t":
                 message = f"`{name}` is not constant: a start value holds numbers, `pi` and parameters only"
                 self.bag.error("E0314", message, text.span, help=(f"write the number that `{name}` starts with",))

@@ -48,6 +48,7 @@ class Scope:
         self.names: dict[str, Declared] = {}
         self.open = False
         self.used: set[str] = set()  # entries of rotations' matrices that the spec speaks of
+        self.constants: frozenset[str] = frozenset()  # names of `define` that parameters alone make up
         self.shown: dict[str, Span] = {}  # names of `define` that are outputs as well, under their own names
         self._searches = 0
 
@@ -132,8 +133,8 @@ class Scope:
     def resolve(self, tree: Syntax, place: str) -> Syntax:
         """Give every name of an expression its meaning; what has none is reported.
 
-        ``place`` is "equation" (differentials are known), "output" (energies are known), "start" (parameters are proposed)
-        or empty.
+        ``place`` is "equation" (differentials are known), "output" (energies are known), "start" (what is constant is
+        proposed) or empty.
         """
 
         quotients = self._report_quotients(tree) if place != "equation" else set[int]()
@@ -219,9 +220,8 @@ class Scope:
         else:
             self._searches += 1
             kinds = ("parameter",) if place == "start" else ("coordinate", "parameter", "define", "quasi", "entry")
-            known = (
-                (*self.of_kind(*kinds), PI) if place == "start" else (*self.of_kind(*kinds), *self.offered, TIME, PI)
-            )
+            others = (*sorted(self.constants), PI) if place == "start" else (*self.offered, TIME, PI)
+            known = (*self.of_kind(*kinds), *others)
             near = meant_entry(name, known) or (nearest(name, known) if self._searches <= _SEARCHES else None)
             rate = meant_rate(name, self.of_kind(*_PLACES)) if place != "start" else ""
             if place == "equation" and name[0] == "d":

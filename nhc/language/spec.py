@@ -121,8 +121,8 @@ class Override:
 class Initial:
     """A scene's start: ``kind`` is "coordinate", "velocity" (of the coordinate ``name``) or "quasi".
 
-    The value holds numbers, ``pi`` and parameters only.  ``near``: a coordinate that starts near it, where the holonomic
-    constraints hold.
+    The value holds numbers, ``pi``, parameters and definitions of these only.  ``near``: a coordinate that starts near it,
+    where the holonomic constraints hold.
     """
 
     kind: str

@@ -12,8 +12,9 @@ from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import depends, solve_rows
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
-from nhc.language import Initial, Name, Number, Override, Prime, Scene, Spec, Syntax, walk
+from nhc.language import Definition, Initial, Name, Number, Override, Prime, Scene, Spec, Syntax, walk
 from nhc.language.advice import meant_rate
+from nhc.language.constants import constant_definitions
 from nhc.language.expressions.names import fold_typed
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.orientation import scaled
@@ -27,7 +28,7 @@ from nhc.records import record
 
 @record
 class Pair:
-    """``name = value``; the value holds numbers, pi and parameters."""
+    """``name = value``; the value holds numbers, pi, parameters and definitions of these."""
 
     name: str
     value: Syntax
@@ -104,6 +105,8 @@ def scene_about(spec: Spec, about: str, settings: Sequence[str] = ()) -> Scene:
         bag.raise_if_errors()
         # poles and constants that are no numbers are said with their places in the option's text
         probe = Resolver(spec)
+        for definition in _constants(spec):
+            probe.names[definition.name] = probe.node(definition.value)
         probe.bag = bag
         for pair in pairs:
             probe.node(pair.value)
@@ -149,7 +152,8 @@ def known_pairs(spec: Spec, settings: Sequence[str]) -> tuple[str, ...]:
 
 def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
     parameters = tuple(p.name for p in spec.parameters)
-    allowed = ("pi",) if pair.name in parameters else (*parameters, "pi")
+    constants = tuple(definition.name for definition in _constants(spec))
+    allowed = ("pi",) if pair.name in parameters else (*parameters, "pi", *constants)
     place = scene.span
     named = (*spec.definitions, *spec.quasi_velocities, *spec.outputs)
     variables = {*(c.name for c in spec.coordinates), *(one.name for one in named), *parameters, "t", "pi"}
@@ -182,6 +186,10 @@ def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
     return replace(scene, initial=(*initial, Initial(*target, pair.value, place)))
 
 
+def _constants(spec: Spec) -> tuple[Definition, ...]:
+    return constant_definitions(spec.definitions, {p.name for p in spec.parameters})
+
+
 def _target(spec: Spec, name: str) -> tuple[str, str] | None:
     coordinates = [c.name for c in spec.coordinates]
     if name in coordinates:
@@ -207,6 +215,8 @@ def point_of(flow: Flow, scene: Scene) -> dict[Node, Node] | None:
     system, build = flow.system, Resolver(flow.system.spec)
     build.graph = g = system.graph
     names = {"pi": g.pi(), **{p.name: node for p, node in zip(system.spec.parameters, system.p, strict=True)}}
+    for definition in _constants(system.spec):
+        names[definition.name] = build.node(definition.value, names)
     point = dict.fromkeys(flow.y, g.zero)
     point.update((node, g.number(c.start)) for node, c in zip(system.q, system.spec.coordinates, strict=True))
     given, rows = set[Node](), list[Node]()

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from fractions import Fraction
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
+from nhc.language.constants import constant_definitions
+from nhc.language.expressions.names import PI
 from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
+from nhc.language.scope import names_in
+from nhc.language.spec import Scene, Spec
 from nhc.mechanics.system import System
 
 
@@ -58,6 +64,24 @@ def coordinate_ranges(system: System) -> dict[Node, tuple[float, float]]:
     """Where the spec expects coordinates to stay, of those that it says it of."""
     pairs = zip(system.q, system.spec.coordinates, strict=True)
     return {symbol: (float(c.range[0]), float(c.range[1])) for symbol, c in pairs if c.range is not None}
+
+
+def start_values(spec: Spec, scene: Scene, p: Sequence[float]) -> dict[str, float]:
+    """What the values of the scene's start may speak of."""
+    return known_values(spec, p, [entry.value for entry in scene.initial])
+
+
+def known_values(spec: Spec, p: Sequence[float], trees: Sequence[Syntax]) -> dict[str, float]:
+    """The parameters and, where the trees have other names, the definitions of these; not a number where one has no value."""
+    found = dict(zip((parameter.name for parameter in spec.parameters), p, strict=True))
+    if {name for tree in trees for name in names_in(tree)} <= {*found, PI}:
+        return found
+    for definition in constant_definitions(spec.definitions, tuple(found)):
+        try:
+            found[definition.name] = constant_value(definition.value, found)
+        except (ArithmeticError, ValueError):
+            found[definition.name] = math.nan
+    return found
 
 
 def constant_value(tree: Syntax, names: dict[str, float] | None = None) -> float:

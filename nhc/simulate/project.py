@@ -14,7 +14,7 @@ from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.starts.scenes import Start, start_of, term_sizes
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.values import constant_value
+from nhc.mechanics.values import constant_value, start_values
 from nhc.simulate.methods.linear import SingularMatrix, solve
 
 SHOWN = 8  # changed velocities in a report
@@ -62,7 +62,7 @@ def projected_start(system: System, scene: Scene) -> tuple[Start, tuple[str, ...
 
 def _given_velocities(system: System, scene: Scene, base: Start, place: dict[Node, float]) -> list[float]:
     """The velocities that the scene gives; what it leaves out is zero, or least where it gives quasi-velocities."""
-    names = {p.name: value for p, value in zip(system.spec.parameters, base.p, strict=True)}
+    names = start_values(system.spec, scene, base.p)
     forms: list[tuple[Form, float]] = []
     for entry in scene.initial:
         value = constant_value(entry.value, names)

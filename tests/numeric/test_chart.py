@@ -131,6 +131,23 @@ def test_a_right_hand_side_is_timed_along_the_motion_in_both_languages(monkeypat
     assert seen == set(times) and cost.python == 2.0  # of three states
 
 
+def test_a_formulation_that_is_singular_at_the_start_fails_beside_the_others() -> None:
+    text = """
+nhc: 1
+system: skewed
+coordinates: [x, y, z]
+T: (x'^2 + y'^2 + z'^2)/2
+constraints: [sin(z)*x' + cos(z)*y' + z' = 0]
+dependent: [x]
+scenes: {go: {initial: {y': 1}, time: [0, 0.5]}}
+"""
+    grid = Grid(methods=("dopri5",), formulations=("multipliers", "voronec"), tolerances=(1e-4,), peers=False)
+    study = chart(Source("skewed.yaml", text), grid)
+    costs = {cost.formulation: cost for cost in study.costs}
+    assert math.isnan(costs["voronec"].python) and math.isfinite(costs["multipliers"].python)
+    assert {r.case.formulation for r in study.results if r.failed} == {"voronec"}
+
+
 def test_c_and_python_make_the_same_errors() -> None:
     known = {(*r.case.series, r.case.tolerance): r for r in sleigh().results if not r.failed}
     compared = 0

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from nhc.cli import main
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec, decode, read
 from nhc.language.expressions.unparse import unparse
@@ -61,6 +62,23 @@ def test_rates_of_entries_may_be_written_in_every_way() -> None:
 def test_an_entry_may_be_shown() -> None:
     spec = make("rotation: {R: {velocities: [a, b, c]}}\nT: a^2 + b^2 + c^2\noutputs: {R_z3: R_z3, E: energy}")
     assert [o.name for o in spec.outputs] == ["R_z3", "E"]
+
+
+@pytest.mark.parametrize("frame", ["body", "space"])
+def test_a_force_may_be_given_on_an_entry(frame: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    head = f"{HEAD}rotation: {{R: {{velocities: [p, q, r], frame: {frame}}}}}\nT: p^2 + 2*q^2 + 3*r^2\n"
+    texts = {
+        "entry": "forces: {R_z3: 0.1 + R_x1, R_y1: -R_y1'}\n",
+        "named": "define: {Z: R_z3, Y: R_y1}\nforces: {Z: 0.1 + R_x1, Y: -Y'}\n",
+        "other": "forces: {R_z3: 0.1 + R_x1, R_y2: -R_y1'}\n",
+    }
+    paths = [tmp_path / f"{name}.yaml" for name in texts]
+    for path, text in zip(paths, texts.values(), strict=True):
+        path.write_text(head + text)
+    assert make(head.removeprefix(HEAD) + texts["entry"]).forces[1].name == "R_y1"
+    assert main(["compare", str(paths[0]), str(paths[1])]) == 0
+    assert "the same motion, for all values" in capsys.readouterr().out
+    assert main(["compare", str(paths[0]), str(paths[2])]) == 1
 
 
 def test_a_start_gives_all_four_parts() -> None:

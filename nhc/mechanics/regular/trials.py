@@ -13,7 +13,7 @@ from nhc.algebra.minors import balance_columns
 from nhc.algebra.solving.sizes import size_of
 from nhc.algebra.walks import reachable
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.values import constant_value, default_values
+from nhc.mechanics.values import constant_value, default_values, start_values
 
 _TRIALS = 12
 _LATEST = 2.0  # time of states that are in no scene
@@ -56,10 +56,11 @@ def start_points(system: System) -> list[dict[Node, float]]:
 def _scene_starts(system: System) -> list[tuple[list[float], tuple[float, float]]]:
     """Initial coordinates and time of the first scenes (velocities play no part in regularity)."""
     starts = []
-    parameters = dict(zip((p.name for p in system.spec.parameters), default_values(system).values(), strict=True))
+    defaults = tuple(default_values(system).values())
     for scene in system.spec.scenes[:3]:
+        names = start_values(system.spec, scene, defaults)
         try:
-            given = {e.name: constant_value(e.value, parameters) for e in scene.initial if e.kind == "coordinate"}
+            given = {e.name: constant_value(e.value, names) for e in scene.initial if e.kind == "coordinate"}
         except (ArithmeticError, ValueError):
             continue  # said of the scene itself
         start = [given.get(c.name, float(c.start)) for c in system.spec.coordinates]

@@ -21,7 +21,7 @@ from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.starts.assembly import assemble
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.values import constant_value
+from nhc.mechanics.values import constant_value, start_values
 from nhc.records import record
 
 TOLERANCE = 1e-9  # how far, relative to the size of its terms, a given start may be from satisfying the constraints
@@ -99,8 +99,7 @@ def _positions(
     """Parameters, the place of the start, and all that the scene gives."""
     p = _parameters(system, scene, bag)
     bag.raise_if_errors()
-    names = {c.name: value for c, value in zip(system.spec.parameters, p, strict=True)}
-    given = _initial_values(scene, names, bag)
+    given = _initial_values(scene, start_values(system.spec, scene, p), bag)
     bag.raise_if_errors()
     q = [given.get(("coordinate", c.name), float(c.start)) for c in system.spec.coordinates]
     place = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 from nhc.diagnostics import Source
@@ -144,18 +145,18 @@ def open_rig(
 
 
 def cost_of(rig: Rig, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
-    """What one right-hand side costs, at states along the reference motion."""
+    """What one right-hand side costs, at states along the reference motion; no number where all of them are singular."""
     job, in_c, in_python = rig.job, math.nan, math.nan
     function = next(f for f in job.program.functions if f.name == "rhs")
     task = Task(job.p, job.y, rig.times, 1e-6, 0.0, MOST, job.stops)
     models = [model for model in (rig.compiled, rig.interpreted) if model is not None]
     outcome = models[0].integrate(task, SCOUT, models[0].news())
-    times, states = rig.times[: len(outcome.states)], outcome.states
     compiled, interpreted = rig.compiled, rig.interpreted
-    if isinstance(compiled, ChartModel) and "c" in languages:
+    times, states = _regular_states(rig, outcome.states)
+    if isinstance(compiled, ChartModel) and "c" in languages and times:
         best, _, _ = time_repeats(compiled.rhs_at(times, states, job.p), 0.02)
         in_c = best / len(times)
-    if isinstance(interpreted, InterpretedModel) and "python" in languages:
+    if isinstance(interpreted, InterpretedModel) and "python" in languages and times:
 
         def repeat(count: int) -> None:
             for _ in range(count):
@@ -167,6 +168,18 @@ def cost_of(rig: Rig, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
     form = job.formulation
     left, full = (shrunk.left, shrunk.full_states) if shrunk is not None else ((), len(job.y))
     return Cost(rig.name, form.number, form.reason, len(job.y), calls, in_c, in_python, left, full)
+
+
+def _regular_states(rig: Rig, states: Sequence[Sequence[float]]) -> tuple[list[float], list[Sequence[float]]]:
+    """The times and states at which the right-hand side has a value: a formulation may be singular where the scene starts."""
+    times, kept = list[float](), list[Sequence[float]]()
+    for t, y in zip(rig.times, states, strict=False):
+        with suppress(ArithmeticError):
+            if isinstance(rig.interpreted, InterpretedModel):
+                rig.interpreted.rhs(t, y, rig.job.p)
+            times.append(t)
+            kept.append(y)
+    return times, kept
 
 
 def price_all(made: Prepared, costs: Sequence[Cost]) -> tuple[Cost, ...]:

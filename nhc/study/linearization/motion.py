@@ -34,7 +34,7 @@ from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
-from nhc.mechanics.values import constant_value
+from nhc.mechanics.values import constant_value, known_values
 from nhc.records import record
 from nhc.simulate.switching import SOUND
 from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_ranges, keep_speeds
@@ -238,26 +238,26 @@ def read_holds(model: SteadyModel, text: str, guess: Sequence[float]) -> list[Ho
         nhc.diagnostics.SpecError: unknown names.
         NotSteady: the guess has no such value.
     """
-    parameters = dict(zip((p.name for p in model.flow.system.spec.parameters), model.p, strict=True))
     if "=" in text:
         source, given = read_pairs(text, "--hold")
-        pairs = [(pair.name, _held_value(source, pair, parameters)) for pair in given]
+        known = known_values(model.flow.system.spec, model.p, [pair.value for pair in given])
+        pairs = [(pair.name, _held_value(source, pair, known)) for pair in given]
     else:
         names = [fold_typed(name) for name in text.split(",") if name.strip()]
         pairs = [(name, _value_at(model, guess, name)) for name in names]
     return [Hold(name, named_quantity(model.flow, name, "--hold"), value) for name, value in pairs]
 
 
-def _held_value(source: Source, pair: Pair, parameters: dict[str, float]) -> float:
+def _held_value(source: Source, pair: Pair, known: dict[str, float]) -> float:
     """The value of a pair.
 
     Raises:
         nhc.diagnostics.SpecError: it has none.
     """
-    unknown = [name for name in names_in(pair.value) if name not in (*parameters, "pi")]
+    unknown = [name for name in names_in(pair.value) if name not in (*known, "pi")]
     bag = Bag(source)
     try:
-        value = math.nan if unknown else constant_value(pair.value, parameters)
+        value = math.nan if unknown else constant_value(pair.value, known)
     except (ArithmeticError, ValueError):
         value = math.nan
     if not math.isfinite(value):
