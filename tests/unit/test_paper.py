@@ -334,4 +334,7 @@ constraints: [slip: -sin(theta)*x' + cos(theta)*y' = 0]
     assert (
         r"\mathcal{E} &= " in latex and r"\Lambda_{\mathit{slip}} &= " in latex and r"\varpi_{\mathit{slip}}" in latex
     )
-    assert "<E>" not in print_derivation(derive("chaplygin_sleigh")[0])
+    assert re.search(r"theory's are written\n  <U> +force function\n  <Q>_x +force of x\n", plain)
+    assert r"$\Lambda_{\mathit{slip}}$ & reaction of slip \\" in latex and r"$\mathcal{E}$ & energy \\" in latex
+    clean = print_derivation(derive("chaplygin_sleigh")[0])
+    assert "<E>" not in clean and "the theory's" not in clean

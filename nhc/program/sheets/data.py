@@ -10,7 +10,7 @@ from nhc.language.expressions.unparse import show_number, unparse
 from nhc.mechanics.formulations.chaplygin import mark_letters
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
 from nhc.program.sheets.formulas import NOTATION
-from nhc.program.sheets.model import Mark, Table
+from nhc.program.sheets.model import OTHER, Mark, Table
 
 
 def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
@@ -193,6 +193,32 @@ def _notation(desk: Desk, sheet: DraftSheet) -> None:
         sheet.say("The letters stand for")
         sheet.add(NOTATION[name])
 
+
+def add_letters(desk: Desk, sheet: DraftSheet) -> None:
+    """Which symbols of the theory stand in another shape, since the spec gives their letters a meaning of its own."""
+    if not desk.reshaped:
+        return
+    sheet.say(
+        "The spec uses letters of the theory for quantities of its own. In general formulas, and where a sentence speaks of"
+        " energies or forces, they are the theory's; in the equations of this system the theory's are written"
+    )
+    rows: list[tuple[Mark | str, ...]] = [
+        (mark, " of ".join([_THEORY[mark.base.removesuffix(OTHER)], *mark.lower])) for mark in desk.reshaped
+    ]
+    sheet.add(_table(("written", "what it is"), rows))
+
+
+_THEORY = {
+    "T": "kinetic energy",
+    "U": "force function",
+    "E": "energy",
+    "H": "generalized energy",
+    "Q": "force",
+    "p": "momentum",
+    "lambda": "reaction",
+    "omega": "quasi-velocity",
+    "Delta": "determinant",
+}
 
 _INDEPENDENT = "$alpha$ and $beta$ count the dependent velocities, $mu$ and $nu$ the independent ones"
 _COUNTED = {

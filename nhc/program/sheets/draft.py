@@ -81,6 +81,8 @@ class Desk:
         self.defined = frozenset(entry.name for entry in spec.definitions)
         groups = (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities, spec.outputs)
         self._taken = {_split_name(entry.name) for group in groups for entry in group}
+        self.reshaped: dict[Mark, None] = {}
+        """The symbols of the theory that were written in another shape, in the order of their use."""
 
     # --- nodes ------------------------------------------------------------------------------------------------
 
@@ -141,7 +143,11 @@ class Desk:
     def own(self, base: str, *lower: str) -> Mark:
         """A symbol of the theory; in another shape where a name of the spec would look the same (E, U, Q_x, lambda_slip)."""
         shown = tuple(part for name in (base, *lower) for part in _split_name(name))
-        return Mark(f"{base}{OTHER}" if shown in self._taken else base, lower)
+        if shown not in self._taken:
+            return Mark(base, lower)
+        mark = Mark(f"{base}{OTHER}", lower)
+        self.reshaped[mark] = None
+        return mark
 
     def form_mark(self, letter: str, *lower: str) -> Mark:
         """A form of the theory, Theta or Omega; in another shape beside a quantity of the spec with that name."""
