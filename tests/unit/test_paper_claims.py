@@ -314,3 +314,11 @@ def test_a_name_stands_for_what_it_was_given_to(formulation: str) -> None:
     found = said(derive(text, formulation))
     assert "Y' = y' + c*p'*cos(p)" in found
     assert "y' + Y'" not in found
+
+
+def test_no_sentence_announces_what_is_not_there() -> None:
+    """A coframe of the coordinates' own differentials has no form and no inverse that would be worth a line."""
+    plain = print_derivation(derive(PLANE, "euler-lagrange"))
+    assert "The quasi-velocities are the velocities of the coordinates: all gamma and epsilon" in plain
+    assert "are\nThey are" not in plain and "They are inverted to" not in plain
+    assert "They are inverted to\n  z' = " in print_derivation(derive(PARTICLE, "euler-lagrange"))
