@@ -307,11 +307,16 @@ def test_a_quotient_before_a_velocity_stands_in_parentheses() -> None:
 
 
 def test_a_vector_field_has_a_letter_of_its_own() -> None:
-    """The sleigh has positions X and Y."""
-    for name, letter in (("chaplygin_sleigh", "Z"), ("rolling_disk", "X")):
-        made = derive(name)[0]
+    """The sleigh has positions X and Y, Newton's equations have forces X_i; the index mu of its rows is introduced."""
+    for name, formulation, letter in (
+        ("chaplygin_sleigh", "", "Z"),
+        ("pendulum", "", "X"),
+        ("point_mass", "newton", "Y"),
+    ):
+        made = derive(name, formulation)[0]
         text, latex = print_derivation(made), render_latex(made)
         assert f"  dt({letter}) = 1" in text and f"i_{letter} Omega = A_mu({letter}) eta_mu" in text
+        assert re.search(r"In the general formulas [^.]*\bmu\b", text)
         assert f"a vector field ${letter}$ that" in latex and f"i_{letter} \\boldsymbol" in latex
 
 

@@ -222,14 +222,14 @@ _THEORY = {
 
 _INDEPENDENT = "$alpha$ and $beta$ count the dependent velocities, $mu$ and $nu$ the independent ones"
 _COUNTED = {
-    "newton": "$i$ counts the coordinates, each with its mass $m_i$ and its velocity $v_i$",
-    "lagrange": "$i$ counts the coordinates",
-    "multipliers": "$i$ counts the coordinates, $alpha$ the constraints",
+    "newton": "$i$ and $mu$ count the coordinates $x_i$, each with its mass $m_i$ and its velocity $v_i$",
+    "lagrange": "$i$ and $mu$ count the coordinates",
+    "multipliers": "$i$ and $mu$ count the coordinates, $alpha$ the constraints",
     "euler-lagrange": (
         "$alpha$ counts the constraints, whose quasi-velocities are zero on the motion, $mu$ and $nu$ the free quasi-velocities,"
         " $i$, $j$ and $m$ all $n$ of them; $r$, $s$ and $t$ run to $n + 1$ for the time"
     ),
-    "free": "$i$, $j$ and $m$ count the $n$ quasi-velocities; $r$, $s$ and $t$ run to $n + 1$ for the time",
+    "free": "$i$, $j$, $m$ and $mu$ count the $n$ quasi-velocities; $r$, $s$ and $t$ run to $n + 1$ for the time",
     "chaplygin": _INDEPENDENT,
     "voronec": _INDEPENDENT,
 }

@@ -154,8 +154,9 @@ class Desk:
         return Mark(f"{letter} form{OTHER if (letter, *lower) in self._taken else ''}", lower)
 
     def vector_field(self) -> str:
-        """The letter of a vector field: X, or the first of some others that is no name of the spec."""
-        return next((letter for letter in "XYZWN" if (letter,) not in self._taken), "X")
+        """The letter of a vector field: X, or the first of some others that is no name of the spec; Newton's X_i are forces."""
+        letters = "YZWN" if self.formulation.name == "newton" else "XYZWN"
+        return next((letter for letter in letters if (letter,) not in self._taken), "X")
 
     def is_free(self, letter: str) -> bool:
         """Whether no name of the spec looks like the letter or the letter with a number."""
