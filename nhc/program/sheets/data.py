@@ -56,7 +56,7 @@ def _forces(desk: Desk, sheet: DraftSheet) -> None:
     acting = [(name, system.Q[i]) for i, name in enumerate(system.q_names) if i not in turned]
     for torque, declared in zip(system.torques, system.spec.rotations, strict=True):
         acting += zip(declared.velocities, torque, strict=True)
-    acting = [(name, node) for name, node in acting if node != desk.graph.zero]
+    acting = [entry for entry, keep in zip(acting, desk.nonzero([node for _, node in acting]), strict=True) if keep]
     if acting:
         by = ", by coordinates and angular velocities," if system.rotations else ""
         sheet.say(f"The forces without potential{by} are")
@@ -95,7 +95,8 @@ def _bodies(desk: Desk, sheet: DraftSheet) -> None:
             parts.append(f"; mass ${body.mass}${centre}")
         if body.inertia:
             parts.append(f"; {_moments(body.inertia)}")
-        sheet.say(f"- {''.join(parts)}." + (f" {body.about}" if body.about else ""))
+        inside = f" ({body.about.rstrip('.')})." if body.about[:1].islower() else f". {body.about}".rstrip()
+        sheet.say(f"- {''.join(parts)}{inside}")
     if bodies:
         sheet.say(NAMES_OF_BODIES)
 
