@@ -13,7 +13,7 @@ from nhc.language import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.system import System
-from nhc.program.sheets.data import data_sheet, reason_sheet
+from nhc.program.sheets.data import add_letters, data_sheet, reason_sheet
 from nhc.program.sheets.draft import Desk, DraftSheet
 from nhc.program.sheets.forms import energy_sheet, form_sheet, make_forms
 from nhc.program.sheets.frames import kinematics_sheet
@@ -68,5 +68,6 @@ def derivation(
         lambda: energy_theorem_sheet(desk),
     )
     drafts = [sheet for make in makers if (sheet := make()) is not None]
+    add_letters(desk, next(sheet for sheet in drafts if sheet.key == "formulation"))
     sheets, symbols, lets = write_sheets(desk, drafts)
     return Derivation(system, formulation.name, equations.number, sheets, symbols, lets)

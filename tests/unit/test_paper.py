@@ -307,11 +307,16 @@ def test_a_quotient_before_a_velocity_stands_in_parentheses() -> None:
 
 
 def test_a_vector_field_has_a_letter_of_its_own() -> None:
-    """The sleigh has positions X and Y."""
-    for name, letter in (("chaplygin_sleigh", "Z"), ("rolling_disk", "X")):
-        made = derive(name)[0]
+    """The sleigh has positions X and Y, Newton's equations have forces X_i; the index mu of its rows is introduced."""
+    for name, formulation, letter in (
+        ("chaplygin_sleigh", "", "Z"),
+        ("pendulum", "", "X"),
+        ("point_mass", "newton", "Y"),
+    ):
+        made = derive(name, formulation)[0]
         text, latex = print_derivation(made), render_latex(made)
         assert f"  dt({letter}) = 1" in text and f"i_{letter} Omega = A_mu({letter}) eta_mu" in text
+        assert re.search(r"In the general formulas [^.]*\bmu\b", text)
         assert f"a vector field ${letter}$ that" in latex and f"i_{letter} \\boldsymbol" in latex
 
 
@@ -334,4 +339,7 @@ constraints: [slip: -sin(theta)*x' + cos(theta)*y' = 0]
     assert (
         r"\mathcal{E} &= " in latex and r"\Lambda_{\mathit{slip}} &= " in latex and r"\varpi_{\mathit{slip}}" in latex
     )
-    assert "<E>" not in print_derivation(derive("chaplygin_sleigh")[0])
+    assert re.search(r"theory's are written\n  <U> +force function\n  <Q>_x +force of x\n", plain)
+    assert r"$\Lambda_{\mathit{slip}}$ & reaction of slip \\" in latex and r"$\mathcal{E}$ & energy \\" in latex
+    clean = print_derivation(derive("chaplygin_sleigh")[0])
+    assert "<E>" not in clean and "the theory's" not in clean

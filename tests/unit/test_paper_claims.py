@@ -314,3 +314,27 @@ def test_a_name_stands_for_what_it_was_given_to(formulation: str) -> None:
     found = said(derive(text, formulation))
     assert "Y' = y' + c*p'*cos(p)" in found
     assert "y' + Y'" not in found
+
+
+def test_no_sentence_announces_what_is_not_there() -> None:
+    """A coframe of the coordinates' own differentials has no form and no inverse that would be worth a line."""
+    plain = print_derivation(derive(PLANE, "euler-lagrange"))
+    assert "The quasi-velocities are the velocities of the coordinates: all gamma and epsilon" in plain
+    assert "are\nThey are" not in plain and "They are inverted to" not in plain
+    assert "They are inverted to\n  z' = " in print_derivation(derive(PARTICLE, "euler-lagrange"))
+
+
+def test_forces_that_cancel_are_no_force() -> None:
+    """A drag along a trailer has no torque about its hitch, by sin^2 and cos^2."""
+    words = said(
+        derive(
+            HEAD + "coordinates: [x, hitch]\nbodies: {trailer: {at: [x, 0], turns: [z: hitch], mass: m, inertia: 1}}\n"
+            "points: {axle: {parent: trailer, at: [-c, 0]}}\nforces: {axle_v1: -axle_v1}\n"
+        )
+    )
+    assert "Q_x = -" in words and "Q_hitch" not in words
+
+
+def test_what_a_body_is_stands_in_its_sentence() -> None:
+    words = said(derive(HEAD + "coordinates: [x]\nbodies: {cart: {at: [x, 0], mass: m, about: a cart on rails.}}\n"))
+    assert "mass m (a cart on rails)." in words

@@ -10,7 +10,7 @@ from nhc.language.expressions.unparse import show_number, unparse
 from nhc.mechanics.formulations.chaplygin import mark_letters
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
 from nhc.program.sheets.formulas import NOTATION
-from nhc.program.sheets.model import Mark, Table
+from nhc.program.sheets.model import OTHER, Mark, Table
 
 
 def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
@@ -56,7 +56,7 @@ def _forces(desk: Desk, sheet: DraftSheet) -> None:
     acting = [(name, system.Q[i]) for i, name in enumerate(system.q_names) if i not in turned]
     for torque, declared in zip(system.torques, system.spec.rotations, strict=True):
         acting += zip(declared.velocities, torque, strict=True)
-    acting = [(name, node) for name, node in acting if node != desk.graph.zero]
+    acting = [entry for entry, keep in zip(acting, desk.nonzero([node for _, node in acting]), strict=True) if keep]
     if acting:
         by = ", by coordinates and angular velocities," if system.rotations else ""
         sheet.say(f"The forces without potential{by} are")
@@ -95,7 +95,8 @@ def _bodies(desk: Desk, sheet: DraftSheet) -> None:
             parts.append(f"; mass ${body.mass}${centre}")
         if body.inertia:
             parts.append(f"; {_moments(body.inertia)}")
-        sheet.say(f"- {''.join(parts)}." + (f" {body.about}" if body.about else ""))
+        inside = f" ({body.about.rstrip('.')})." if body.about[:1].islower() else f". {body.about}".rstrip()
+        sheet.say(f"- {''.join(parts)}{inside}")
     if bodies:
         sheet.say(NAMES_OF_BODIES)
 
@@ -194,16 +195,42 @@ def _notation(desk: Desk, sheet: DraftSheet) -> None:
         sheet.add(NOTATION[name])
 
 
+def add_letters(desk: Desk, sheet: DraftSheet) -> None:
+    """Which symbols of the theory stand in another shape, since the spec gives their letters a meaning of its own."""
+    if not desk.reshaped:
+        return
+    sheet.say(
+        "The spec uses letters of the theory for quantities of its own. In general formulas, and where a sentence speaks of"
+        " energies or forces, they are the theory's; in the equations of this system the theory's are written"
+    )
+    rows: list[tuple[Mark | str, ...]] = [
+        (mark, " of ".join([_THEORY[mark.base.removesuffix(OTHER)], *mark.lower])) for mark in desk.reshaped
+    ]
+    sheet.add(_table(("written", "what it is"), rows))
+
+
+_THEORY = {
+    "T": "kinetic energy",
+    "U": "force function",
+    "E": "energy",
+    "H": "generalized energy",
+    "Q": "force",
+    "p": "momentum",
+    "lambda": "reaction",
+    "omega": "quasi-velocity",
+    "Delta": "determinant",
+}
+
 _INDEPENDENT = "$alpha$ and $beta$ count the dependent velocities, $mu$ and $nu$ the independent ones"
 _COUNTED = {
-    "newton": "$i$ counts the coordinates, each with its mass $m_i$ and its velocity $v_i$",
-    "lagrange": "$i$ counts the coordinates",
-    "multipliers": "$i$ counts the coordinates, $alpha$ the constraints",
+    "newton": "$i$ and $mu$ count the coordinates $x_i$, each with its mass $m_i$ and its velocity $v_i$",
+    "lagrange": "$i$ and $mu$ count the coordinates",
+    "multipliers": "$i$ and $mu$ count the coordinates, $alpha$ the constraints",
     "euler-lagrange": (
         "$alpha$ counts the constraints, whose quasi-velocities are zero on the motion, $mu$ and $nu$ the free quasi-velocities,"
         " $i$, $j$ and $m$ all $n$ of them; $r$, $s$ and $t$ run to $n + 1$ for the time"
     ),
-    "free": "$i$, $j$ and $m$ count the $n$ quasi-velocities; $r$, $s$ and $t$ run to $n + 1$ for the time",
+    "free": "$i$, $j$, $m$ and $mu$ count the $n$ quasi-velocities; $r$, $s$ and $t$ run to $n + 1$ for the time",
     "chaplygin": _INDEPENDENT,
     "voronec": _INDEPENDENT,
 }

@@ -81,6 +81,8 @@ class Desk:
         self.defined = frozenset(entry.name for entry in spec.definitions)
         groups = (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities, spec.outputs)
         self._taken = {_split_name(entry.name) for group in groups for entry in group}
+        self.reshaped: dict[Mark, None] = {}
+        """The symbols of the theory that were written in another shape, in the order of their use."""
 
     # --- nodes ------------------------------------------------------------------------------------------------
 
@@ -141,15 +143,20 @@ class Desk:
     def own(self, base: str, *lower: str) -> Mark:
         """A symbol of the theory; in another shape where a name of the spec would look the same (E, U, Q_x, lambda_slip)."""
         shown = tuple(part for name in (base, *lower) for part in _split_name(name))
-        return Mark(f"{base}{OTHER}" if shown in self._taken else base, lower)
+        if shown not in self._taken:
+            return Mark(base, lower)
+        mark = Mark(f"{base}{OTHER}", lower)
+        self.reshaped[mark] = None
+        return mark
 
     def form_mark(self, letter: str, *lower: str) -> Mark:
         """A form of the theory, Theta or Omega; in another shape beside a quantity of the spec with that name."""
         return Mark(f"{letter} form{OTHER if (letter, *lower) in self._taken else ''}", lower)
 
     def vector_field(self) -> str:
-        """The letter of a vector field: X, or the first of some others that is no name of the spec."""
-        return next((letter for letter in "XYZWN" if (letter,) not in self._taken), "X")
+        """The letter of a vector field: X, or the first of some others that is no name of the spec; Newton's X_i are forces."""
+        letters = "YZWN" if self.formulation.name == "newton" else "XYZWN"
+        return next((letter for letter in letters if (letter,) not in self._taken), "X")
 
     def is_free(self, letter: str) -> bool:
         """Whether no name of the spec looks like the letter or the letter with a number."""

@@ -133,6 +133,10 @@ CONTRACTION_QUASI = Formula(
     CONTRACTION.text.replace("dq_mu - q_mu'", "dpi_mu - omega_mu"),
     CONTRACTION.latex.replace(r"dq_\mu - \dot q_\mu", r"d\pi_\mu - \omega_\mu"),
 )
+CONTRACTION_NEWTON = Formula(
+    CONTRACTION.text.replace("dq_mu - q_mu'", "dx_mu - v_mu"),
+    CONTRACTION.latex.replace(r"dq_\mu - \dot q_\mu", r"dx_\mu - v_\mu"),
+)
 ENERGY_THEOREM = Formula(
     "d/dt (p_i q_i' - T - U) = Q_i q_i' - dT/dt - dU/dt - lambda_alpha a_alpha"
     "   (Q without the potential's part, d/dt at fixed q, q')",

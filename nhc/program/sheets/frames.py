@@ -56,18 +56,22 @@ def _coframe_sheet(desk: Desk, frame: Frame) -> DraftSheet:
         names = quote(desk.formulation.added)
         fewer = "fewer quasi-velocities than there are free velocities" if system.quasi else "no quasi-velocities"
         sheet.say(f"The spec gives {fewer}; nhc has completed the coframe with {names}.")
+    known = {form.name for form in frame.forms}
+    basis = [Mark(name, prefix="d") for name in system.q_names] + [Mark("t", prefix="d")]
+    written: list[Draft] = []
+    for j, form in enumerate(frame.forms):
+        right = desk.differential_form(form, known) or desk.linear([*form.coefficients, form.constant], basis)
+        left = desk.quasi_differential(j)
+        if right != ((desk.graph.one, (left,)),):
+            written.append(Draft(desk.name(left), right, equation="I.2.3", place=form.place))
+    if not written:
+        sheet.say("The quasi-velocities are the velocities of the coordinates: all $gamma$ and $epsilon$ vanish.")
+        return sheet
     if lower:
         sheet.say("The forms of the constraints, zero on every motion, and those of the free quasi-velocities are")
     else:
         sheet.say("The forms of the quasi-velocities are")
-    known = {form.name for form in frame.forms}
-    basis = [Mark(name, prefix="d") for name in system.q_names] + [Mark("t", prefix="d")]
-    for j, form in enumerate(frame.forms):
-        right = desk.differential_form(form, known) or desk.linear([*form.coefficients, form.constant], basis)
-        left = desk.quasi_differential(j)
-        if right == ((desk.graph.one, (left,)),):
-            continue
-        sheet.add(Draft(desk.name(left), right, equation="I.2.3", place=form.place))
+    sheet.add(*written)
     _inverse(desk, frame, sheet)
     _structure(desk, frame, sheet)
     return sheet

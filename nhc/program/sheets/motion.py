@@ -21,12 +21,21 @@ from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
 from nhc.program.sheets.forms import Forms
-from nhc.program.sheets.formulas import CONTRACTION, CONTRACTION_QUASI, ENERGY_THEOREM, EQUATIONS, POINCARE, REACTION
+from nhc.program.sheets.formulas import (
+    CONTRACTION,
+    CONTRACTION_NEWTON,
+    CONTRACTION_QUASI,
+    ENERGY_THEOREM,
+    EQUATIONS,
+    POINCARE,
+    REACTION,
+)
 from nhc.program.sheets.model import Mark
 
 _SOLVED = 3  # rates up to which the system is solved on paper
 _SHORT = 60  # operations of a solved rate that is still worth printing
 _WORTH = 300  # operations of mass and force up to which solving is tried
+_CONTRACTIONS = {"euler-lagrange": CONTRACTION_QUASI, "newton": CONTRACTION_NEWTON}
 
 
 def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
@@ -35,7 +44,7 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     motion, system = desk.equations.motion, desk.system
     field = desk.vector_field()
     sheet.say(f"The interior product of the 2-form with a vector field ${field}$ that satisfies the kinematics is")
-    general = CONTRACTION_QUASI if desk.formulation.name == "euler-lagrange" else CONTRACTION
+    general = _CONTRACTIONS.get(desk.formulation.name, CONTRACTION)
     sheet.add(replace(general, text=general.text.replace("X", field), latex=general.latex.replace("X", field)))
     if forms.whole is None:
         sheet.say(
