@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
+from nhc.algebra.reading import Reading
 
 _PRIMES = {"velocity": "'", "acceleration": "''", "rate": "'"}
 _SUM, _PRODUCT, _POWER, _ATOM = 1, 2, 3, 4
@@ -12,14 +13,15 @@ _SUM, _PRODUCT, _POWER, _ATOM = 1, 2, 3, 4
 
 def to_text(graph: Graph, node: Node, longest: int = 400) -> str:
     """The node as an expression of the language; cut with an ellipsis beyond ``longest`` characters."""
-    text = _write(graph, node, [longest * 4])[0]
+    text = _write(Reading(graph), node, [longest * 4])[0]
     return text if len(text) <= longest else text[: longest - 1] + "…"
 
 
-def _write(g: Graph, node: Node, budget: list[int]) -> tuple[str, int]:
+def _write(r: Reading, node: Node, budget: list[int]) -> tuple[str, int]:
     budget[0] -= 1
     if budget[0] < 0:
         return "…", _ATOM
+    g = r.graph
     op, a, b = g.op[node], g.a[node], g.b[node]
     if op == NUM:
         value = g.value(node)
@@ -30,33 +32,44 @@ def _write(g: Graph, node: Node, budget: list[int]) -> tuple[str, int]:
         return symbol.name + _PRIMES.get(symbol.kind, ""), _ATOM
     if op == PI:
         return "pi", _ATOM
+    if op == ADD or (op == NEG and g.op[a] == ADD):
+        return _write_sum(r, node, budget), _SUM
     if op == NEG:
-        return "-" + _wrap(_write(g, a, budget), _PRODUCT), _SUM
-    if op == ADD:
-        left = _wrap(_write(g, a, budget), _SUM)
-        if g.op[b] == NEG:
-            return f"{left} - {_wrap(_write(g, g.a[b], budget), _PRODUCT)}", _SUM
-        return f"{left} + {_wrap(_write(g, b, budget), _SUM)}", _SUM
+        return "-" + _wrap(_write(r, a, budget), _PRODUCT), _SUM
     if op == MUL:
-        return _write_product(g, node, budget)
+        return _write_product(r, node, budget)
     if op == POW:
         if b < 0:
-            return "1/" + _wrap(_write_power(g, a, -b, budget), _POWER), _PRODUCT
-        return _write_power(g, a, b, budget)
+            return "1/" + _wrap(_write_power(r, a, -b, budget), _POWER), _PRODUCT
+        return _write_power(r, a, b, budget)
     if op == "powf":
-        base, exponent = (_wrap(_write(g, c, budget), _ATOM) for c in g.children(node))
+        base, exponent = (_wrap(_write(r, c, budget), _ATOM) for c in g.children(node))
         return f"{base}^{exponent}", _POWER
-    return f"{op}({', '.join(_write(g, c, budget)[0] for c in g.children(node))})", _ATOM
+    return f"{op}({', '.join(_write(r, c, budget)[0] for c in g.children(node))})", _ATOM
 
 
-def _write_power(g: Graph, base: Node, n: int, budget: list[int]) -> tuple[str, int]:
-    written = _write(g, base, budget)
+def _write_sum(r: Reading, node: Node, budget: list[int]) -> str:
+    """The terms in reading order; one that is positive comes first where there is one."""
+    terms = []
+    for negative, term in r.terms(node):
+        text = _wrap(_write(r, term, budget), _PRODUCT if negative else _SUM)
+        if text.startswith("-"):
+            negative, text = not negative, text[1:]
+        terms.append((negative, text))
+    first = next((k for k, (negative, _) in enumerate(terms) if not negative), 0)
+    terms.insert(0, terms.pop(first))
+    head = f"-{terms[0][1]}" if terms[0][0] else terms[0][1]
+    return head + "".join(f" {'-' if negative else '+'} {text}" for negative, text in terms[1:])
+
+
+def _write_power(r: Reading, base: Node, n: int, budget: list[int]) -> tuple[str, int]:
+    written = _write(r, base, budget)
     return written if n == 1 else (f"{_wrap(written, _ATOM)}^{n}", _POWER)
 
 
-def _write_product(g: Graph, node: Node, budget: list[int]) -> tuple[str, int]:
+def _write_product(r: Reading, node: Node, budget: list[int]) -> tuple[str, int]:
     """One fraction line: ``3*a*(x + y)/(2*b)``."""
-    number, over, under, stack = Fraction(1), list[str](), list[str](), [node]
+    g, number, over, under, stack = r.graph, Fraction(1), list[str](), list[str](), [node]
     while stack:
         part = stack.pop()
         if g.op[part] in (MUL, NEG):
@@ -67,9 +80,9 @@ def _write_product(g: Graph, node: Node, budget: list[int]) -> tuple[str, int]:
             assert value is not None
             number *= value
         elif g.op[part] == POW and g.b[part] < 0:
-            under.append(_wrap(_write_power(g, g.a[part], -g.b[part], budget), _POWER))
+            under.append(_wrap(_write_power(r, g.a[part], -g.b[part], budget), _POWER))
         else:
-            over.append(_wrap(_write(g, part, budget), _PRODUCT))
+            over.append(_wrap(_write(r, part, budget), _PRODUCT))
     above, below = abs(number).numerator, number.denominator
     over = [str(above), *over] if above != 1 or not over else over
     under = [str(below), *under] if below != 1 else under

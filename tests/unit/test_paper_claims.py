@@ -312,7 +312,7 @@ def test_a_name_stands_for_what_it_was_given_to(formulation: str) -> None:
         "constraints: [level: y' = 0, slip: x' - sin(p)*p' = 0]\n"
     )
     found = said(derive(text, formulation))
-    assert "Y' = y' + c*p'*cos(p)" in found
+    assert "Y' = c*p'*cos(p) + y'" in found
     assert "y' + Y'" not in found
 
 

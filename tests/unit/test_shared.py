@@ -42,7 +42,7 @@ def build(g: Graph, name: str) -> Node:
     [
         ("x", ["x"]),
         ("2 + x", ["2 + x"]),
-        ("circle", ["y^2 - (1 - x^2)"]),
+        ("circle", ["x^2 + y^2 - 1"]),
         ("x (x + y)", ["x", "x + y"]),
         ("square", ["x - y"]),
         ("sin", ["sin(th)"]),

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from nhc.algebra.graph import NEG, SYM, Node
+from nhc.algebra.graph import ADD, NEG, SYM, Node
+from nhc.algebra.reading import Reading
 from nhc.algebra.walks import reachable
-from nhc.program.ir import Expr, Negate, Power, Ref
+from nhc.program.ir import Binary, Expr, Negate, Power, Ref
 from nhc.program.lowering.lower import Lowering
 from nhc.program.lowering.naming import identifier
 from nhc.program.plan import FunctionPlan, Target
@@ -48,6 +49,7 @@ class PaperLowering(Lowering):
         quasi = desk.formulation.frame.omega if desk.formulation.frame is not None else ()
         groups = (system.p, system.q, quasi, system.v)
         self.positions = {node: k for group in groups for k, node in enumerate(group)}
+        self.reading = Reading(desk.graph, [*system.q, *quasi, *system.v])
         self._name_symbols()
 
     def _free_letter(self) -> str:
@@ -91,20 +93,31 @@ class PaperLowering(Lowering):
     def written_out(self, node: Node) -> Expr:
         """The node's own expression, also where it is an abbreviation elsewhere."""
         body = self._body(node)
-        if body != node:
-            return Negate(self.written_out(body))
-        name = self.names.pop(node, None) if node in self.chosen else None
+        name = self.names.pop(body, None) if body in self.chosen else None
         try:
             return self.expression(node)
         finally:
             if name is not None:
-                self.names[node] = name
+                self.names[body] = name
 
     def _body(self, node: Node) -> Node:
         return self.graph.a[node] if self.graph.op[node] == NEG else node
 
     def _arrange(self, needed: list[Node]) -> tuple[Sequence[Node], Sequence[tuple[Node, ...]]]:
         return needed, self.graph.kids  # on paper a power is a power
+
+    def expression(self, node: Node) -> Expr:
+        inner = self._body(node)
+        if self.graph.op[inner] != ADD or node in self.names or inner in self.names:
+            return super().expression(node)
+        total: Expr | None = None
+        for negative, term in self.reading.terms(node, self.names):
+            if total is not None:
+                total = Binary("-" if negative else "+", total, self.expression(term))
+            else:
+                total = Negate(self.expression(term)) if negative else self.expression(term)
+        assert total is not None
+        return total
 
     def _power(self, base: Node, n: int) -> Expr:
         return super()._power(base, n) if n <= 1 else Power(self.expression(base), n)

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:940f174ef96fd755)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:16ecab0d16d761fa)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -13,8 +13,8 @@
  * y[3] = psi [rad]: rotor, relative to the board
  * y[4] = p_b [rad]: back axle, relative to the board
  * y[5] = p_f [rad]: front axle, relative to the board
- * y[6] = v: theta'*(cos(p_b)*sin(p_f) - cos(p_f)*sin(p_b)) + x'*l*(cos(theta + p_b)*cos(p_f) +
- *     cos(p_b)*cos(theta + p_f)) + y'*l*(sin(theta + p_b)*cos(p_f) + cos(p_b)*sin(theta + p_f))
+ * y[6] = v: x'*l*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f)) + y'*l*(sin(theta + p_b)*cos(p_f) +
+ *     cos(p_b)*sin(theta + p_f)) + theta'*(cos(p_b)*sin(p_f) - cos(p_f)*sin(p_b))
  * y[7] = psi' [rad/s]
  * y[8] = p_b' [rad/s]
  * y[9] = p_f' [rad/s]
