@@ -146,7 +146,7 @@ def _bound(made: Certificate) -> str:
 def _where(made: Certificate) -> str:
     if made.is_sure or not made.holds:
         return ", for all values of the parameters"
-    return f" at {len(made.points)} points; elsewhere they need not, with so many signs"
+    return f" at {len(made.points)} points; elsewhere they need not, with so many signs or roots"
 
 
 def _why(made: Certificate) -> str:

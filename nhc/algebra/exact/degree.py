@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
 
+from nhc.algebra.exact.draw import stepwise_degree
 from nhc.algebra.exact.field import INVERSE
 from nhc.algebra.expand import Monomial, Polynomial
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, SYM, Graph, Node
@@ -206,7 +207,8 @@ class Degrees:
 
     def inflate(self, degree: int) -> int:
         """The degree that counts in the bound: twice for the poles, four times for each square root, and the opaque arguments."""
-        return 2 * (degree * (1 << 2 * self.roots) + self.opaque)
+        apart, count = stepwise_degree(self.graph, [node for node in self.known if self.graph.op[node] == "sqrt"])
+        return 2 * (degree * apart * (1 << 2 * (self.roots - count)) + self.opaque)
 
 
 def _add(x: Mapping[Key, int], y: Mapping[Key, int]) -> dict[Key, int]:

@@ -132,6 +132,14 @@ class FieldPoint:
             del other.values[node]
         return other
 
+    def redraw(self, symbol: Node, value: int, moved: Iterable[Node]) -> None:
+        """Another value of a symbol, at which nodes that have been announced and hold it are evaluated again; all others of these
+        have their values.
+        """
+        self._circles.clear()
+        self.values[symbol] = value
+        self.fill(moved)
+
     def _prepare(self, nodes: Sequence[Node]) -> None:
         """Least common denominators of the coefficients of each monomial in angles and exponents."""
         kinds = self.graph.op

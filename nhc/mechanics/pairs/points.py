@@ -125,7 +125,7 @@ class PairPoints:
 
     def _look_at(self, nodes: Sequence[Node], prime: int, seeds: range, signs: int) -> Found:
         moving = self.graph.mask((*self.pairing.second.v, *self.own, *self.rates))
-        for _, point in draw_points(self.graph, nodes, prime, seeds, later=moving, settle=self.leaf.settle):
+        for _, point in draw_points(self.graph, nodes, prime, seeds, later=moving, settle=self.leaf.settling):
             try:
                 return self._compare(point, signs)
             except (Unlucky, Singular):

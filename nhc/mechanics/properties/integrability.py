@@ -55,7 +55,7 @@ def classify(system: System, frame: Frame | None = None, *, levels: bool = True)
     affine = not all(are_zero(g, frame.drift))
     entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
     rheonomic = any(g.depends(x, g.deps[system.t]) for x in entries)
-    settle = leaf_of(system, [x for e in (*frame.free_vectors, frame.drift) for x in e]).settle
+    settle = leaf_of(system, [x for e in (*frame.free_vectors, frame.drift) for x in e]).settling
     whole = None if affine else (frame.kinematics, frame.free)
     closed = tuple(form.name for form in system.constraints if is_integrable(system, form))
     timed = affine or rheonomic

@@ -234,7 +234,7 @@ def _rows(graph: Graph, leaf: Leaf, directions: Sequence[Sequence[Node]], width:
     rows: list[list[int]] = []
     flat = [node for row in directions for node in row]
     for _, point in draw_points(
-        graph, flat, primes_of(graph)[0], range(7_000_003, 7_000_003 + MOST_DRAWS), settle=leaf.settle
+        graph, flat, primes_of(graph)[0], range(7_000_003, 7_000_003 + MOST_DRAWS), settle=leaf.settling
     ):
         try:
             values = point.evaluate(flat)

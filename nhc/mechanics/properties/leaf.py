@@ -7,7 +7,7 @@ is a polynomial of degree two at most, one after another; where that cannot be, 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from nhc.algebra.calculus import derivative
 from nhc.algebra.dense import null_space, rank_modulo
@@ -73,6 +73,11 @@ class Leaf:
         """The coordinates that are solved for."""
         return tuple(step.x for step in self.steps)
 
+    @property
+    def settling(self) -> Callable[[FieldPoint], None] | None:
+        """What draws of points have to do; None where any position will do."""
+        return self.settle if self.steps else None
+
     def settle(self, point: FieldPoint) -> None:
         """Give the solved coordinates their values.
 
@@ -132,7 +137,7 @@ def _matrices(graph: Graph, rows: Sequence[Sequence[Node]], leaf: Leaf, prime: i
     """
     flat, width, found = [x for row in rows for x in row], len(rows[0]), list[list[list[int]]]()
     seeds = range(_FIRST_SEED, _FIRST_SEED + MOST_DRAWS)
-    for _, point in draw_points(graph, flat, prime, seeds, settle=leaf.settle):
+    for _, point in draw_points(graph, flat, prime, seeds, settle=leaf.settling):
         try:
             values = point.evaluate(flat)
         except Unlucky:
@@ -193,7 +198,7 @@ def _is_whole(g: Graph, leaf: Leaf) -> bool:
 def has_values(g: Graph, leaf: Leaf, nodes: Sequence[Node]) -> bool:
     """Whether the nodes have values on a leaf: 1/x and the slope of log(x) have none on x = 0."""
     seeds = range(_FIRST_SEED, _FIRST_SEED + _DRAWS)
-    for _, point in draw_points(g, nodes, primes_of(g)[0], seeds, settle=leaf.settle):
+    for _, point in draw_points(g, nodes, primes_of(g)[0], seeds, settle=leaf.settling):
         try:
             point.evaluate(nodes)
         except Unlucky:

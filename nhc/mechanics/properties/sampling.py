@@ -52,7 +52,7 @@ class Sampler:
         known = {**dict.fromkeys(self.zeroed, 0), **(fixed or {})}
         seeds = range(seed * 1_000_033, seed * 1_000_033 + MOST_DRAWS)
         for _, point in draw_points(
-            self.system.graph, everything, prime, seeds, known, self.moving, settle=self.leaf.settle
+            self.system.graph, everything, prime, seeds, known, self.moving, settle=self.leaf.settling
         ):
             try:
                 self.settle(point)
