@@ -163,7 +163,9 @@ def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
             bag.error("E0302", f"unknown name `{node.name}`", node.span, help=(help,))
             return scene
         if isinstance(node, Prime) or (isinstance(node, Name) and node.name not in allowed):
-            help = "a value holds numbers, `pi` and parameters only, that of a parameter no other parameters"
+            help = (
+                "a value holds numbers, `pi`, parameters and definitions of these, that of a parameter numbers and `pi`"
+            )
             bag.error("E0314", f"`{pair.name}` has a value that is not constant", node.span, help=(help,))
             return scene
     if pair.name in parameters:
