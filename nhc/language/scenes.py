@@ -230,7 +230,9 @@ class _SceneReader:
             if name in self.scope.constants:
                 continue
             if self.scope.kind(name) not in ("parameter", "rotation", "") or name == "t":
-                message = f"`{name}` is not constant: a start value holds numbers, `pi` and parameters only"
+                message = (
+                    f"`{name}` is not constant: a start value holds numbers, `pi`, parameters and definitions of these"
+                )
                 self.bag.error("E0314", message, text.span, help=(f"write the number that `{name}` starts with",))
         return tree
 

@@ -262,7 +262,7 @@ def _held_value(source: Source, pair: Pair, known: dict[str, float]) -> float:
         value = math.nan
     if not math.isfinite(value):
         what = f"the value of `{pair.name}` is no real, finite number"
-        bag.error("E0313", what, pair.span, help=("a value holds numbers, `pi` and parameters only",))
+        bag.error("E0313", what, pair.span, help=("a value holds numbers, `pi`, parameters and definitions of these",))
     bag.raise_if_errors()
     return value
 
