@@ -163,9 +163,8 @@ def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
             bag.error("E0302", f"unknown name `{node.name}`", node.span, help=(help,))
             return scene
         if isinstance(node, Prime) or (isinstance(node, Name) and node.name not in allowed):
-            help = (
-                "a value holds numbers, `pi`, parameters and definitions of these, that of a parameter numbers and `pi`"
-            )
+            start = "a start value holds numbers, `pi`, parameters and definitions of these"
+            help = "the value of a parameter holds numbers and `pi` only" if pair.name in parameters else start
             bag.error("E0314", f"`{pair.name}` has a value that is not constant", node.span, help=(help,))
             return scene
     if pair.name in parameters:

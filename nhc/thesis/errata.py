@@ -109,8 +109,8 @@ _LIST = (
         12,
         "p*_j for p*_i",
         "after I.2.11 and before I.2.13",
-        "p*_j {[(dpi_i)' - domega_i] - ...}; then [(dpi_j)' - (dpi_j)'] in the next display",
-        "p*_i {[(dpi_i)' - domega_i] - ...} with (delta pi_i)' - delta omega_i",
+        "p*_j {[(delta pi_i)' - delta omega_i] - ...}; then [(delta pi_j)' - delta pi'_j] in the next display",
+        "p*_i {[(delta pi_i)' - delta omega_i] - ...}; then [(delta pi_j)' - delta omega_j]",
         "with virtual displacements built by differentiation the corrected line is an identity; the printed ones are not",
     ),
     _erratum(

@@ -122,7 +122,11 @@ def test_parameters_move_the_start() -> None:
     [
         ("b: {naer: 0}", "E0303", "unknown key `naer` in the start of `b`"),
         ("b: {}", "E0304", "missing key `near` in the start of `b`"),
-        ("b: {near: x}", "E0314", "`x` is not constant: a start value holds numbers, `pi`, parameters and definitions of these"),
+        (
+            "b: {near: x}",
+            "E0314",
+            "`x` is not constant: a start value holds numbers, `pi`, parameters and definitions of these",
+        ),
         ("b': {near: 0}", "E0301", "expected a number, found a mapping"),
         ("b: {near: 1/0}", "E0313", ""),
     ],

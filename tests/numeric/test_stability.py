@@ -430,3 +430,12 @@ def test_a_drag_without_a_slope_at_rest() -> None:
     found = stability(Source("parachute.yaml", text + drag), PLAIN)
     assert found.spectrum is not None and found.spectrum.times[0] > 0.0 and len(found.spectrum.times) > 2
     assert found.sensitivity is not None and {name for name, _ in found.missing} <= {"steady motion"}
+
+
+@pytest.mark.parametrize("rate", [0.1, 1.0, 10.0, 120.0, 5000.0])
+def test_what_the_integral_of_a_power_says_of_its_error_is_enough(rate: float) -> None:
+    """Also where the power decays faster than from row to row, so that the rule is not of its order there."""
+    t = np.linspace(0.0, 100.0, 2001)
+    work, told = accumulate(tuple(t), np.exp(-rate * t))
+    missed = float(np.max(np.abs(work - (1.0 - np.exp(-rate * t)) / rate)))
+    assert missed < 2.0 * told + 1e-13

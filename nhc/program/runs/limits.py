@@ -46,6 +46,13 @@ class Limits:
     """Radians that a clock (what is periodic in time) may turn in a step for the estimate of the error to tell what it does."""
     far: float = 3.0
     """The same for dop853."""
+    wild: float = 2e3
+    """The last term of dop853's interpolant over those of Hermite's cubic, beyond which a mode that decays too fast for a step made
+    it: 1e3 at the largest stable step, 5e3 at 1.6 times that, 7e4 at five times; some hundreds where all is rounding; below 1
+    in smooth motions."""
+    within: float = 1e5
+    """That term over what the end may err by, where rows and events are too far off: it counts a thousandth within the step, and
+    what the end may err by is a hundredth of the accuracy wanted."""
     caution: float = 0.85
     """Of the length that the controller of an explicit method gives the next step."""
     integral: float = 0.7

@@ -16,6 +16,7 @@ from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.stepping.beating import Beating, find_turn
 from nhc.simulate.stepping.holding import Held, hold_end
 from nhc.simulate.stepping.hoping import count_on_hopes, find_hollow, go_back, look_on
+from nhc.simulate.stepping.inside import has_more_stages, is_wild
 from nhc.simulate.stepping.leaping import Placed, find_most
 from nhc.simulate.stepping.lengths import find_growth, guess_length, limit_growth
 from nhc.simulate.stepping.rounding import is_faint, look_at_length, reconsider
@@ -26,6 +27,7 @@ from nhc.simulate.stepping.watching import (
     approaches,
     find_change,
     find_event,
+    find_trend,
     keep_signs,
     may_dip,
     may_touch,
@@ -108,7 +110,8 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
         run.former = 1.0  # no error came before
         run.next = guess_length(step, method, task.times[-1] - task.times[0])
         if model.dips < len(run.before):
-            run.trend = _find_trend(run)
+            h = 1e-3 * math.copysign(run.next, task.times[-1] - task.times[0])
+            run.trend, run.span = find_trend(step, model, run.before, h), 1e3 * h
     except ArithmeticError as error:
         return run.leave(SINGULAR, getattr(error, "status", 0))
     while True:
@@ -145,18 +148,6 @@ def _goes_back(run: _Run, done: Outcome | None) -> bool:
     go_back(s, back.step)
     vars(run).update(vars(back) | {"step": s, "growth": 1.0, "former": 1.0, "next": abs(s.h)})
     return True
-
-
-def _find_trend(run: _Run) -> list[float]:
-    """Before the first step: how fast the values go, by a thousandth of it along the slope; without an answer they may dip."""
-    s, task = run.step, run.task
-    h = 1e-3 * math.copysign(run.next, task.times[-1] - task.times[0])
-    try:
-        at = run.model.watch(s.t + h, [y + h * f for y, f in zip(s.y, s.slope, strict=True)], task.p)
-    except ArithmeticError:
-        at = [0.0] * len(run.before)
-    run.span = 1e3 * h
-    return [(b - a) / h for a, b in zip(run.before, at, strict=True)]
 
 
 def _plan(run: _Run) -> tuple[float, float] | None:
@@ -256,6 +247,9 @@ def _advance(run: _Run) -> Outcome | None:
 
 def _accept(run: _Run, reach: float) -> Outcome | None:
     task, s, model = run.task, run.step, run.model
+    if _looks_inside(run) and is_wild(s):
+        run.next, run.rejected = 0.25 * abs(s.h), run.rejected + 1
+        return None
     if model.holds:
         s.arrived = s.rhs(reach, s.reached)
     cut, which = 2.0, -1
@@ -290,6 +284,13 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     if reach == task.times[-1]:
         return run.leave(DONE)
     return _pass_stop(run) if reach == run.bound else None
+
+
+def _looks_inside(run: _Run) -> bool:
+    """Whether rows or events lie in the step, so that the interpolant is made, and may be worse than the end."""
+    s, due = run.step, run.task.times[len(run.states)]
+    inside = run.model.events > 0 or (due - s.t) / s.h < 1.0 - 1e-12
+    return inside and run.task.step <= 0 and has_more_stages(run.method) and bool(_point(run, 0.5))
 
 
 def _halves(run: _Run) -> bool:

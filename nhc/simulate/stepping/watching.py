@@ -66,6 +66,15 @@ def keep_signs(before: Sequence[float], after: Sequence[float]) -> list[float]:
     return [b if b != 0.0 else a for a, b in zip(before, after, strict=True)]
 
 
+def find_trend(s: Step, model: Watching, before: Sequence[float], h: float) -> list[float]:
+    """Before the first step: how fast the values go, by a way of length h along the slope; without an answer they may dip."""
+    try:
+        at = model.watch(s.t + h, [y + h * f for y, f in zip(s.y, s.slope, strict=True)], s.p)
+    except ArithmeticError:
+        at = [0.0] * len(before)
+    return [(b - a) / h for a, b in zip(before, at, strict=True)]
+
+
 def may_dip(
     before: Sequence[float], trend: Sequence[float], after: Sequence[float], h: float, span: float, first: int
 ) -> bool:
