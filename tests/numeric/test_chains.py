@@ -220,7 +220,7 @@ def in_a_row(bodies: int, kind: str) -> str:
 
 ALMOST_RODS = {  # what makes the first of equal rods none
     "two carts": ("x + u", "sin(th1)", "cos(th1)", "u'^2"),
-    "a geared cart": ("2*x", "sin(th1)", "cos(th1)", ""),
+    "a geared cart": ("k*x", "sin(th1)", "cos(th1)", ""),
     "another angle": ("x", "sin(th1)", "cos(th1 + 1)", ""),
     "one function": ("x", "sin(th1)", "sin(th1)", ""),
     "unequal masses": ("x", "sin(th1)", "cos(th1)", "2*y1'^2"),
