@@ -188,12 +188,11 @@ def solve_positive(rows: Sequence[Mapping[int, float]], right: Sequence[float]) 
     table, left, order = [dict(row) for row in rows], list(right), list[int]()
     waiting = [(len(row), k) for k, row in enumerate(table)]
     heapify(waiting)
-    taken = [False] * len(table)
     while waiting:
         degree, k = heappop(waiting)
-        if taken[k] or degree != len(table[k]):
+        if degree != len(table[k]):  # it has changed since, or is taken: a row taken is shorter than all that waits
             continue
-        taken[k], row = True, table[k]
+        row = table[k]
         order.append(k)
         pivot = row.pop(k, 0.0)
         if not pivot > 1e-14 * rows[k].get(k, 0.0):

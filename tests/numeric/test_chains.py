@@ -197,6 +197,7 @@ def specs() -> Iterator[tuple[str, str]]:
     yield "written-out", written_out(0, 6, False)
     yield "written-out-backwards", written_out(1, 6, True)
     yield "quasi-velocities", in_quasi_velocities()
+    yield from ((f"almost rods, {kind}", almost_rods(kind)) for kind in ALMOST_RODS)
 
 
 def in_a_row(bodies: int, kind: str) -> str:
@@ -214,6 +215,33 @@ def in_a_row(bodies: int, kind: str) -> str:
         body = f"{arms[0][0]}{i}"
         tree.kinetic.append(f"{m}*(x{body}'^2 + y{body}'^2)" + (f" + {J}*th{i}'^2" if kind == "links" else ""))
         tree.potential.append(f"{m}*g*y{body}")
+    return tree.text()
+
+
+ALMOST_RODS = {  # what makes the first of equal rods none
+    "two carts": ("x + u", "sin(th1)", "cos(th1)", "u'^2"),
+    "a geared cart": ("k*x", "sin(th1)", "cos(th1)", ""),
+    "another angle": ("x", "sin(th1)", "cos(th1 + 1)", ""),
+    "one function": ("x", "sin(th1)", "sin(th1)", ""),
+    "unequal masses": ("x", "sin(th1)", "cos(th1)", "2*y1'^2"),
+    "inertia": ("x", "sin(th1)", "cos(th1)", "k*th1'^2"),
+    "a coupled rate": ("x", "sin(th1)", "cos(th1)", "k*th1'^2/2 + k*(th1' + th2')^2"),
+    "a coupled foot": ("x", "sin(th1)", "cos(th1)", "0.3*x'*th1'"),
+}
+
+
+def almost_rods(kind: str) -> str:
+    """Five equal rods under a cart, the first of which is none: what is solved for a rod must not be taken for it."""
+    foot, across, down, more = ALMOST_RODS[kind]
+    tree = Tree(0, 5)
+    tree.coordinates = ["x", *(["u"] if "u" in foot else []), *(f"th{i}" for i in range(1, 6))]
+    tree.define += [f"x1: {foot} + l*{across}", f"y1: -l*{down}"]
+    tree.define += [
+        f"{q}{i}: {q}{i - 1} {f}(th{i})" for i in range(2, 6) for q, f in (("x", "+ l*sin"), ("y", "- l*cos"))
+    ]
+    tree.kinetic = [f"{tree.number('M')}*x'^2", *(f"{tree.number('m')}*(x{i}'^2 + y{i}'^2)" for i in range(1, 6))]
+    tree.kinetic += [more] if more else []
+    tree.potential.append(f"k/2*th1^2 + {tree.number('l')}*x")
     return tree.text()
 
 

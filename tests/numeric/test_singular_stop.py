@@ -312,6 +312,21 @@ def test_a_constraint_that_vanishes_as_a_whole_ends_the_run(
     assert (out == "") is stops
 
 
+@pytest.mark.parametrize("formulation", ["auto", "voronec", "multipliers"])
+@pytest.mark.parametrize("factor", ["k", "k^2", "sin(k)^3", "k^2*x"])
+def test_a_constraint_with_a_parameter_in_front_that_is_zero_in_a_scene(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], formulation: str, factor: str
+) -> None:
+    """The velocities follow without the factor; where it is zero nothing holds them."""
+    path = tmp_path / "loose.yaml"
+    text = FACTORED.format(factor=factor).replace("T:", "parameters: {k: 2}\nT:")
+    for scene, code in ((text, 0), (text.replace("time:", "parameters: {k: 0}, time:"), 3)):
+        path.write_text(scene.replace("[0, 5]", "[0, 1]"))
+        assert main(["run", str(path), "--points", "2", "-f", formulation]) == code
+        out, err = capsys.readouterr()
+        assert ("constraints lose rank" in err) is (out == "") is (code == 3)
+
+
 MULTIPLIED_OUT = {
     "x^2 + 2*x": ("-x^2*sin(th)*x' - 2*sin(th)*x*x' + x^2*cos(th)*y' + 2*cos(th)*x*y' = 0", 0.0),
     "x^2*(x + 2)": ("-(x^3*sin(th) + 2*x^2*sin(th))*x' + (x^3*cos(th) + 2*x^2*cos(th))*y' = 0", 0.0),

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import pytest
 import sympy
 
+from nhc.algebra.exact.draw import draw_points
 from nhc.algebra.exact.field import PRIMES, FieldPoint
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.exact.primes import primes_of
@@ -65,6 +68,16 @@ def test_a_graph_without_such_constants_keeps_the_primes() -> None:
     assert primes_of(g) == PRIMES
     root(g, 53)
     assert primes_of(g) != PRIMES
+
+
+@pytest.mark.parametrize(("symbols", "drawn"), [(6, True), (21, False)])
+def test_roots_are_too_many_where_they_are_independent(symbols: int, drawn: bool) -> None:
+    """Where x and y are squares x y is one: of 21 radicands 6 are left to hope for, and all of 21 symbols."""
+    g = Graph()
+    x = [g.symbol(f"x{k}") for k in range(symbols)]
+    radicands = [*x, *(g.mul(a, b) for a, b in combinations(x, 2))][:21]
+    points = draw_points(g, [g.function("sqrt", radicand) for radicand in radicands], PRIMES[0], range(2000))
+    assert (next(points, None) is not None) is drawn
 
 
 ROOTS = ("sqrt(53)", "sqrt(1.37)", "sqrt(3 + sqrt(2))", "sqrt(sqrt(103) - sqrt(101))", "5.9^1.5")

@@ -11,6 +11,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.leaps import find_leaps
+from nhc.simulate.stepping.leaping import _LOOKS, _Course
 
 
 def parts_of(force: str, low: float, high: float) -> tuple[tuple[float, float], ...]:
@@ -55,3 +56,17 @@ def test_what_is_slow_everywhere_is_not_watched(force: str) -> None:
 @pytest.mark.parametrize("power", ["1000", "1000.5"])
 def test_a_high_power_is_watched_as_an_exponential(power: str) -> None:
     assert (1.5, 2.0) in parts_of(f"-sin(x)^{power}", 0, 3)
+
+
+@pytest.mark.parametrize(("first", "second"), [(0.3, 0.8), (0.1, 0.6), (-1.0, 0.7), (0.2, 3.0), (-1.0, 2.0)])
+def test_an_argument_turns_where_the_cubic_through_a_step_does(first: float, second: float) -> None:
+    """Its slope is 3 (x - first) (x - second), and it is zero in the middle."""
+
+    def argument(x: float) -> float:
+        return x**3 - 1.5 * (first + second) * x**2 + 3.0 * first * second * x
+
+    course = _Course([argument(x) - argument(0.5) for x in _LOOKS], 0.0, 0.0)
+    assert course.find_turns() == pytest.approx([x for x in (first, second) if 0.0 < x < 1.0], abs=1e-4)
+    if course.u * course.v < 0.0:
+        assert course.find_between(course.find_zero()) == pytest.approx(0.0, abs=1e-9)
+    assert course.off < 1e-5

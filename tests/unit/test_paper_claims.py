@@ -90,6 +90,15 @@ def test_a_force_whose_work_another_cancels_is_no_reason() -> None:
     assert says(text, "energy") == "energy: T + V is not conserved, because of: the force on `z`"
 
 
+@pytest.mark.parametrize(
+    ("more", "second"), [("", "is"), ("V: x^2*cos(t)\n", "is not"), ("forces: {x: -c*x'}\n", "is not")]
+)
+def test_the_generalized_energy_is_told_where_it_is_another_one(more: str, second: str) -> None:
+    rod = HEAD + "coordinates: [x]\nT: m/2*(x'^2 + (c*x)^2)\n"
+    assert says(rod + more, "energy").split("; ")[1:] == [f"p q' - T + V {second}"]
+    assert ";" not in says(PLANE + more, "energy")
+
+
 @pytest.mark.parametrize("kind", ["U", "V"])
 def test_a_potential_that_moves_is_called_as_the_spec_calls_it(kind: str) -> None:
     text = SPACE + f"{kind}: c*x*sin(t)\n"
