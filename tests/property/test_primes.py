@@ -70,12 +70,19 @@ def test_a_graph_without_such_constants_keeps_the_primes() -> None:
     assert primes_of(g) != PRIMES
 
 
-@pytest.mark.parametrize(("symbols", "drawn"), [(6, True), (21, False)])
-def test_roots_are_too_many_where_they_are_independent(symbols: int, drawn: bool) -> None:
-    """Where x and y are squares x y is one: of 21 radicands 6 are left to hope for, and all of 21 symbols."""
+@pytest.mark.parametrize(("kind", "drawn"), [("products", True), ("symbols", True), ("sums", False)])
+def test_roots_are_too_many_where_they_are_independent(kind: str, drawn: bool) -> None:
+    """Where x and y are squares x y is one: of 21 products of 6 symbols 6 are left to hope for, and each of 21 symbols is drawn by
+    itself; but that x + 1, ..., x + 21 are squares hangs on a single one.
+    """
     g = Graph()
-    x = [g.symbol(f"x{k}") for k in range(symbols)]
-    radicands = [*x, *(g.mul(a, b) for a, b in combinations(x, 2))][:21]
+    x = [g.symbol(f"x{k}") for k in range(21)]
+    radicands = {
+        "products": [*x[:6], *(g.mul(a, b) for a, b in combinations(x[:6], 2))],
+        "symbols": x,
+        "sums": [g.add(x[0], g.number(k)) for k in range(1, 22)],
+    }[kind]
+    assert len(radicands) == 21
     points = draw_points(g, [g.function("sqrt", radicand) for radicand in radicands], PRIMES[0], range(2000))
     assert (next(points, None) is not None) is drawn
 

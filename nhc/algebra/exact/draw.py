@@ -61,14 +61,7 @@ def draw_points(
     steps = _plan_steps(graph, radicals, later | graph.mask(known), many) if settle is None and many > _FEW else None
     if steps is not None:
         graph.memory.setdefault(_STEPWISE, {})[frozenset(radicals)] = steps
-        failed = 0
-        for seed in seeds:
-            point = _draw_stepwise(graph, steps, draw(seed), seed)
-            failed += point is None
-            if failed == _HOPELESS:
-                break
-            if point is not None:
-                yield seed, point
+        yield from _draw_stepwise(graph, steps, draw, seeds)
         return
     if many > _MOST_INDEPENDENT:
         hopeless.extend([frozenset(radicals)] if free else [])
@@ -149,7 +142,22 @@ def stepwise_degree(graph: Graph, roots: Collection[Node]) -> tuple[int, int]:
     return best
 
 
-def _draw_stepwise(graph: Graph, steps: Sequence[Step], point: FieldPoint, seed: int) -> FieldPoint | None:
+def _draw_stepwise(
+    graph: Graph, steps: Sequence[Step], draw: Callable[[int], FieldPoint], seeds: Iterable[int]
+) -> Iterator[tuple[int, FieldPoint]]:
+    """(seed, point), until some roots were not found a few times."""
+    failed = 0
+    for seed in seeds:
+        point = _settle_roots(graph, steps, draw(seed), seed)
+        if point is not None:
+            yield seed, point
+            continue
+        failed += 1
+        if failed == _HOPELESS:
+            return
+
+
+def _settle_roots(graph: Graph, steps: Sequence[Step], point: FieldPoint, seed: int) -> FieldPoint | None:
     """The point with such values of the steps' symbols that all of their roots exist; None where one was not found in many times
     the trials that it should take.
     """

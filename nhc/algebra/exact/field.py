@@ -133,9 +133,7 @@ class FieldPoint:
         return other
 
     def redraw(self, symbol: Node, value: int, moved: Iterable[Node]) -> None:
-        """Another value of a symbol, at which nodes that have been announced and hold it are evaluated again; all others of these
-        have their values.
-        """
+        """Another value of a symbol, and of the announced nodes that hold it; others under these have theirs."""
         self._circles.clear()
         self.values[symbol] = value
         self.fill(moved)
