@@ -56,6 +56,8 @@ def find_need(spec: Spec, text: str) -> str:
         return f"{name[:-3]}'"
     if name == "reactions":
         raise RunError("there are no reactions: this spec has no constraint", ("leave `reactions` out",))
+    if name == "t":
+        raise RunError("the time needs not be asked for: it is the first column", ("leave `t` out",))
     shown = name in (*ENERGIES, *(d.name for d in spec.definitions)) or name.startswith("lambda_")
     hint = advise_need(name) if shown else suggest(name, known, f"it can be {', '.join(known)}")
     raise RunError(f"no quantity `{text}` in this spec", (hint,))
