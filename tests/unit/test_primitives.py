@@ -72,7 +72,28 @@ def test_what_is_not_elementary_at_once_is_left_out(term: str) -> None:
 @pytest.mark.parametrize(("function", "argument"), [("abs", "x"), ("min", "x, y"), ("max", "x, 0")])
 def test_a_kink_is_told_with_its_function(key: str, function: str, argument: str) -> None:
     kink = f"{function}({argument})"
-    energies = f"T: (x'^2 + y'^2)*(3 + {kink}^3)/2\n" if key == "T" else f"T: (x'^2 + y'^2)/2\n{key}: {kink}\n"
+    energies = f"T: (x'^2 + y'^2)*(3 + {kink})/2\n" if key == "T" else f"T: (x'^2 + y'^2)/2\n{key}: {kink}\n"
     found = check(Source("s.yaml", f"nhc: 1\nsystem: s\ncoordinates: [x, y]\n{energies}")).diagnostics
     said = [d.message for d in found if d.code == "W0416"]
     assert said == [f"`{key}` contains `{function}`: its derivative does not exist at every point"]
+
+
+@pytest.mark.parametrize(
+    ("energy", "smooth"),
+    [
+        ("max(x, 0)^2", True),
+        ("max(x, 0)^(3/2)", True),
+        ("abs(x)^3", True),
+        ("x*abs(x)", True),
+        ("max(sqrt(x^2 + y^2) - 1, 0)^2", True),
+        ("max(x, 0)^2 + abs(y)", False),
+        ("max(x, 0)*y", False),
+        ("sqrt(abs(x))", False),
+        ("min(x^2, 1)", False),
+    ],
+)
+def test_energies_whose_derivatives_exist_are_not_warned_of(energy: str, smooth: bool) -> None:
+    """Ropes that only pull, and contacts: the force has a kink, the energy has none."""
+    for text in (f"T: (x'^2 + y'^2)/2\nV: {energy}\n", f"T: (x'^2 + y'^2)*(4 + {energy})/2\n"):
+        found = check(Source("s.yaml", f"nhc: 1\nsystem: s\ncoordinates: [x, y]\n{text}")).diagnostics
+        assert ("W0416" not in [d.code for d in found]) is smooth, text

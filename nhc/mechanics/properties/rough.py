@@ -6,7 +6,8 @@ from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
-from nhc.algebra.graph import Node
+from nhc.algebra.calculus import gradient
+from nhc.algebra.graph import POW, Node
 from nhc.algebra.walks import reachable
 from nhc.diagnostics import Bag, quote
 from nhc.mechanics.properties.constancy import has_jumps
@@ -41,6 +42,15 @@ def _kinks(system: System, node: Node, ranges: Mapping[Node, Interval]) -> list[
     return sorted(found)
 
 
+def _lacks_slopes(system: System, node: Node, ranges: Mapping[Node, Interval]) -> bool:
+    """Whether a derivative of the node jumps, or has a pole at a kink; that of max(x, 0)^2 does not."""
+    g, known = system.graph, {**parameter_ranges(system), **ranges}
+    slopes = gradient(g, node, (*system.q, *system.v))
+    below = [g.a[n] for n in reachable(g, slopes) if g.op[n] == POW and g.b[n] < 0]
+    poles = [n for n in below if not cannot_vanish(g, n, known) and any(g.op[x] in _ROUGH for x in reachable(g, [n]))]
+    return bool(poles) or has_jumps(system, slopes, ranges=ranges)
+
+
 def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
     """Warnings of what is rough where coordinates keep to the ranges that the spec expects; ``torn`` as of :func:`list_torn`."""
     spec, ranges = system.spec, coordinate_ranges(system)
@@ -54,7 +64,7 @@ def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
             )
             continue
         found = _kinks(system, node, ranges)
-        if found:
+        if found and _lacks_slopes(system, node, ranges):
             bag.warning(
                 "W0416",
                 f"`{key}` contains {quote(found)}: its derivative does not exist at every point",
