@@ -64,12 +64,15 @@ def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
             )
             continue
         found = _kinks(system, node, ranges)
-        if found and _lacks_slopes(system, node, ranges):
+        if found:
+            lacks = _lacks_slopes(system, node, ranges)
+            help = "use a smooth function, or give the `range` of coordinates that stay at one side of the kink"
             bag.warning(
                 "W0416",
-                f"`{key}` contains {quote(found)}: its derivative does not exist at every point",
+                f"`{key}` contains {quote(found)}: its derivative "
+                + ("does not exist at every point" if lacks else "exists everywhere, higher ones need not"),
                 spec.key_span(key),
-                help=("use a smooth function, or give the `range` of coordinates that stay at one side of the kink",),
+                help=(help if lacks else "nothing is wrong with it, but methods of high order lose their order there",),
             )
     spans = {entry.name: entry.span for entry in spec.constraints}
     spans |= {entry.name: entry.span for entry in spec.holonomic}
