@@ -8,6 +8,7 @@ from html import escape
 from nhc.emit.environment import create_environment
 from nhc.report.chart import draw_study
 from nhc.report.chart_text import list_failures, list_omissions, provenance, runs_of, times_to_targets
+from nhc.report.marks import mark_code
 from nhc.report.panel import Style, style_of
 from nhc.study.chart.advice import TARGETS, advise
 from nhc.study.chart.case import Result, Study
@@ -21,7 +22,7 @@ def make_page(study: Study) -> str:
     context: dict[str, object] = {
         "title": escape(f"{study.system}, scene {study.scene}: work against precision"),
         "about": escape(study.about),
-        "advice": [(spell_power(a.target), escape(a.text)) for a in advise(study)],
+        "advice": [(spell_power(a.target), mark_code(a.text)) for a in advise(study)],
         "chart": draw_study(study),
         "choices": list_choices(style),
         "targets": [spell_power(target) for target in TARGETS],
@@ -32,12 +33,12 @@ def make_page(study: Study) -> str:
             )
             for series, times in times_to_targets(study)
         ],
-        "failures": [(escape(what), escape(why), runs_of(count)) for what, why, count in list_failures(study)],
+        "failures": [(escape(what), mark_code(why), runs_of(count)) for what, why, count in list_failures(study)],
         "omissions": [
-            (escape(names), [(escape(name), escape(reason)) for name, reason in left])
+            (escape(names), [(escape(name), mark_code(reason)) for name, reason in left])
             for names, left in list_omissions(study)
         ],
-        "left_out": [(escape(what), escape(why)) for what, why in study.left_out],
+        "left_out": [(escape(what), mark_code(why)) for what, why in study.left_out],
         "sources": [escape(line) for line in provenance(study)],
         "cases": [[escape(cell) for cell in describe(result)] for result in study.results],
         "data": json.dumps([read_out(r) for r in study.results], ensure_ascii=False).replace("<", "\\u003c"),

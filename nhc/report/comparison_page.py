@@ -17,6 +17,7 @@ from nhc.report.comparison_text import (
     to_json,
     to_markdown,
 )
+from nhc.report.marks import mark_code
 from nhc.report.panel import style_of
 from nhc.study.chart.case import Result
 from nhc.study.chart.fidelity import Comparison
@@ -40,16 +41,16 @@ def make_comparison_page(made: Comparison) -> str:
     context: dict[str, object] = {
         "title": escape(f"scene {made.scene}: models against {made.finest}"),
         "abouts": [(escape(rung.name), escape(rung.about)) for rung in made.rungs],
-        "advice": [(spell_power(target), escape(text)) for target, _, text in advise_models(made)],
-        "observations": [escape(line) for line in observations(made)],
+        "advice": [(spell_power(target), mark_code(text)) for target, _, text in advise_models(made)],
+        "observations": [mark_code(line) for line in observations(made)],
         "chart": draw_comparison(made),
         "choices": [(kind, entries) for kind, entries in choices if len(entries) > 1],
         "head": [escape(cell) for cell in head],
         "rows": [[escape(cell) for cell in row] for row in rows],
         "omissions": [
-            (escape(rung.name), escape(name), escape(reason)) for rung in made.rungs for name, reason in rung.left
+            (escape(rung.name), escape(name), mark_code(reason)) for rung in made.rungs for name, reason in rung.left
         ],
-        "failures": [escape(line) for line in list_failures(made)],
+        "failures": [mark_code(line) for line in list_failures(made)],
         "sources": [escape(line) for line in provenance(made)],
         "data": json.dumps([read_out(r) for r in made.results], ensure_ascii=False).replace("<", "\\u003c"),
         "version": __version__,

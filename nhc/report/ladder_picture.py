@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.ladder import list_rungs, note_longer, print_how, reduced_spec
-from nhc.report.marks import draw_axes, draw_document, draw_foot, draw_line, draw_marker, draw_text
+from nhc.report.marks import draw_axes, draw_document, draw_foot, draw_line, draw_marker, draw_text, mark_code
 from nhc.report.ticks import linear_scale, log_scale
 from nhc.study.chart.words import duration
 from nhc.study.simplify.ladder import Ladder, Rung
@@ -35,11 +34,6 @@ def draw_ladder(ladder: Ladder) -> str:
     total = bottom + 26
     parts += lines
     return draw_document(WIDTH, total, parts)
-
-
-def _mark_code(text: str) -> str:
-    """The text as HTML, with what stands between back-ticks in typewriter."""
-    return re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(text))
 
 
 def _unit(seconds: float) -> tuple[float, str]:
@@ -107,10 +101,10 @@ def make_ladder_page(ladder: Ladder) -> str:
         "chart": draw_ladder(ladder),
         "needs": [escape(need) for need in ladder.needs],
         "rungs": [
-            ([_mark_code(cell) for cell in row], [f"{error:.1e}" for error in rung.errors])
+            ([mark_code(cell) for cell in row], [f"{error:.1e}" for error in rung.errors])
             for row, rung in zip(list_rungs(ladder), ladder.rungs, strict=True)
         ],
-        "kept": [(_mark_code(kept.about), _mark_code(kept.reason)) for kept in ladder.kept],
+        "kept": [(mark_code(kept.about), mark_code(kept.reason)) for kept in ladder.kept],
         "spec": escape(reduced_spec(ladder)),
         "data": json.dumps(_readings(ladder.rungs, ladder.needs), ensure_ascii=False).replace("<", "\\u003c"),
         "version": __version__,

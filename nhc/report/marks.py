@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from html import escape
 from textwrap import wrap
@@ -40,6 +41,11 @@ def draw_cross(x: float, y: float, size: float, colour: str, more: str = "") -> 
 def draw_line(x1: float, y1: float, x2: float, y2: float, colour: str, more: str = "") -> str:
     """A straight line."""
     return f'<line x1="{x1:.2f}" y1="{y1:.2f}" x2="{x2:.2f}" y2="{y2:.2f}" stroke="{colour}"{more}/>'
+
+
+def mark_code(text: str) -> str:
+    """The text as HTML, with what stands between back-ticks in typewriter."""
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(text))
 
 
 def draw_text(x: float, y: float, text: str, anchor: str = "start", more: str = "", colour: str = "#222222") -> str:

@@ -10,7 +10,7 @@ from html import escape
 from nhc.emit.environment import create_environment
 from nhc.mechanics.properties.conserved import power_terms
 from nhc.report.drawing import describe_drawing, shorten, thin_rows
-from nhc.report.marks import draw_document
+from nhc.report.marks import draw_document, mark_code
 from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, time_axis
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Trajectory, energy_change
@@ -118,7 +118,7 @@ def make_page(found: Trajectory) -> str:
     context = {
         "title": escape(f"{job.program.system}: {job.scene.name}"),
         "about": escape(job.program.about),
-        "facts": [(escape(name), escape(text)) for name, text in facts],
+        "facts": [(escape(name), mark_code(text)) for name, text in facts],
         "charts": [draw(chart) for chart in charts],
         "data": _embed([_readable(chart) for chart in charts]),
         "drawing": "" if drawing is None else _embed(drawing),

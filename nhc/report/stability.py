@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from nhc.emit.environment import create_environment
+from nhc.report.marks import mark_code
 from nhc.report.svg import Axis, Chart, Series, draw, time_axis
 from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.stability.laboratory import Laboratory
@@ -126,7 +127,7 @@ def make_page(lab: Laboratory) -> str:
     """The page."""
     bench = lab.bench
     parts = [
-        (escape(part.title), [tuple(map(escape, (row.what, row.value, row.remark))) for row in part.rows])
+        (escape(part.title), [tuple(map(mark_code, (row.what, row.value, row.remark))) for row in part.rows])
         for part in sections(lab)
     ]
     context = {
