@@ -15,7 +15,8 @@ _VELOCITIES, _POSITIONS, _TAKEN = 1, 3, 4
 class Reading:
     """The order of terms: J w' + m v^2 - k x, x^2 + y^2 - 1, 1 - x.
 
-    By the highest derivatives in each, then in the ``order`` of these symbols, or in that of their declaration.
+    By the highest derivatives in each, then in the ``order`` of these symbols, or in that of their declaration; one that is
+    positive comes first where there is one.
     """
 
     def __init__(self, graph: Graph, order: Sequence[Node] = ()) -> None:
@@ -41,7 +42,8 @@ class Reading:
                 found.append((negative, node))
         mixed = len({self._is_taken(*term) for term in found}) > 1  # the sign of all stands before them
         found.sort(key=lambda term: self._place(mixed and self._is_taken(*term), term[1]))
-        return found
+        first = next((k for k, term in enumerate(found) if not self._is_taken(*term)), 0)
+        return [found[first], *found[:first], *found[first + 1 :]]
 
     def _is_taken(self, negative: bool, node: Node) -> bool:
         value = self.graph.value(node)

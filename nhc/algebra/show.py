@@ -49,17 +49,15 @@ def _write(r: Reading, node: Node, budget: list[int]) -> tuple[str, int]:
 
 
 def _write_sum(r: Reading, node: Node, budget: list[int]) -> str:
-    """The terms in reading order; one that is positive comes first where there is one."""
-    terms = []
+    """The terms in reading order, a sign between two of them standing apart."""
+    whole = ""
     for negative, term in r.terms(node):
         text = _wrap(_write(r, term, budget), _PRODUCT if negative else _SUM)
         if text.startswith("-"):
             negative, text = not negative, text[1:]
-        terms.append((negative, text))
-    first = next((k for k, (negative, _) in enumerate(terms) if not negative), 0)
-    terms.insert(0, terms.pop(first))
-    head = f"-{terms[0][1]}" if terms[0][0] else terms[0][1]
-    return head + "".join(f" {'-' if negative else '+'} {text}" for negative, text in terms[1:])
+        sign = "-" if negative else "+"
+        whole += f" {sign} {text}" if whole else text if sign == "+" else f"-{text}"
+    return whole
 
 
 def _write_power(r: Reading, base: Node, n: int, budget: list[int]) -> tuple[str, int]:

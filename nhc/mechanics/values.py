@@ -68,10 +68,10 @@ def coordinate_ranges(system: System) -> dict[Node, tuple[float, float]]:
 
 def start_values(spec: Spec, scene: Scene, p: Sequence[float]) -> dict[str, float]:
     """What the values of the scene's start may speak of."""
-    return known_values(spec, p, [entry.value for entry in scene.initial])
+    return named_constants(spec, p, [entry.value for entry in scene.initial])
 
 
-def known_values(spec: Spec, p: Sequence[float], trees: Sequence[Syntax]) -> dict[str, float]:
+def named_constants(spec: Spec, p: Sequence[float], trees: Sequence[Syntax]) -> dict[str, float]:
     """The parameters and, where the trees have other names, the definitions of these; not a number where one has no value."""
     found = dict(zip((parameter.name for parameter in spec.parameters), p, strict=True))
     if {name for tree in trees for name in names_in(tree)} <= {*found, PI}:

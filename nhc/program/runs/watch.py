@@ -131,7 +131,7 @@ def watch_function(
     event: Event | None,
     weak: bool,
     known: dict[Node, tuple[float, float]],
-    starts: Sequence[Mapping[Node, float]] = (),
+    starts: Sequence[Mapping[Node, float]],
 ) -> tuple[Function | None, Watch]:
     """The function of a run's watched values, None where there are none; ``weak``: with the levels of weakness.
 
@@ -290,7 +290,7 @@ def _rank(planner: Planner) -> list[_Measure]:
 def _rows(planner: Planner, starts: Sequence[Mapping[Node, float]]) -> list[_Measure]:
     """Constraints whose coefficients may vanish all at once, against the least of the sizes that they start with."""
     g, found = planner.graph, list[_Measure]()
-    for row in find_vanishing_rows(planner.system) if starts else ():
+    for row in find_vanishing_rows(planner.system):
         square = g.sum([g.power(entry, 2) for entry in row])
         (value,) = substitute(g, [square], planner.put_in)
         least = min(_value_at(g, square, start) for start in starts)

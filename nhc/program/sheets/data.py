@@ -204,7 +204,8 @@ def add_letters(desk: Desk, sheet: DraftSheet) -> None:
         " energies or forces, they are the theory's; in the equations of this system the theory's are written"
     )
     rows: list[tuple[Mark | str, ...]] = [
-        (mark, " of ".join([_THEORY[mark.base.removesuffix(OTHER)], *mark.lower])) for mark in desk.reshaped
+        (mark, " of ".join([_THEORY[mark.base.removesuffix(OTHER)], *(x for x in mark.lower if not x.isdigit())]))
+        for mark in desk.reshaped
     ]
     sheet.add(_table(("written", "what it is"), rows))
 

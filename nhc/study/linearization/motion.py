@@ -34,7 +34,7 @@ from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
-from nhc.mechanics.values import constant_value, known_values
+from nhc.mechanics.values import constant_value, named_constants
 from nhc.records import record
 from nhc.simulate.switching import SOUND
 from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_ranges, keep_speeds
@@ -240,7 +240,7 @@ def read_holds(model: SteadyModel, text: str, guess: Sequence[float]) -> list[Ho
     """
     if "=" in text:
         source, given = read_pairs(text, "--hold")
-        known = known_values(model.flow.system.spec, model.p, [pair.value for pair in given])
+        known = named_constants(model.flow.system.spec, model.p, [pair.value for pair in given])
         pairs = [(pair.name, _held_value(source, pair, known)) for pair in given]
     else:
         names = [fold_typed(name) for name in text.split(",") if name.strip()]
