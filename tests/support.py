@@ -44,6 +44,18 @@ QUICK = shutil.which("clang") or COMPILER
 UNOPTIMISED = ("-O0", "-ffp-contract=off")
 
 
+def both_ways(*cases: Any) -> list[Any]:
+    """Each case of a method, or of a method and more, compiled and in plain Python, where radau5 is slow."""
+    found = []
+    for case in cases:
+        values = case if isinstance(case, tuple) else (case,)
+        found += [
+            pytest.param(*values, True),
+            pytest.param(*values, False, marks=pytest.mark.slow if values[0] == "radau5" else ()),
+        ]
+    return found
+
+
 def interrupt(*arguments: str) -> tuple[int, str]:
     """(exit code, what the terminal shows) of nhc, interrupted by a SIGINT as soon as its bar has moved."""
     screen, terminal = pty.openpty()

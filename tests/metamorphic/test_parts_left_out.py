@@ -124,7 +124,9 @@ def compare(system: System, formulation: Formulation, whole: ModuleType, rng: ra
     return seen
 
 
-@pytest.mark.parametrize("name", WITH_CONSTRAINTS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(x, marks=pytest.mark.slow if x == "bicycle" else ()) for x in WITH_CONSTRAINTS]
+)
 def test_formulations_agree_at_right_angles(name: str) -> None:
     rng, seen = random.Random(zlib.crc32(name.encode())), []
     for source in smaller(name, rng):

@@ -219,7 +219,10 @@ def test_the_warning_names_what_jumps() -> None:
     assert warning.message.startswith("`V` jumps")
 
 
-@pytest.mark.parametrize(("method", "compiled"), [("auto", False), ("auto", True), ("radau5", True)])
+STICKING = [pytest.param("auto", False, marks=pytest.mark.slow), ("auto", True), ("radau5", True)]
+
+
+@pytest.mark.parametrize(("method", "compiled"), STICKING)
 def test_a_run_ends_soon_where_dry_friction_sticks(
     method: str, compiled: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:

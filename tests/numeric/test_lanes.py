@@ -87,7 +87,8 @@ def assert_close(found: Outcome, single: Outcome, tolerance: float) -> None:
 @pytest.mark.parametrize(
     ("name", "method"),
     [
-        *((name, "dop853") for name in ("rolling_disk", "roller_racer", "pumped_pendulum", "snakeboard")),
+        *((name, "dop853") for name in ("rolling_disk", "pumped_pendulum")),
+        *(pytest.param(name, "dop853", marks=pytest.mark.slow) for name in ("roller_racer", "snakeboard")),
         *(("chaplygin_sleigh", method) for method in EXPLICIT),
         *(("pumped_pendulum", method) for method in EXPLICIT if method != "dop853"),
     ],

@@ -22,7 +22,7 @@ from nhc.simulate.requests import RunError
 from nhc.simulate.run import Settings, run
 from nhc.simulate.task import DONE, Task
 from nhc.simulate.workshop import load
-from tests.support import COMPILER, compile_c, spec_path
+from tests.support import COMPILER, both_ways, compile_c, spec_path
 
 PUSH = """nhc: 1
 system: push
@@ -35,9 +35,6 @@ constraints:
 scenes:
   rest: {initial: {}, time: [0, 2]}
 """
-
-
-pytestmark = pytest.mark.usefixtures("optimised_models")
 
 
 @pytest.mark.parametrize("compiled", [True, False])
@@ -173,8 +170,7 @@ def swum() -> list[float]:
     return [float(x) for x in found.y[:4, -1]]
 
 
-@pytest.mark.parametrize("compiled", [True, False])
-@pytest.mark.parametrize("method", [m for m in RUNGE_KUTTA if is_adaptive(m)])
+@pytest.mark.parametrize(("method", "compiled"), both_ways(*(m for m in RUNGE_KUTTA if is_adaptive(m))))
 def test_what_grows_late_from_rest_holds_no_step_up(method: str, compiled: bool, swum: list[float]) -> None:
     """omega ~ t^2, v ~ t^5, y ~ t^9: in a step from zero the error of each is the same part of its size, however short it is."""
     found = run(
@@ -195,10 +191,9 @@ def test_a_driver_starts_from_rest(tmp_path: Path, swum: list[float]) -> None:
         assert [float(x) for x in last[1:]] == pytest.approx(swum, abs=1e-6)
 
 
-@pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize(
-    ("method", "torque"),
-    [
+    ("method", "torque", "compiled"),
+    both_ways(
         ("dop853", "A*t^8"),
         ("dop853", "A*t^12"),
         ("dop853", "A*t^16"),
@@ -207,7 +202,7 @@ def test_a_driver_starts_from_rest(tmp_path: Path, swum: list[float]) -> None:
         ("radau5", "A*t^5"),
         ("radau5", "A*t^12"),
         ("radau5", "A*max(0, t - 1)"),
-    ],
+    ),
 )
 def test_forces_of_a_high_power_of_the_time_from_rest(method: str, torque: str, compiled: bool) -> None:
     """B (theta + delta)'' = M by quadrature.  Even what grows first has one relative error in all steps from zero.

@@ -12,7 +12,10 @@ import pytest
 
 from tests.support import ROOT, spec_path
 
-SYSTEMS = ("rolling_disk", "snakeboard", "ball_on_table", "n_trailer3", "rattleback")
+SYSTEMS = [
+    *("rolling_disk", "snakeboard", "n_trailer3"),
+    *(pytest.param(name, marks=pytest.mark.slow) for name in ("ball_on_table", "rattleback")),
+]
 SCRIPT = """
 import sys
 from nhc.cli.entry import main

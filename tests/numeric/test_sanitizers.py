@@ -18,7 +18,7 @@ from nhc.language import decode, read
 from nhc.pipeline import Options, emit
 from tests.support import COMPILER, GALLERY, STRICT, spec_path
 
-SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-O1", "-g")
+SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-O0", "-g")
 
 
 def has_sanitizers(compiler: str) -> bool:
@@ -31,7 +31,7 @@ def has_sanitizers(compiler: str) -> bool:
     )
 
 
-FENCED = ("-DFENCED", "-O1", "-g")  # a build that needs no library
+FENCED = ("-DFENCED", "-O0", "-g")  # a build that needs no library
 COMPILERS = [c for c in ("gcc", "clang", "clang-14") if has_sanitizers(c)][:2]
 BUILDS = [(c, SANITIZERS) for c in COMPILERS] or [(COMPILER, FENCED)]
 LARGE = ("bicycle", "rattleback")

@@ -38,6 +38,7 @@ def test_the_table_of_scenes_is_as_measured(golden: Callable[[Path, str], None])
     golden(DOCUMENT, new)
 
 
+@pytest.mark.slow
 def test_the_measured_table_has_the_scenes_whose_model_is_another_one() -> None:
     """Times move from machine to machine; which scenes stand there and how many equations they have does not."""
     text = scenes.PART.search(DOCUMENT.read_text())

@@ -20,7 +20,7 @@ from nhc.simulate.opening import open_scene
 from nhc.simulate.peers import SCIPY
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.starts import list_starts, read_starts
-from tests.support import compile_c, spec_path
+from tests.support import both_ways, compile_c, spec_path
 
 ADAPTIVE = [method for method in RUNGE_KUTTA if is_adaptive(method)]
 
@@ -123,8 +123,7 @@ scenes:
 """
 
 
-@pytest.mark.parametrize("compiled", [True, False])
-@pytest.mark.parametrize("method", ADAPTIVE)
+@pytest.mark.parametrize(("method", "compiled"), both_ways(*ADAPTIVE))
 def test_what_is_zero_but_for_rounding_holds_no_step_up(method: str, compiled: bool) -> None:
     """The cart's position has no other length beside it, and no size of its own."""
     tolerance = 1e-9 if method == "dop853" else 1e-6
