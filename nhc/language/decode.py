@@ -92,7 +92,8 @@ class _Decoder:
         dependent = self._dependent(equations.count if counted else None)
         constrained = bool(rotations) or any(map(self.root.get, ("constraints", "holonomic")))
         given = self.draft.parameters
-        scenes = decode_scenes(self.root.get("scenes"), self.shapes, self.scope, given, rotations, constrained)
+        asked = self.root.get("scenes"), self.shapes, self.scope
+        scenes = decode_scenes(*asked, given, rotations, constrained, equations.taken)
         draw = decode_drawing(self.root.get("draw"), self.shapes, self._read)
         definitions = self._in_order()
         spec = Spec(
