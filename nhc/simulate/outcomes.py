@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.mechanics.choosing.conditioning import conditioning
 from nhc.mechanics.properties.singular import smallest_singular_value
@@ -44,6 +47,23 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
         NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
     }
     return "failed", reasons.get(outcome.kind, "it fails")
+
+
+def describe_valueless(job: Job, outcome: Outcome, status: int) -> str:
+    """Why a row cannot be written: a needed quantity without a value at the outcome's state; which, where that can be told."""
+    g, system = job.system.graph, job.system
+    place = dict(zip((*system.p, *job.constants, *job.symbols), (*job.p, *outcome.y), strict=True))
+    place[system.t] = outcome.t
+    for column in job.columns:
+        try:
+            lost = not isfinite(float(evaluate(g, [column.node], place)[0]))
+        except KeyError:  # it holds what the model solves for
+            continue
+        except (ArithmeticError, ValueError, TypeError):
+            lost = True
+        if lost:
+            return f"`{column.heading}`, which is needed, has no real, finite value"
+    return f"a needed quantity has no value: {job.meanings.get(status, 'it is not finite')}"
 
 
 def find_lost(job: Job, outcome: Outcome) -> int:
