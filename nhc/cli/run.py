@@ -287,7 +287,7 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
     if lost:
         return ["there the constraints lose rank, and no formulation has a motion beyond: end the scene before"]
     if outcome.kind == DONE:  # the motion goes on: it is a column that ends there
-        return ["leave it out of what is needed, or end the scene before with `--time`"]
+        return ["leave it out of what is needed or drawn, or end the scene before with `--time`"]
     if outcome.kind != CROSSED:
         return []
     kind = job.watch.kinds[find_lost(job, outcome)]

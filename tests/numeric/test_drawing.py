@@ -243,6 +243,12 @@ def test_schema_and_dump() -> None:
     assert "draw point x, y + t\n" in dump_decode(Source("cart.yaml", SPEC + DRAW), Options())
 
 
+def test_what_is_drawn_and_has_no_value_is_named() -> None:
+    found = run_drawn(SPEC + "draw: [{point: [x, sqrt(2 - t)]}]\n", points=4)
+    assert (found.ended, found.outcome.t) == ("failed", 3.0)
+    assert found.reason == "`sqrt(2 - t)` under `draw` has no real, finite value"
+
+
 def test_the_start_of_a_rotation_is_told_by_its_angular_velocity() -> None:
     """As a scene gives it; the rates of a quaternion are nobody's numbers, and half as large."""
     text = "nhc: 1\nsystem: spin\ncoordinates: [x]\nrotation: {R: {velocities: [p, q, r]}}\nT: x'^2 + p^2 + 2*q^2 + 3*r^2\n"

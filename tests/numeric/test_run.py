@@ -358,7 +358,7 @@ def test_a_needed_quantity_without_a_value_is_named(
     code, out, err = call(capsys, str(spec), "--python", *how)
     name = "gap" if time else "bend"
     assert (code, out) == (3, "") and f"fails at t = {time!r} (dop853): `{name}`, which is needed, has no real" in err
-    assert "leave it out of what is needed, or end the scene before" in err
+    assert "leave it out of what is needed or drawn, or end the scene before" in err
 
 
 def test_an_inconsistent_start_is_refused_or_projected(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
