@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from nhc.mechanics.certificates.certificate import Certificate
     from nhc.program.paper import Derivation
     from nhc.program.scene_model import SceneModel
+    from nhc.simulate.changes import Changes
     from nhc.study.chart.case import Study
     from nhc.study.chart.fidelity import Comparison
     from nhc.study.chart.grid import Grid
@@ -141,17 +142,21 @@ def program(source: Source, options: Options = DEFAULT) -> Program:
     return build_program(made.system, made.formulation, made.equations, options.only, options.scene, scenes, driver)
 
 
-def reduce_scene(source: Source, options: Options) -> SceneModel:
-    """The smallest model that delivers what a scene needs, with all that was tried for it.
+def reduce_scene(source: Source, options: Options, changes: Changes | None = None) -> SceneModel:
+    """The smallest model that delivers what a scene needs, with all that was tried for it; ``changes``: of the scene's values.
 
     Raises:
-        SpecError: everything that is wrong with the spec.
+        SpecError: everything that is wrong with the spec, or with the changes.
     """
     from nhc.program.scene_model import scene_model
 
     spec = decode(source)
     check_scene_name(spec, options.scene)
     scene = next(s for s in spec.scenes if s.name == options.scene)
+    if changes is not None:
+        from nhc.simulate.changes import changed
+
+        spec, scene = changed(spec, scene, changes)
     system = resolve(spec)
     fixed = (options.formulation or spec.formulation or "auto") != "auto"
     return scene_model(system, formulate(system, options.formulation), scene, only_base=fixed, fold=options.fold)
@@ -321,17 +326,20 @@ def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: 
     return compare(sources, finest, grid, show)
 
 
-def simplify(source: Source, tolerance: float, options: Options, show: ShowTrial | None = None) -> Ladder:
+def simplify(
+    source: Source, tolerance: float, options: Options, show: ShowTrial | None = None, changes: Changes | None = None
+) -> Ladder:
     """Models of a scene with less and less in them, by measured errors, down to the smallest within ``tolerance``.
 
     Raises:
         SpecError: the spec has errors.
         nhc.study.simplify.measure.NotMeasured: the full model's run is no reference.
     """
+    from nhc.simulate.changes import UNCHANGED
     from nhc.study.simplify.search import simplify as search
 
     check_scene_name(decode(source), options.scene)
-    return search(source, options.scene, tolerance, options.formulation, show=show)
+    return search(source, options.scene, tolerance, options.formulation, show=show, changes=changes or UNCHANGED)
 
 
 def cite(source: Source) -> str:

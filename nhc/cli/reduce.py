@@ -6,7 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nhc.cli.options import formulation_option, json_option, list_examples, spec_argument
+from nhc.cli.options import (
+    formulation_option,
+    json_option,
+    list_examples,
+    scene_set_option,
+    scene_time_option,
+    spec_argument,
+)
 from nhc.cli.simplify import approximate, check_options
 from nhc.cli.specs import open_spec, take_first_scene
 from nhc.cli.terminal import put_json, put_text
@@ -18,13 +25,17 @@ if TYPE_CHECKING:
 @click.command(
     "reduce",
     epilog=list_examples(
-        "nhc reduce rolling_disk --scene lean", "nhc reduce pendulum --scene small --tol 1e-4 -o small.yaml"
+        "nhc reduce rolling_disk --scene lean",
+        "nhc reduce rolling_disk --scene lean --set R=0.3 --fold",
+        "nhc reduce pendulum --scene small --tol 1e-4 -o small.yaml",
     ),
 )
 @spec_argument
 @click.option(
     "--scene", metavar="NAME", default="", help="The scene whose needs the model has to deliver; default: the first."
 )
+@scene_set_option
+@scene_time_option
 @formulation_option
 @click.option("--fold", is_flag=True, help="Put the scene's parameter values in as numbers first.")
 @click.option(
@@ -41,6 +52,8 @@ if TYPE_CHECKING:
 def command(
     spec: str,
     scene: str,
+    values: tuple[str, ...],
+    time: str,
     formulation: str | None,
     fold: bool,
     tolerance: float | None,
@@ -58,15 +71,18 @@ def command(
     check_options(tolerance, output, chart, fold, as_json)
     source = open_spec(spec)
     scene = scene or take_first_scene(source, "to reduce the model to")
-    if tolerance is not None:
-        return approximate(source, scene, formulation or "", tolerance, output, chart, force, as_json)
     from nhc.pipeline import Options, reduce_scene
+    from nhc.simulate.changes import Changes
 
-    made = reduce_scene(source, Options(formulation=formulation or "", scene=scene, fold=fold))
+    changes = Changes(values, time)
+    options = Options(formulation=formulation or "", scene=scene, fold=fold)
+    if tolerance is not None:
+        return approximate(source, options, changes, tolerance, output, chart, force, as_json)
+    made = reduce_scene(source, options, changes)
     if as_json:
-        put_json("nhc.reduce/1", _data(made))
+        put_json("nhc.reduce/1", {**_data(made), "changes": list(changes.notes)})
     else:
-        _print(made)
+        _print(made, changes.notes)
     return 0
 
 
@@ -100,9 +116,11 @@ def _data(made: SceneModel) -> dict[str, Any]:
     }
 
 
-def _print(made: SceneModel) -> None:
+def _print(made: SceneModel, notes: tuple[str, ...]) -> None:
     reduction = made.reduction
     put_text(f"{made.system.name}, scene {made.scene.name}: needs {', '.join(c.name for c in reduction.outputs)}")
+    for note in notes:
+        put_text(note)
     put_text(f"full     {_size(made.full_state, made.full_operations)}, {made.full_formulation}")
     put_text(
         f"reduced  {_size(reduction.state, made.operations)}, {reduction.formulation.name}: {reduction.formulation.reason}"

@@ -279,13 +279,15 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
     """What can be done about a singular place; ``lost``: the constraints have no full rank there."""
     from nhc.simulate.outcomes import find_lost
     from nhc.simulate.peers import PEERS
-    from nhc.simulate.task import CROSSED
+    from nhc.simulate.task import CROSSED, DONE
 
     job, outcome = found.job, found.outcome
     if lost and outcome.t == job.start.time[0]:
         return ["there the constraints lose rank, and no formulation has a motion: let the scene start elsewhere"]
     if lost:
         return ["there the constraints lose rank, and no formulation has a motion beyond: end the scene before"]
+    if outcome.kind == DONE:  # the motion goes on: it is a column that ends there
+        return ["leave it out of what is needed or drawn, or end the scene before with `--time`"]
     if outcome.kind != CROSSED:
         return []
     kind = job.watch.kinds[find_lost(job, outcome)]

@@ -5,12 +5,17 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from nhc.cli.progress import Clock, show_line
 from nhc.cli.terminal import Exit, Failure, put, put_json, put_text, say, terminal_width
 from nhc.language import Source
+
+if TYPE_CHECKING:
+    from nhc.pipeline import Options
+    from nhc.simulate.changes import Changes
 
 
 def check_options(tolerance: float | None, output: str | None, chart: str | None, fold: bool, as_json: bool) -> None:
@@ -39,8 +44,8 @@ def check_options(tolerance: float | None, output: str | None, chart: str | None
 
 def approximate(
     source: Source,
-    scene: str,
-    formulation: str,
+    options: Options,
+    changes: Changes,
     tolerance: float,
     output: str | None,
     chart: str | None,
@@ -55,7 +60,7 @@ def approximate(
     from nhc.study.simplify.measure import NotMeasured
 
     try:
-        ladder = pipeline.simplify(source, tolerance, pipeline.Options(formulation=formulation, scene=scene), _show())
+        ladder = pipeline.simplify(source, tolerance, options, _show(), changes)
     except NotMeasured as error:
         raise Failure(str(error), error.help, exit=Exit.NUMERICAL) from error
     finally:

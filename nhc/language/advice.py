@@ -121,9 +121,7 @@ def meant_rate(name: str, known: Collection[str]) -> str:
 
 
 def advise_need(name: str) -> str:
-    """How a scene comes to need what it cannot name: a definition, an energy or a single reaction."""
-    if name.startswith("lambda_"):
-        return "write `reactions`: it is all of them, in the constraints' order"
+    """How a scene comes to need what it cannot name: a definition or an energy."""
     return f"show it under `outputs`: `{name if name not in ENERGIES else f'{name}_shown'}: {name}`"
 
 

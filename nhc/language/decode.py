@@ -92,7 +92,8 @@ class _Decoder:
         dependent = self._dependent(equations.count if counted else None)
         constrained = bool(rotations) or any(map(self.root.get, ("constraints", "holonomic")))
         given = self.draft.parameters
-        scenes = decode_scenes(self.root.get("scenes"), self.shapes, self.scope, given, rotations, constrained)
+        asked = self.root.get("scenes"), self.shapes, self.scope
+        scenes = decode_scenes(*asked, given, rotations, constrained, equations.taken)
         draw = decode_drawing(self.root.get("draw"), self.shapes, self._read)
         definitions = self._in_order()
         spec = Spec(
@@ -255,14 +256,14 @@ class _Decoder:
         help = f"write `{next(iter(self.scope.of_kind('coordinate')), 'x')}: ...`, each force with its coordinate"
         table = self.shapes.table(node, "a mapping of coordinates to expressions", help) if node is not None else None
         found: dict[str, Definition] = {}
-        moving = self.scope.of_kind("define", "quasi")
-        quaternions = [name for rotation in self.draft.rotations for name in rotation.coordinates]
+        hidden = [name for rotation in self.draft.rotations for name in rotation.coordinates]
+        hidden += [f"{body.name}_T" for body in self.plain.bodies]
         for text, value in table.entries if table else ():
             name = fold(text.value)
             tree = self._parse(value)
             if self.scope.kind(name) == "entry":
                 self.scope.used.add(name)
-            elif not self.scope.check_coordinate(text, moving, quaternions):
+            elif not self.scope.check_pushed(text, hidden):
                 continue
             if pushes_quaternion(text, self.draft.rotations, self.bag):
                 continue

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Span, nearest, quote
@@ -24,11 +24,12 @@ from nhc.language.spec import (
     Parameter,
     Rotation,
     Scene,
+    reaction_name,
 )
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
-ENERGY, REACTIONS = "energy", "reactions"
+ENERGY, REACTIONS, REACTION = "energy", "reactions", "reaction"
 _NEEDED = "quantity that a scene can need"
 
 
@@ -39,12 +40,15 @@ def decode_scenes(
     parameters: Sequence[Parameter],
     rotations: Sequence[Rotation],
     constrained: bool,
+    constraints: Iterable[str] = (),
 ) -> tuple[Scene, ...]:
-    """Return the scenes; ``parameters`` and ``rotations`` are those of the spec, which is ``constrained`` if it has constraints."""
+    """Return the scenes; ``parameters`` and ``rotations`` are those of the spec, which is ``constrained`` if it has constraints,
+    and so are the names of its ``constraints`` as far as they could be read.
+    """
     table = shapes.table(node, "a mapping of scenes by name", "write `name:` with its keys below") if node else None
     if table is None:
         return ()
-    reader = _SceneReader(shapes, scope, parameters, rotations, constrained)
+    reader = _SceneReader(shapes, scope, parameters, rotations, constrained, constraints)
     found: dict[str, Scene] = {}
     for text, value in table.entries:
         good = check_name(text, shapes.bag)
@@ -74,13 +78,15 @@ class _SceneReader:
         parameters: Sequence[Parameter],
         rotations: Sequence[Rotation],
         constrained: bool,
+        constraints: Iterable[str],
     ) -> None:
         self.shapes = shapes
         self.scope = scope
         self.bag = shapes.bag
         self.parameters = parameters
         self.rotations = {rotation.name: rotation for rotation in rotations}
-        self.own_needs = (ENERGY, REACTIONS) if constrained else (ENERGY,)
+        self.reactions = tuple(reaction_name(constraint) for constraint in constraints)
+        self.own_needs = (ENERGY, *((REACTIONS,) if constrained else ()), *self.reactions)
 
     def read(self, text: Text, value: Node) -> Scene | None:
         help = f"write `{text.value}: {{time: [0, 10]}}`"
@@ -117,7 +123,7 @@ class _SceneReader:
         several = [part.strip() for part in text.value.split(",")]
         if what == _NEEDED and len(several) > 1 and all(fold(part) in known for part in several):
             help = f"write `need: [{', '.join(several)}]`"
-        elif what == _NEEDED and (defined or name in ENERGIES or name.startswith("lambda_")):
+        elif what == _NEEDED and (defined or name in ENERGIES):
             help = advise_need(name)
         elif defined:
             help = f"`{name}` follows from others: give the values of these"
@@ -259,6 +265,9 @@ class _SceneReader:
                     self._unknown(text, _NEEDED, (*known, *velocities, *self.own_needs))
             elif (need.kind, need.name) in found:
                 self.bag.error("E0305", f"`{text.value}` is needed twice", text.span, help=("keep one of them",))
+            elif need.kind in (REACTION, REACTIONS) and self._is_both(need, found):
+                help = f"`{REACTIONS}` is all of them: leave it out, or the single ones"
+                self.bag.error("E0305", f"`{text.value}` is needed twice", text.span, help=(help,))
             else:
                 found[need.kind, need.name] = need
         if items is None or not items.items:
@@ -274,7 +283,14 @@ class _SceneReader:
         velocity = self.scope.velocity_of(text.value)
         if velocity is not None:
             return Need("velocity", f"{velocity}'", text.span)
+        if name in self.reactions:
+            return Need(REACTION, name, text.span)
         return Need(name, name, text.span) if name in self.own_needs else None
+
+    @staticmethod
+    def _is_both(need: Need, found: Iterable[tuple[str, str]]) -> bool:
+        """Whether a reaction is needed by itself and among all of them."""
+        return (REACTION if need.kind == REACTIONS else REACTIONS) in {kind for kind, _ in found}
 
     def _time(self, node: Node) -> tuple[Fraction, Fraction] | None:
         time = self.shapes.interval(node, "`time`")

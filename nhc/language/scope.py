@@ -17,6 +17,7 @@ from nhc.records import record
 _SEARCHES = 50  # unknown names for which a near one is looked for; the search is slow
 _ENERGY = "energy"
 _PLACES = ("coordinate", "define", "entry")  # what has a rate and a differential
+_PUSHED = (*_PLACES, "quasi")  # what a force may be given on
 _KINDS = {
     "coordinate": "a coordinate",
     "parameter": "a parameter",
@@ -93,21 +94,39 @@ class Scope:
         """Return the names of some kinds, in the order of their declarations."""
         return tuple(name for name, declared in self.names.items() if declared.kind in kinds)
 
-    def check_coordinate(self, text: Text, also: Sequence[str] = (), hidden: Sequence[str] = ()) -> bool:
-        """Say whether a text names a coordinate or one of ``also``; report it where it does not, and propose no ``hidden`` one.
-
-        Near names are sought among all of them, but only coordinates are listed, if there are any.
-        """
+    def check_coordinate(self, text: Text) -> bool:
+        """Say whether a text names a coordinate; report it where it does not."""
         name = fold(text.value)
-        kind = self.kind(name)
-        if kind == "coordinate" or name in also:
+        if self.kind(name) == "coordinate":
             return True
         if not self.open and not self.is_unknown(name, text.span):
-            proposed = [n for n in self.of_kind("coordinate") if n not in hidden]
-            known = f"the coordinates are {quote(proposed)}" if proposed else f"known: {quote(also)}"
-            help = meant_force(name, self.offered) or suggest(name, [*proposed, *also], known)
+            known = self.of_kind("coordinate")
+            help = suggest(name, known, f"the coordinates are {quote(known)}")
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
+
+    def check_pushed(self, text: Text, hidden: Sequence[str]) -> bool:
+        """Say whether a force may be given on what a text names; report it where it may not, and propose nothing ``hidden``."""
+        name = fold(text.value)
+        if self.kind(name) in _PUSHED:
+            return True
+        if not self.open and not self.is_unknown(name, text.span):
+            self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(self._advise(text, hidden),))
+        return False
+
+    def _advise(self, text: Text, hidden: Sequence[str]) -> str:
+        """What a force can be given on that is near to a name; else the coordinates and the velocities of the spec."""
+        name, coordinate = fold(text.value), self.velocity_of(text.value)
+        if coordinate is not None:
+            return f"write `{coordinate}`: the force on a coordinate does its work with this velocity"
+        entries = self.of_kind("entry")
+        shown, velocities = ([n for n in self.of_kind(kind) if n not in hidden] for kind in ("coordinate", "quasi"))
+        offered = [n for n in (*self.of_kind("define"), *self.offered, *entries) if n not in hidden]
+        parts = [f"the coordinates are {quote(shown)}"] if shown else []
+        parts += [f"the velocities are {quote(velocities)}"] if velocities else []
+        meant = meant_entry(name, entries)
+        near = f"did you mean `{meant}`?" if meant else suggest(name, [*shown, *velocities, *offered], "; ".join(parts))
+        return meant_force(name, self.offered) or near
 
     def is_strange(self, name: str) -> bool:
         """Whether a name means nothing here."""

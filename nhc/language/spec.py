@@ -163,11 +163,17 @@ class Figure:
         return bool(self.normal) or any(len(place) == 3 for place in self.points)
 
 
+def reaction_name(constraint: str) -> str:
+    """What the reaction of a constraint is called in tables, and where a scene needs it alone."""
+    return f"lambda_{constraint}"
+
+
 @record
 class Need:
     """What a scene needs.
 
-    ``kind`` is "coordinate", "velocity" (``name`` is ``x'``), "quasi", "output", "energy" or "reactions".
+    ``kind`` is "coordinate", "velocity" (``name`` is ``x'``), "quasi", "output", "energy", "reactions" (all of them) or "reaction"
+    (``name`` is :func:`reaction_name` of its constraint).
     """
 
     kind: str

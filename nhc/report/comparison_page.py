@@ -40,7 +40,7 @@ def make_comparison_page(made: Comparison) -> str:
     ]
     context: dict[str, object] = {
         "title": escape(f"scene {made.scene}: models against {made.finest}"),
-        "abouts": [(escape(rung.name), escape(rung.about)) for rung in made.rungs],
+        "abouts": [(escape(rung.name), escape(rung.about)) for rung in made.rungs if rung.about],
         "advice": [(spell_power(target), mark_code(text)) for target, _, text in advise_models(made)],
         "observations": [mark_code(line) for line in observations(made)],
         "chart": draw_comparison(made),

@@ -15,6 +15,7 @@ def print_ladder(ladder: Ladder, width: int = 0) -> str:
     """The ladder as a table, then what stays and why; ``width`` is that of a terminal, 0 where lines may have any."""
     lines = [
         f"{ladder.system}, scene {ladder.scene}: needs {', '.join(ladder.needs)}, within {ladder.tolerance:g}",
+        *ladder.changes,
         f"measured {print_how(ladder)}",
         "errors: the largest on the output grid, relative to each quantity's largest magnitude there; "
         "those of the full model are the reference's own",
@@ -125,6 +126,7 @@ def reduced_spec(ladder: Ladder) -> str:
     )
     lines.append(f"Measured {print_how(ladder)};")
     lines.append(f"measured again by {ladder.confirmed}: error {max(ladder.again):.1e}.")
+    lines += [f"The scene has {change}." for change in ladder.changes]
     lines.append(f"It holds for the scene {ladder.scene} only, from its start and with its parameters:")
     lines += [f"  {name} = {value!r}" for name, value in ladder.parameters]
     lines.append("and was measured in these ranges, outside of which nothing is known of its errors:")
@@ -163,6 +165,7 @@ def ladder_data(ladder: Ladder) -> dict[str, Any]:
             }
             for rung in ladder.rungs
         ],
+        "changes": list(ladder.changes),
         "kept": [{"what": kept.about, "reason": kept.reason} for kept in ladder.kept],
         "confirmed": {"by": ladder.confirmed, "errors": dict(zip(ladder.needs, ladder.again, strict=True))},
         "machine": ladder.machine,

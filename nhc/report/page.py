@@ -7,7 +7,9 @@ import math
 import re
 from html import escape
 
+from nhc.algebra.evaluate import evaluate
 from nhc.emit.environment import create_environment
+from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.conserved import power_terms
 from nhc.report.drawing import describe_drawing, shorten, thin_rows
 from nhc.report.marks import draw_document, mark_code
@@ -141,14 +143,21 @@ def _list_parameters(job: Job) -> str:
 
 
 def _list_start(job: Job) -> str:
-    """Coordinates and velocities at the start, but for those that are zero, or that only rounding keeps from it."""
-    units, names = job.system.units, job.system.q_names
-    least = ROUNDING * max(map(abs, job.start.v), default=0.0)
-    values = (*zip(names, job.start.q, strict=True), *zip((f"{name}'" for name in names), job.start.v, strict=True))
+    """Coordinates and velocities at the start, but for those that are zero, or that only rounding keeps from it; of rotations the
+    angular velocities, which a scene gives.
+    """
+    system, units = job.system, job.system.units
+    angular = [form for form in system.quasi if form.name in system.angular]
+    rates = evaluate(system.graph, [form_value(system, form) for form in angular], job.start.values(system))
+    moving = [(f"{name}'", v) for name, v in zip(system.q_names, job.start.v, strict=True) if name not in system.turned]
+    moving += [(form.name, float(rate)) for form, rate in zip(angular, rates, strict=True)]
+    least = ROUNDING * max((abs(v) for _, v in moving), default=0.0)
+    slow = {name for name, v in moving if abs(v) <= least}
+    values = (*zip(system.q_names, job.start.q, strict=True), *moving)
     shown = [
         f"{name} = {_number(float(f'{value:.10g}'), units.get(name, ''))}".replace(" ", "\u00a0")
         for name, value in values
-        if value and not (name.endswith("'") and abs(value) <= least)
+        if value and name not in slow
     ]
     more = [f"... and {len(shown) - MOST_STARTED} more"] if len(shown) > MOST_STARTED else []
     return ", ".join([*shown[:MOST_STARTED], *more])

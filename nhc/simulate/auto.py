@@ -4,18 +4,21 @@ For comparisons and smaller models, which are all run by one method.  ``nhc run`
 (:mod:`nhc.simulate.pacing`).
 
 Stiff: radau5.  Else dopri5 where 1e-2 is enough, and dop853 for all that is finer.  Stiff means here that a trial run of
-dopri5 at a coarse tolerance takes steps as long as its stability allows, and that what holds it there is a decaying mode
-(a fast oscillation is part of the motion and has to be followed).
+dopri5 at a coarse tolerance takes steps as long as its stability allows, that what holds it there is a decaying mode
+(a fast oscillation is part of the motion and has to be followed), that the trial does not come to the end of the scene,
+and that radau5 goes on from there with steps that pay for what each of them costs.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.prepare import Job
-from nhc.simulate.task import DONE, TOO_MANY, Task
+from nhc.simulate.stiffness import PAYS, TRIAL
+from nhc.simulate.task import DONE, TOO_MANY, Outcome, Task
 
 COARSE = 1e-2
 TRIAL_TOLERANCE, TRIAL_STEPS = 1e-3, 200
@@ -26,19 +29,30 @@ _SAME = 0.2
 
 def choose_method(job: Job, tolerance: float) -> tuple[str, str]:
     """(method, why) for a relative accuracy; the job's program has the Jacobian."""
-    measured = _trial(job)
-    if measured > _HELD:
+    model = InterpretedModel(job.program, job.events, job.holds, job.watch.dips)
+    outcome = model.integrate(_task(job, TRIAL_TOLERANCE, TRIAL_STEPS), "dopri5", model.news())
+    measured = _held(job, model, outcome)
+    if measured > _HELD and outcome.kind == TOO_MANY and _pays(job, model, outcome, tolerance):
         return "radau5", f"stiff: a mode decays {measured:.2g} times within one coarse step of dopri5"
     if tolerance >= COARSE:
         return "dopri5", f"not stiff, and 1e-2 is enough (accuracy {tolerance:g})"
     return "dop853", f"not stiff, accuracy {tolerance:g}"
 
 
-def _trial(job: Job) -> float:
-    """Mean step of dopri5 times the rate of the fastest mode where the trial ends, if that mode decays; else 0."""
-    model = InterpretedModel(job.program, job.events, job.holds, job.watch.dips)
-    task = Task(job.p, job.y, job.time, TRIAL_TOLERANCE, 0.0, TRIAL_STEPS)
-    outcome = model.integrate(task, "dopri5", model.news())
+def _task(job: Job, tolerance: float, steps: int) -> Task:
+    return Task(job.p, job.y, job.time, tolerance, 0.0, steps)
+
+
+def _pays(job: Job, model: InterpretedModel, trial: Outcome, tolerance: float) -> bool:
+    """Whether radau5, at the accuracy wanted, goes on from the end of a trial by steps as much longer as they are dearer."""
+    length = abs(trial.t - job.time[0]) / trial.steps
+    task = replace(_task(job, tolerance, TRIAL), y=trial.y, times=(trial.t, job.time[-1]), sizes=trial.sizes)
+    found = model.integrate(task, "radau5", model.news())
+    return found.steps > 0 and abs(found.t - trial.t) >= PAYS * length * found.steps
+
+
+def _held(job: Job, model: InterpretedModel, outcome: Outcome) -> float:
+    """Mean step of dopri5 times the rate of the fastest mode where its trial ends, if that mode decays; else 0."""
     if outcome.kind not in (DONE, TOO_MANY) or not outcome.steps:
         return 0.0
     try:

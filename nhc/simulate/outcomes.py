@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
+from nhc.algebra.show import to_text
 from nhc.mechanics.choosing.conditioning import conditioning
 from nhc.mechanics.properties.singular import smallest_singular_value
 from nhc.mechanics.regular.undefined import find_pole, find_undefined
@@ -44,6 +48,25 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
         NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
     }
     return "failed", reasons.get(outcome.kind, "it fails")
+
+
+def describe_valueless(job: Job, outcome: Outcome, status: int) -> str:
+    """Why a row cannot be written: a needed quantity without a value at the outcome's state; which, where that can be told."""
+    g, system = job.system.graph, job.system
+    place = dict(zip((*system.p, *job.constants, *job.symbols), (*job.p, *outcome.y), strict=True))
+    place[system.t] = outcome.t
+    named = [(f"`{column.heading}`, which is needed,", column.node) for column in job.columns]
+    named += [(f"`{to_text(g, node)}` under `draw`", node) for node in job.sketch.nodes]
+    for name, node in named:
+        try:
+            lost = not isfinite(float(evaluate(g, [node], place)[0]))
+        except KeyError:  # it holds what the model solves for
+            continue
+        except (ArithmeticError, ValueError, TypeError):
+            lost = True
+        if lost:
+            return f"{name} has no real, finite value"
+    return f"a needed quantity has no value: {job.meanings.get(status, 'it is not finite')}"
 
 
 def find_lost(job: Job, outcome: Outcome) -> int:

@@ -54,13 +54,13 @@ class Recipe:
 class Job:
     """A scene that is ready to run.
 
-    ``y``, ``p``, ``time``: the start's state, parameters, and first and last time, in the spec's units; ``symbols``: the state's
-    entries in the system's graph.  ``columns`` are what the user needs, ``checks`` energy and residuals after them, ``sketch`` what
-    is drawn; ``needed`` of the program computes all, in this order.  ``meanings``: of the model's status codes; ``watch``: what
-    each watched value means; ``holds``: see :func:`nhc.program.runs.hold.hold_functions`; ``stops``: see
-    :mod:`nhc.program.runs.clock`; ``jumping``: see :mod:`nhc.simulate.stepping_over`.  ``kept``: the velocities of the state, or
-    None where the state was reduced for this start alone.  ``recipe``: how the job is made again in another formulation; None
-    where it cannot be.
+    ``y``, ``p``, ``time``: the start's state, parameters, and first and last time, in the spec's units; ``symbols``: the
+    state's entries in the system's graph; ``constants``: those of what ``p`` has after the spec's parameters.  ``columns`` are
+    what the user needs, ``checks`` energy and residuals after them, ``sketch`` what is drawn; ``needed`` of the program
+    computes all, in this order.  ``meanings``: of the model's status codes; ``watch``: what each watched value means;
+    ``holds``: see :func:`nhc.program.runs.hold.hold_functions`; ``stops``: see :mod:`nhc.program.runs.clock`; ``jumping``: see
+    :mod:`nhc.simulate.stepping_over`.  ``kept``: the velocities of the state, or None where the state was reduced for this
+    start alone.  ``recipe``: how the job is made again in another formulation; None where it cannot be.
     """
 
     program: Program
@@ -81,6 +81,7 @@ class Job:
     notes: tuple[str, ...] = ()
     stops: tuple[Stop, ...] = ()
     symbols: tuple[Node, ...] = ()
+    constants: tuple[Node, ...] = ()
     kept: tuple[Form, ...] | None = None
     sketch: Sketch = _NOTHING
     recipe: Recipe | None = None

@@ -98,5 +98,6 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         holds=(),
         stops=find_stops(system, start.p, start.time),
         symbols=planner.y_nodes,
+        constants=planner.parameters[len(system.p) :],
         jumping=find_jumping(planner),
     )

@@ -6,7 +6,7 @@ from nhc.diagnostics import suggest
 from nhc.language import Spec
 from nhc.language.advice import advise_need
 from nhc.language.expressions.names import ENERGIES, fold_typed
-from nhc.language.spec import Scene
+from nhc.language.spec import Scene, reaction_name
 from nhc.mechanics.starts.scenes import check_scene_name
 
 
@@ -43,6 +43,8 @@ def list_needs(spec: Spec) -> tuple[str, ...]:
         *(o.name for o in spec.outputs),
         "energy",
         *(("reactions",) if spec.constraints or spec.holonomic or spec.rotations else ()),
+        *(reaction_name(constraint.name) for constraint in spec.constraints),
+        *(reaction_name(equation.name) for equation in spec.holonomic),
     )
     return tuple(dict.fromkeys(names))
 
@@ -58,6 +60,6 @@ def find_need(spec: Spec, text: str) -> str:
         raise RunError("there are no reactions: this spec has no constraint", ("leave `reactions` out",))
     if name == "t":
         raise RunError("the time needs not be asked for: it is the first column", ("leave `t` out",))
-    shown = name in (*ENERGIES, *(d.name for d in spec.definitions)) or name.startswith("lambda_")
+    shown = name in (*ENERGIES, *(d.name for d in spec.definitions))
     hint = advise_need(name) if shown else suggest(name, known, f"it can be {', '.join(known)}")
-    raise RunError(f"no quantity `{text}` in this spec", (hint,))
+    raise RunError(f"`--need` names `{text}`, which is no quantity of this spec", (hint,))

@@ -11,13 +11,13 @@ from nhc.program.runs.limits import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_ST
 from nhc.records import record
 from nhc.simulate.halving import REFERENCE, find_step
 from nhc.simulate.methods import is_adaptive
-from nhc.simulate.outcomes import describe_outcome
+from nhc.simulate.outcomes import describe_outcome, describe_valueless
 from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.peers import PEERS
 from nhc.simulate.prepare import Job
 from nhc.simulate.stepping_over import tell_jumps
 from nhc.simulate.switching import Follower, Leg
-from nhc.simulate.task import EVENT, STOPPED, ModelError, Outcome, Task
+from nhc.simulate.task import DONE, EVENT, STOPPED, ModelError, Outcome, Task
 from nhc.simulate.waiting import Show
 from nhc.simulate.workshop import Model, Workshop
 
@@ -218,11 +218,8 @@ def collect(
         times, states = times[: error.row], states[: error.row]
         rows = model.quantities(times, states, job.p)
         where = task.times[error.row] if error.row < len(task.times) else outcome.t
-        outcome = replace(outcome, t=where, y=list(bad))
-        ended, reason = (
-            "failed",
-            f"a needed quantity has no value: {job.meanings.get(error.status, 'it is not finite')}",
-        )
+        outcome = replace(outcome, t=where, y=list(bad), kind=DONE)  # the motion goes on there, whatever ends it later
+        ended, reason = "failed", describe_valueless(job, outcome, error.status)
     width = len(job.columns)
     drawn = width + len(job.checks)
     return Trajectory(

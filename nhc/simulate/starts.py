@@ -44,7 +44,7 @@ def read_starts(text: str, spec: Spec) -> Table:
     except csv.Error as error:
         raise RunError(f"this is no CSV table: {error}", ("a header of names, then one row for each start",)) from error
     known = _list_keys(spec)
-    keys = tuple(_find_key(cell, known) for cell in header)
+    keys = tuple(_find_key(number, cell, known) for number, cell in enumerate(header, 1))
     for k, key in enumerate(keys):
         if key in keys[:k]:
             raise RunError(f"the header names `{_shorten(header[k])}` twice", ("keep one of the columns",))
@@ -71,7 +71,7 @@ def _list_keys(spec: Spec) -> dict[str, Key]:
     return known
 
 
-def _find_key(cell: str, known: dict[str, Key]) -> Key:
+def _find_key(number: int, cell: str, known: dict[str, Key]) -> Key:
     name = fold_typed(cell)
     if name.endswith("dot") and name not in known:
         name = f"{name.removesuffix('dot')}'"
@@ -80,7 +80,8 @@ def _find_key(cell: str, known: dict[str, Key]) -> Key:
     hint = suggest(name, known, f"it can be {', '.join(known)}")
     if ";" in cell or "\t" in cell:
         hint = "part the columns by commas, and write decimal numbers with `.`"
-    raise RunError(f"no coordinate, velocity or parameter `{_shorten(cell)}` in this spec", (hint,))
+    message = f"column {number} of the table, `{_shorten(cell)}`, is no coordinate, velocity or parameter of this spec"
+    raise RunError(message, (hint,))
 
 
 def _read_row(number: int, header: Sequence[str], line: Sequence[str]) -> tuple[float | None, ...]:

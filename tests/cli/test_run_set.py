@@ -97,3 +97,13 @@ def test_an_ensemble_has_a_table_for_it(tmp_path: Path, capsys: pytest.CaptureFi
 def test_an_empty_time_is_no_time(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", write(tmp_path), "--time", ""]) == 2
     assert "'--time': it is empty" in capsys.readouterr().err
+
+
+def test_a_negative_mass_is_noted_wherever_it_comes_from(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """`nhc check` warns of those in the spec and cannot know of others."""
+    spec = write(tmp_path)
+    noted = []
+    for options in (["--set", "m=-9"], ["--set", "m=9"]):
+        assert main(["run", spec, "--python", "--points", "2", *options]) == 0
+        noted.append("scene starts: `m` is negative there (W0423)" in capsys.readouterr().err)
+    assert noted == [True, False]

@@ -210,9 +210,18 @@ def test_without_a_compiler_it_charts_python_and_says_so(monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize(
-    ("rate", "accuracy", "method"), [("1e4", 1e-6, "radau5"), ("3", 1e-6, "dop853"), ("3", 5e-2, "dopri5")]
+    ("rate", "accuracy", "method"),
+    [
+        ("1e4", 1e-6, "radau5"),
+        ("3", 1e-6, "dop853"),
+        ("3", 5e-2, "dopri5"),
+        ("30", 1e-6, "dop853"),
+        ("300", 1e-6, "radau5"),
+        ("300", 1e-9, "dop853"),
+    ],
 )
 def test_auto_follows_its_rule(rate: str, accuracy: float, method: str) -> None:
+    """A mode of 30/s holds the steps of dopri5 too, but there are only a hundred of them; radau5's at 1e-9 are too short to pay."""
     source = Source("stiff.yaml", STIFF.replace("RATE", rate))
     chosen, why = choose_method(open_scene(source, method="radau5"), accuracy)
     assert chosen == method and ("stiff" in why)

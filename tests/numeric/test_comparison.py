@@ -155,6 +155,7 @@ def test_a_scene_is_changed_in_all_models_as_far_as_they_have_the_names() -> Non
     assert made.time == (1.0, 2.5)
     for kind in (".svg", ".html", ".md", ".json"):
         assert "scene: x=2, f = 0.02; time 1:2.5" in make_comparison_file(made, kind)
+    assert "</b>:" not in make_comparison_file(made, ".html")  # neither spec says what it is
     assert made.rungs[0].errors[0] == pytest.approx(0.02 * (1 - math.cos(1.5)) / 2, rel=1e-6)
     with pytest.raises(SpecError, match="`z` is no coordinate"):
         compare_models([free], held, replace(grid, changes=Changes(("z=2",))))

@@ -96,7 +96,8 @@ def test_the_picture_is_the_trajectory(tmp_path: Path, capsys: pytest.CaptureFix
 STAGE = """
 const written = [];
 const pen = { measureText: (text) => ({ width: 6.5 * text.length }), fillText: (...where) => written.push(where) };
-for (const name of ["setTransform", "clearRect", "beginPath", "lineTo", "stroke", "fill", "arc"]) { pen[name] = () => {}; }
+for (const name of ["setTransform", "clearRect", "beginPath", "lineTo", "fill", "arc", "strokeText"]) { pen[name] = () => {}; }
+pen.stroke = () => { if (written.length && ["#eee", "#bbb"].includes(pen.strokeStyle)) { throw "a line over a label"; } };
 const part = () => ({ addEventListener() {}, style: {}, clientWidth: 760, clientHeight: 506, getContext: () => pen });
 const window = { devicePixelRatio: 1, addEventListener() {} };
 const document = { getElementById: () => ({ textContent: DATA }), querySelector: () => ({ querySelector: part }) };
@@ -128,7 +129,10 @@ def written_on(point: str, start: str) -> list[tuple[str, float, float]]:
     ],
 )
 def test_the_grid_tells_its_lines_apart(start: str, texts: set[str]) -> None:
-    """Each label is that of one line, whole, and covers no other; what is at rest far away is shown as well."""
+    """Each label is that of one line, whole, and covers no other; what is at rest far away is shown as well.
+
+    The stage refuses lines of the grid after the first label: they would cross it.
+    """
     written = written_on("[x, y]", start)
     assert texts <= {text for text, _, _ in written}
     for places in ([(text, x) for text, x, y in written if y == 501], [(text, y) for text, x, y in written if x == 4]):
@@ -237,3 +241,18 @@ def test_schema_and_dump() -> None:
         with pytest.raises(SpecError):
             decode(Source("cart.yaml", SPEC + f"draw: {wrong}\n"))
     assert "draw point x, y + t\n" in dump_decode(Source("cart.yaml", SPEC + DRAW), Options())
+
+
+def test_what_is_drawn_and_has_no_value_is_named() -> None:
+    found = run_drawn(SPEC + "draw: [{point: [x, sqrt(2 - t)]}]\n", points=4)
+    assert (found.ended, found.outcome.t) == ("failed", 3.0)
+    assert found.reason == "`sqrt(2 - t)` under `draw` has no real, finite value"
+
+
+def test_the_start_of_a_rotation_is_told_by_its_angular_velocity() -> None:
+    """As a scene gives it; the rates of a quaternion are nobody's numbers, and half as large."""
+    text = "nhc: 1\nsystem: spin\ncoordinates: [x]\nrotation: {R: {velocities: [p, q, r]}}\nT: x'^2 + p^2 + 2*q^2 + 3*r^2\n"
+    text += "scenes: {go: {initial: {R: [1, 0, 0, 0], q: 0.8, r: -0.5, x': 2}, time: [0, 1]}}\n"
+    found = run(open_scene(Source("spin.yaml", text), checks=True), Settings(points=3, compiled=False))
+    page = make_file(found, ".html").decode().replace("\u00a0", " ")
+    assert "R_0 = 1, x' = 2, q = 0.8, r = -0.5<" in page.replace("&#x27;", "'").replace("&#39;", "'")

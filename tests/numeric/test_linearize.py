@@ -657,6 +657,17 @@ def test_a_negative_mass_is_no_gimbal_lock() -> None:
     assert found.linearisation.steady.y[3:] == (1.0, 0.0)
 
 
+@pytest.mark.parametrize("force", ["F", "F*cos(t)"])
+def test_a_force_without_amplitude_leaves_the_expressions(force: str) -> None:
+    """They hold where it is 0, and say so; with any other amplitude nothing is steady there, or the place is another."""
+    spec = "nhc: 1\nsystem: rail\nparameters: {m: 2, k: 3, c: 0.5, F: 0}\ncoordinates: [x]\nT: m/2*x'^2\nV: k/2*x^2\n"
+    source = Source("rail.yaml", spec + f"forces: {{x: {force} - c*x'}}\n")
+    found = linearize(source, Request("x=0"))
+    assert found.paper == (("0", "1"), ("-k/m", "-c/m")) and found.held == (("x", "0"), ("x'", "0"), ("F", "0"))
+    found = linearize(source, Request("x=0", settings=("c=0",)))
+    assert found.paper[1] == ("-k/m", "0") and found.held[2:] == (("c", "0"), ("F", "0"))
+
+
 def test_a_start_that_is_completed_in_another_way_has_no_expressions() -> None:
     """One given velocity of two that are free: which of the kept ones it is about is not for a formula to say."""
     source = Source(

@@ -341,6 +341,26 @@ def test_no_run_across_a_singular_block(how: tuple[str, ...], capsys: pytest.Cap
     assert (code, out) == (3, "") and "cannot be solved for y'" in err and "theta = 1.57079633" in err
 
 
+@pytest.mark.parametrize(
+    ("how", "time"),
+    [((), 0.0), (("-f", "voronec"), 0.0), (("--need", "x,gap"), 1.0), (("--need", "gap", "--points", "9"), 1.0)],
+)
+def test_a_needed_quantity_without_a_value_is_named(
+    how: tuple[str, ...], time: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Also where the state is reduced, and where another formulation takes over at the start."""
+    spec = tmp_path / "still.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: still\ncoordinates: [x, y, th]\nT: x'^2 + y'^2 + th'^2\n"
+        "constraints: [\"sin(th)*x' = cos(th)*y'\"]\noutputs: {bend: th'/sqrt(x'^2 + y'^2), gap: log(1 - t)}\n"
+        "scenes: {go: {initial: {th': 1}, time: [0, 2], need: [x, bend]}}\n"
+    )
+    code, out, err = call(capsys, str(spec), "--python", *how)
+    name = "gap" if time else "bend"
+    assert (code, out) == (3, "") and f"fails at t = {time!r} (dop853): `{name}`, which is needed, has no real" in err
+    assert "leave it out of what is needed or drawn, or end the scene before" in err
+
+
 def test_an_inconsistent_start_is_refused_or_projected(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     spec = tmp_path / "skid.yaml"
     text = spec_path("chaplygin_sleigh").read_text()

@@ -103,4 +103,4 @@ def test_a_spec_may_extend_one_with_a_rotation(tmp_path: Path) -> None:
 def test_a_misspelt_torque_is_told_what_there_is_although_no_coordinate_is_declared() -> None:
     with pytest.raises(SpecError) as raised:
         make("rotation: {R: {velocities: [turn, roll, lean]}}\nT: turn^2 + roll^2 + lean^2\nforces: {zzz: 1}")
-    assert raised.value.diagnostics[0].help == ("known: `turn`, `roll`, `lean`",)
+    assert raised.value.diagnostics[0].help == ("the velocities are `turn`, `roll`, `lean`",)

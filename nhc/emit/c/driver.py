@@ -69,8 +69,12 @@ def find_columns(program: Program, need: str) -> tuple[Column, ...]:
         return (Column(need, "NEEDED", program.driving.needed.names.index(need)),)
     if need == "energy":
         return (Column(need, "ENERGY", 0),)
+    reactions = tuple(Column(f"lambda_{q.name}", "REACTION", i) for i, q in enumerate(program.constraints))
     if need == "reactions":
-        return tuple(Column(f"lambda_{q.name}", "REACTION", i) for i, q in enumerate(program.constraints))
+        return reactions
+    single = tuple(column for column in reactions if column.heading == need)
+    if single:
+        return single
     message = f"the driver cannot compute `{need}`: the {program.formulation} equations do not keep it"
     raise EmitError(message, "leave it out of the scene's `need:`, or choose another formulation")
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
-from nhc.language.spec import Need, Scene
+from nhc.language.spec import Need, Scene, reaction_name
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
@@ -39,9 +39,10 @@ def _columns(equations: Equations, need: Need) -> list[Wanted]:
         return [Wanted(need.name, system.q[i], about=system.spec.coordinates[i].about)]
     if need.kind == "velocity":
         return [Wanted(need.name, equations.motion.velocities[system.q_names.index(need.name.removesuffix("'"))])]
-    if need.kind == "reactions":
+    if need.kind in ("reactions", "reaction"):
         values = equations.multipliers or reaction_values(equations)
-        return [Wanted(f"lambda_{c.name}", node) for c, node in zip(system.constraints, values, strict=True)]
+        every = [Wanted(reaction_name(c.name), node) for c, node in zip(system.constraints, values, strict=True)]
+        return [wanted for wanted in every if need.kind == "reactions" or wanted.name == need.name]
     if need.kind == "energy":
         node, about = system.energy, "T + V"
     elif need.kind == "quasi":

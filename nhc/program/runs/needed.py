@@ -13,6 +13,7 @@ from nhc.algebra.exact.modular import Unlucky
 from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
+from nhc.language.spec import reaction_name
 from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import reaction_values
@@ -36,7 +37,7 @@ class Column:
 
 
 def list_columns(planner: Planner, needs: Sequence[str]) -> list[Column]:
-    """The columns behind names of coordinates, velocities, quasi-velocities, outputs, ``energy`` and ``reactions``.
+    """The columns behind names of coordinates, velocities, quasi-velocities, outputs, ``energy``, ``reactions`` and single ones.
 
     Raises:
         KeyError: a name that the spec does not have.
@@ -51,16 +52,12 @@ def list_columns(planner: Planner, needs: Sequence[str]) -> list[Column]:
         moving.setdefault("energy", system.energy)
     wanted = [name for name in needs if name in moving]
     named.update(zip(wanted, planner.on_motion([moving[name] for name in wanted]), strict=True))
-    found: list[Column] = []
-    for need in needs:
-        if need == "reactions" and need not in named:
-            values = reactions_of(planner)
-            rows = zip(system.constraints, values, strict=True)
-            named_rows = [(f"lambda_{form.name}", value) for form, value in rows]
-            found += [Column(name, "need", value, units.get(name, "")) for name, value in named_rows]
-        else:
-            found.append(Column(need, "need", named[need], units.get(need, "")))
-    return found
+    reactions = [reaction_name(form.name) for form in system.constraints]
+    if any(need not in named for need in needs):  # they take a sweep
+        named.update(zip(reactions, reactions_of(planner), strict=True))
+    lists = [reactions if need == "reactions" and need not in named else [need] for need in needs]
+    names = dict.fromkeys(name for several in lists for name in several)
+    return [Column(name, "need", named[name], units.get(name, "")) for name in names]
 
 
 def reactions_of(planner: Planner) -> list[Node]:

@@ -197,13 +197,21 @@ def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, .
 
 
 def warn_negative(planner: Planner, start: Start, bag: Bag) -> None:
-    """Add a warning (W0423) where T, at a scene's start, is negative for some motion that the constraints allow.
+    """Add a warning (W0423) where T, at a scene's start, is negative for some motion that the constraints allow."""
+    what, notes = find_negative(planner, start)
+    if what and not bag.again("W0423", what, start.scene.span):
+        help = ("look for a wrong sign in `T`, or in the values of the parameters",)
+        bag.warning("W0423", what, start.scene.span, notes=notes, help=help)
+
+
+def find_negative(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
+    """That T is negative for some motion that the constraints allow at a start, and what may be to blame; empty where it is not.
 
     Said of the part of T that is of second order in the velocities, without which there is no motion.
     """
     equations = planner.equations
     if equations.definite:  # for the values of every scene
-        return
+        return _NOTHING
     g, system = planner.graph, planner.system
     rates = kept_velocities(system, planner.kept_forms(), start)
     values = {**dict(zip(equations.motion.w, rates, strict=True)), **start.values(system)}
@@ -213,20 +221,16 @@ def warn_negative(planner: Planner, start: Start, bag: Bag) -> None:
         numbers = [float(x) for x in evaluate(g, flat, values)]
         basis = _admissible(planner, values) if size == system.n and system.l else None
     except (ArithmeticError, ValueError, KeyError):
-        return
+        return _NOTHING
     matrix = [numbers[i * size : (i + 1) * size] for i in range(size)]
     if basis is not None:
         moved = [[sum(map(operator.mul, row, vector)) for row in matrix] for vector in basis]
         matrix = [[sum(map(operator.mul, one, other)) for other in moved] for one in basis]
     if not all(map(math.isfinite, (x for row in matrix for x in row))) or not _is_negative_somewhere(matrix):
-        return
+        return _NOTHING
     names = _blame(planner, start, *flat, negative=True)
-    shown = quote(names)
-    notes = (f"{shown} {'is' if len(names) == 1 else 'are'} negative there",) if names else ()
-    message = "the kinetic energy is negative for some motions where this scene starts"
-    help = ("look for a wrong sign in `T`, or in the values of the parameters",)
-    if not bag.again("W0423", message, start.scene.span):
-        bag.warning("W0423", message, start.scene.span, notes=notes, help=help)
+    notes = (f"{quote(names)} {'is' if len(names) == 1 else 'are'} negative there",) if names else ()
+    return "the kinetic energy is negative for some motions where this scene starts", notes
 
 
 def _admissible(planner: Planner, values: dict[Node, float]) -> list[list[float]]:

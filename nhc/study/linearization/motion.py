@@ -10,6 +10,7 @@ from typing import TypeVar
 
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 from nhc.language.expressions.names import fold_typed
@@ -23,6 +24,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.linearize import (
     HiddenLeaf,
+    SymbolicMatrix,
     cyclic_of,
     hidden_leaf,
     is_autonomous,
@@ -127,15 +129,32 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     point = point_of(flow, scene)
     place = _exact_place(model, point, model.values(guess), steady)
     shifts = _list_shifts(model) if steady.turns else []
-    paper = (
-        symbolic_matrix(flow, model.rest, place, shifts) if place else "the state is no expression in the parameters"
-    )
+    paper = _on_paper(model, place, shifts) if place else "the state is no expression in the parameters"
     swept = _sweep(model, guess, holds, request.sweep) if request.sweep else None
     if isinstance(paper, str):
         return Findings(flow, formulation, model, made, (), (), paper, swept, lost, halted)
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
     held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
     return Findings(flow, formulation, model, made, rows, held, "", swept, lost, halted)
+
+
+def _on_paper(model: SteadyModel, place: dict[Node, Node], shifts: list[list[Node]]) -> SymbolicMatrix | str:
+    """The matrix as expressions in the parameters, or why there is none.
+
+    A motion may be steady only because some parameters are 0, as the amplitude of a force: they then hold for that alone.
+    """
+    flow, g = model.flow, model.flow.graph
+    found = symbolic_matrix(flow, model.rest, place, shifts)
+    names = (parameter.name for parameter in flow.system.spec.parameters)
+    zeros = {symbol: name for symbol, name, value in zip(flow.system.p, names, model.p, strict=True) if value == 0.0}
+    if not isinstance(found, str) or not zeros:
+        return found
+    nothing = dict.fromkeys(zeros, g.zero)
+    still = dict(zip(place, substitute(g, list(place.values()), nothing), strict=True))
+    again = symbolic_matrix(flow, model.rest, {**still, **nothing}, shifts)
+    if isinstance(again, str):
+        return found
+    return replace(again, held=(*again.held, *((name, g.zero) for name in zeros.values())))
 
 
 def _list_shifts(model: SteadyModel) -> list[list[Node]]:

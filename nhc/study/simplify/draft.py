@@ -18,6 +18,7 @@ from nhc.language.yaml_tree.reader import read_nodes
 from nhc.mechanics.starts.scenes import Start
 from nhc.records import record
 from nhc.study.simplify.candidate import Candidate, expand, group, hold
+from nhc.study.simplify.scene_table import with_scene
 from nhc.study.simplify.zero import ZERO, is_infinite, is_zero, list_terms, replace_parts
 
 Place = tuple[str, str]  # a top-level key, and a name below it, an index with its side, or nothing
@@ -194,8 +195,8 @@ def number_twins(candidates: Sequence[Candidate]) -> list[Candidate]:
     return found
 
 
-def draft_of(source: Source, scene: Scene) -> Draft:
-    """The draft of a spec that decodes, for one of its scenes.
+def draft_of(source: Source, scene: Scene, changed: bool = False) -> Draft:
+    """The draft of a spec that decodes, for one of its scenes; ``changed``: it has other values than the spec gives it.
 
     Raises:
         nhc.diagnostics.SpecError: the spec has errors.
@@ -218,7 +219,8 @@ def draft_of(source: Source, scene: Scene) -> Draft:
     trees.update((("outputs", d.name), d.value) for d in spec.outputs)
     shown = {name for figure in spec.draw for tree in figure.expressions for name in names_in(tree)}
     shown |= {name for entry in scene.initial for name in names_in(entry.value)}
-    return Draft(spec, scene, without_bodies(merge_bases(source, read), bag).root, trees, frozenset(shown))
+    root = without_bodies(merge_bases(source, read), bag).root
+    return Draft(spec, scene, with_scene(root, scene) if changed else root, trees, frozenset(shown))
 
 
 def _other_side(side: str) -> str:

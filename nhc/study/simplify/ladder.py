@@ -62,7 +62,8 @@ class Ladder:
     ``confirmed``: how the reference and the smallest model were measured once more, ``again`` the errors of the smallest then;
     ``ranges``: (name, least, largest, unit) of each coordinate and velocity of the full model on the scene; ``runs``:
     models that were measured, ``turned_back``: things that were left out, and put back for others; ``bounded``: the number of runs
-    reached ``most``, so more might be left out; ``spec``: the text of the smallest model, without a header.
+    reached ``most``, so more might be left out; ``spec``: the text of the smallest model, without a header; ``changes``: what the
+    scene has in place of what its spec says.
     """
 
     system: str
@@ -87,6 +88,7 @@ class Ladder:
     machine: str
     spec: str
     notes: tuple[str, ...]
+    changes: tuple[str, ...] = ()
 
     @property
     def dropped(self) -> tuple[str, ...]:

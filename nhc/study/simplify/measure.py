@@ -11,6 +11,7 @@ from nhc.language.units.derived import derive_units
 from nhc.program.scene_model import count_operations_of
 from nhc.records import record
 from nhc.simulate.auto import choose_method
+from nhc.simulate.changes import UNCHANGED, Changes
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
@@ -157,7 +158,7 @@ def _repeat(model: InterpretedModel, task: Task, method: str, count: int) -> Non
         model.integrate(task, method, model.news())
 
 
-def meter_of(source: Source, scene: str, formulation: str, tolerance: float) -> Meter:
+def meter_of(source: Source, scene: str, formulation: str, tolerance: float, changes: Changes = UNCHANGED) -> Meter:
     """Run the full model three times; the tightest run is the reference, the distance of the others its own error.
 
     Raises:
@@ -165,7 +166,7 @@ def meter_of(source: Source, scene: str, formulation: str, tolerance: float) -> 
         nhc.simulate.requests.RunError: no such scene.
         NotMeasured: a run fails, or the runs differ too much.
     """
-    job, method = _open(source, scene, formulation, tolerance)
+    job, method = _open(source, scene, formulation, tolerance, changes)
     settings = Settings(method, tolerance=TIGHTER * tolerance)
     finest = replace(settings, tolerance=TIGHTER * settings.tolerance)
     second = (
@@ -198,13 +199,13 @@ def _is_quick(job: Job, settings: Settings, steps: int) -> bool:
     return run(job, replace(settings, compiled=False, most=first)).seconds * steps < PATIENCE * first
 
 
-def _open(source: Source, scene: str, formulation: str, tolerance: float) -> tuple[Job, str]:
+def _open(source: Source, scene: str, formulation: str, tolerance: float, changes: Changes) -> tuple[Job, str]:
     """The full model and the method that fits it."""
-    job = open_scene(source, scene, formulation)
+    job = open_scene(source, scene, formulation, changes=changes)
     rhs = next(function for function in job.program.functions if function.name == "rhs")
     if count_operations_of(rhs) > LARGE:
         return job, "dop853"
-    implicit = open_scene(source, scene, formulation, method="radau5")
+    implicit = open_scene(source, scene, formulation, changes=changes, method="radau5")
     method, _ = choose_method(implicit, TIGHTER * tolerance)
     return (implicit if method == "radau5" else job), method
 
@@ -232,13 +233,14 @@ def size_of(found: Trajectory) -> Size:
     return Size(len(found.job.y), count_operations_of(rhs), found.outcome.calls)
 
 
-def ranges_of(source: Source, spec: Spec, meter: Meter) -> tuple[tuple[str, float, float, str], ...]:
+def ranges_of(
+    source: Source, spec: Spec, meter: Meter, changes: Changes = UNCHANGED
+) -> tuple[tuple[str, float, float, str], ...]:
     """(name, least, largest, unit) of each coordinate and velocity of the full model on the output grid."""
     units = derive_units(spec)
     needs = tuple(name for c in spec.coordinates for name in (c.name, f"{c.name}'"))
-    found = _complete(
-        run(open_scene(source, meter.scene, meter.formulation, needs=needs, method=meter.method), meter.settings)
-    )
+    job = open_scene(source, meter.scene, meter.formulation, changes=changes, needs=needs, method=meter.method)
+    found = _complete(run(job, meter.settings))
     columns = zip(found.headings, zip(*found.rows, strict=True), strict=True)
     return tuple(
         (name, min(values) + 0.0, max(values) + 0.0, units.get(name, "")) for name, values in columns

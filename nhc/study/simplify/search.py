@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.records import record
+from nhc.simulate.changes import UNCHANGED, Changes, changed
 from nhc.simulate.requests import find_scene
 from nhc.simulate.run import POINTS
 from nhc.study.chart.measure import describe_machine
@@ -231,18 +232,21 @@ def simplify(
     formulation: str = "",
     most: int = MOST_RUNS,
     show: Show | None = None,
+    changes: Changes = UNCHANGED,
 ) -> Ladder:
     """The ladder of models of a scene from the full one to the smallest within ``tolerance``.
 
-    ``tolerance``: the largest error of a needed quantity on the output grid, relative to its largest magnitude there.
+    ``tolerance``: the largest error of a needed quantity on the output grid, relative to its largest magnitude there; ``changes``:
+    other values of the scene and another time, which the smallest model's spec then has.
 
     Raises:
         nhc.diagnostics.SpecError: the spec has errors.
         nhc.simulate.requests.RunError: no such scene.
         NotMeasured: the full model's run is no reference.
     """
-    draft = draft_of(source, find_scene(decode(source), scene))
-    meter = meter_of(source, scene, formulation, tolerance)
+    spec = decode(source)
+    draft = draft_of(source, changed(spec, find_scene(spec, scene), changes)[1], changes != UNCHANGED)
+    meter = meter_of(source, scene, formulation, tolerance, changes)
     search = _Search(draft, meter, most, show)
     search.search(draft.candidates(meter.job.start))
     gone, again = _confirmed(search)
@@ -261,7 +265,7 @@ def simplify(
         again=again,
         parameters=tuple(zip(names, meter.job.start.p, strict=True)),
         needs=meter.needs,
-        ranges=ranges_of(source, draft.spec, meter),
+        ranges=ranges_of(source, draft.spec, meter, changes),
         rungs=tuple(rungs),
         kept=tuple(Kept(candidate.about, reason) for candidate, reason in search.reasons.items()),
         runs=search.runs,
@@ -271,6 +275,7 @@ def simplify(
         machine=describe_machine().line,
         spec=write_draft(draft, draft.change(gone), _about(len(gone), search)),
         notes=meter.notes,
+        changes=changes.notes,
     )
 
 
