@@ -111,18 +111,12 @@ class Graph(NodeStore):
     def _cancel_terms(self, x: Node, y: Node, total: Node) -> Node | None:
         """x + (u - x) -> u, for the terms of a y that is a sum or the negative of one (``total`` is the sum)."""
         negative = total != y
-        wanted = x if negative else self._known_negative(x)  # what is no node yet is no operand
+        wanted = x if negative else self.known_negative(x)  # what is no node yet is no operand
         first, second = self.a[total], self.b[total]
         if wanted in (first, second):
             rest = second if wanted == first else first
             return self.neg(rest) if negative else rest
         return None
-
-    def _known_negative(self, x: Node) -> Node | None:
-        """-x, where there is a node for it."""
-        if self.op[x] == NEG:
-            return self.a[x]
-        return self._number_index.get(-self.coefficient[x]) if self.op[x] == NUM else self._negs.get(x)
 
     def neg(self, x: Node) -> Node:
         node = self._negs.get(x)
