@@ -75,10 +75,12 @@ class Graph(NodeStore):
             shorter = self._common_factor(x, y, ux, uy)
             if shorter is not None:
                 return shorter
-        if other == ADD or kind == ADD:
+        if other == ADD:
             shorter = self._cancel_terms(x, y, uy)
-            if shorter is None:
-                shorter = self._cancel_terms(y, x, ux)
+            if shorter is not None:
+                return shorter
+        if kind == ADD:
+            shorter = self._cancel_terms(y, x, ux)
             if shorter is not None:
                 return shorter
         if kx == self.coefficient[y] and op[px] == POW and self._is_circle(px, py):  # k sin^2 + k cos^2
@@ -107,11 +109,9 @@ class Graph(NodeStore):
         return None
 
     def _cancel_terms(self, x: Node, y: Node, total: Node) -> Node | None:
-        """x + (u - x) -> u, for the terms of a sum y or of -y (``total`` is the sum)."""
-        if self.op[total] != ADD:
-            return None
+        """x + (u - x) -> u, for the terms of a y that is a sum or the negative of one (``total`` is the sum)."""
         negative = total != y
-        wanted = x if negative else self.neg(x)
+        wanted = x if negative else self.known_negative(x)  # what is no node yet is no operand
         first, second = self.a[total], self.b[total]
         if wanted in (first, second):
             rest = second if wanted == first else first
@@ -154,7 +154,7 @@ class Graph(NodeStore):
         if k == 0:
             return self.zero
         if k < 0:
-            return self.neg(self.scale(-k, x))
+            return self.neg(x if k == -1 else self.scale(-k, x))
         if self.op[x] == NUM:
             return self.number(k * self.coefficient[x])
         if self.op[x] == ADD:
@@ -201,7 +201,9 @@ class Graph(NodeStore):
                 if cancelled is not None:
                     return self.mul_number(k, cancelled)
             product = self._muls[pair] = self._append(MUL, px, py, self.deps[px] | self.deps[py], pair)
-        return product if k == 1 else self.scale(k, product)
+        if k == 1:
+            return product
+        return self.neg(product) if k == -1 else self.scale(k, product)
 
     def mul_number(self, k: Rational, x: Node) -> Node:
         """k*x for a rational k and any x."""

@@ -143,6 +143,12 @@ class NodeStore:
     def symbol_of(self, node: Node) -> Symbol | None:
         return self.symbols[self.a[node]] if self.op[node] == SYM else None
 
+    def known_negative(self, node: Node) -> Node | None:
+        """Minus the node, where that is a node, too."""
+        if self.op[node] == NEG:
+            return self.a[node]
+        return self._number_index.get(-self.coefficient[node]) if self.op[node] == NUM else self._negs.get(node)
+
     def children(self, node: Node) -> tuple[Node, ...]:
         return self.kids[node]
 

@@ -245,10 +245,12 @@ def _cost(graph: Graph, node: Node) -> int:
 
 
 def _count_terms(graph: Graph, nodes: Sequence[Node]) -> dict[Node, int]:
-    """Terms of products multiplied out, if nothing cancelled; at most a million."""
+    """Terms of products multiplied out, if nothing cancelled; at most a million.  Each node is counted once."""
     op, a, b = graph.op, graph.a, graph.b
-    count: dict[Node, int] = {}
+    count: dict[Node, int] = graph.memory.setdefault("terms", {})
     for node in reachable(graph, nodes):
+        if node in count:
+            continue
         kind = op[node]
         if kind == ADD:
             count[node] = min(count[a[node]] + count[b[node]], _MILLION)

@@ -22,16 +22,30 @@ def reachable(
     if within == -1 and known is None:
         return _list_below(graph, roots).copy()
     kids, deps = graph.kids, graph.deps
-    every, passed = within == -1, known or ()
-    seen = {root for root in roots if root not in passed and (every or deps[root] & within)}
-    stack = list(seen)
-    while stack:
-        for child in kids[stack.pop()]:
-            if child not in seen and child not in passed and (every or deps[child] & within):
-                seen.add(child)
-                if kids[child]:
-                    stack.append(child)
-    return sorted(seen)
+    seen = {root for root in roots if within == -1 or deps[root] & within}
+    if known is not None:
+        seen = {root for root in seen if root not in known}
+    found = list(seen)
+    if known is None:
+        for node in found:
+            for child in kids[node]:
+                if child not in seen and deps[child] & within:
+                    seen.add(child)
+                    found.append(child)
+    elif within == -1:
+        for node in found:
+            for child in kids[node]:
+                if child not in seen and child not in known:
+                    seen.add(child)
+                    found.append(child)
+    else:
+        for node in found:
+            for child in kids[node]:
+                if child not in seen and child not in known and deps[child] & within:
+                    seen.add(child)
+                    found.append(child)
+    found.sort()
+    return found
 
 
 def _list_below(graph: Graph, roots: Iterable[Node]) -> list[Node]:
@@ -41,14 +55,13 @@ def _list_below(graph: Graph, roots: Iterable[Node]) -> list[Node]:
         return reached[asked]
     kids = graph.kids
     seen = set(asked)
-    stack = list(seen)
-    while stack:
-        for child in kids[stack.pop()]:
+    found = list(seen)
+    for node in found:  # which grows on the way
+        for child in kids[node]:
             if child not in seen:
                 seen.add(child)
-                if kids[child]:
-                    stack.append(child)
-    found = sorted(seen)
+                found.append(child)
+    found.sort()
     if len(reached) == _WALKS:
         del reached[next(iter(reached))]
     reached[asked] = found

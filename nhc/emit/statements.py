@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.program.contents import list_expressions, walk
+from nhc.program.contents import list_expressions, list_operands, walk
 from nhc.program.ir import (
     Binary,
     Expr,
@@ -33,7 +33,18 @@ _REFS: dict[int, tuple[Statement, frozenset[str]]] = {}
 
 def iterate_refs(expression: Expr) -> list[str]:
     """The names that an expression uses, with repetitions."""
-    return [part.name for part in walk(expression) if type(part) is Ref]
+    found: list[str] = []
+    stack: list[Expr] = [expression]
+    while stack:
+        node = stack.pop()
+        while type(node) is Binary:
+            stack.append(node.right)
+            node = node.left
+        if type(node) is Ref:
+            found.append(node.name)
+        else:
+            stack += list_operands(node)
+    return found
 
 
 def collect_refs(statement: Statement) -> frozenset[str]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cached_property
+from typing import Any
 
 from nhc.diagnostics import Source, Span
 from nhc.language.expressions.syntax import Syntax
@@ -239,6 +241,11 @@ class Spec:
     rotations: tuple[Rotation, ...] = ()
     bodies: tuple[Body, ...] = ()
     velocities: frozenset[str] = frozenset()
+
+    @cached_property
+    def memory(self) -> dict[str, Any]:
+        """What is known of it by now, under the names of those who found it."""
+        return {}
 
     def key_span(self, key: str) -> Span:
         """Return the place of a top-level key (``constraints``); the spec's start where it is not written."""

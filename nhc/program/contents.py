@@ -29,18 +29,23 @@ def walk(expression: Expr) -> list[Expr]:
     stack: list[Expr] = [expression]
     while stack:
         node = stack.pop()
+        while type(node) is Binary:  # all but the last on the way down the left operands
+            found.append(node)
+            stack.append(node.right)
+            node = node.left
         found.append(node)
-        if type(node) is Ref:  # every other one
-            continue
-        if isinstance(node, Binary):
-            stack += (node.right, node.left)
-        elif isinstance(node, Negate):
-            stack.append(node.operand)
-        elif isinstance(node, Power):
-            stack.append(node.base)
-        elif isinstance(node, Call):
-            stack += reversed(node.arguments)
+        if type(node) is not Ref:
+            stack += list_operands(node)
     return found
+
+
+def list_operands(node: Expr) -> Iterable[Expr]:
+    """What an expression is made of that is no operation of two operands, the last first."""
+    if isinstance(node, Negate):
+        return (node.operand,)
+    if isinstance(node, Power):
+        return (node.base,)
+    return reversed(node.arguments) if isinstance(node, Call) else ()
 
 
 def count_operations(body: Iterable[Statement]) -> tuple[int, int, int, int]:

@@ -12,6 +12,7 @@ import math
 import random
 from collections.abc import Sequence
 from functools import cache
+from operator import add, mul, neg
 
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, SYM, Graph, Node
 from nhc.algebra.polynomial import normalise
@@ -60,17 +61,17 @@ class _Points:
         for node in reachable(self._graph, roots, known=v):
             kind, a, b = op[node], first[node], second[node]
             if kind == ADD:
-                values = v[node] = [x + y for x, y in zip(v[a], v[b], strict=True)]
+                values = v[node] = [*map(add, v[a], v[b])]
                 e[node] = [d + f + abs(x) * UNIT for d, f, x in zip(e[a], e[b], values, strict=True)]
             elif kind == MUL:
                 p, q = v[a], v[b]
-                values = v[node] = [x * y for x, y in zip(p, q, strict=True)]
+                values = v[node] = [*map(mul, p, q)]
                 e[node] = [
                     (abs(x) + d) * f + abs(y) * d + abs(z) * UNIT
                     for x, y, d, f, z in zip(p, q, e[a], e[b], values, strict=True)
                 ]
             elif kind == NEG:
-                v[node], e[node] = [-x for x in v[a]], e[a]
+                v[node], e[node] = [*map(neg, v[a])], e[a]
             else:
                 v[node], e[node] = self._other(kind, node, a, b)
 

@@ -78,34 +78,34 @@ def _find_pairs(
     squares = {values[node] ** 2 % p: node for node in reversed(needed) if graph.op[node] == ADD}
     simple = [node for node in simple if values[node]]
     deps, kids = graph.deps, graph.kids
-    inverses = [*zip(simple, invert([values[node] for node in simple], p), map(deps.__getitem__, simple), strict=True)]
+    inverses = [*zip(simple, invert([values[node] for node in simple], p), strict=True)]
+    may_hold: dict[int, list[tuple[Node, int]]] = {}  # by the symbols of a value what may be a factor of it
     candidates: dict[Node, list[_Pair]] = {}
     for node in wanted:
-        value, outside, pairs = values[node], ~deps[node], list[_Pair]()
+        value, own = values[node], deps[node]
+        if own not in may_hold:
+            may_hold[own] = [pair for pair in inverses if not deps[pair[0]] & ~own]
         root = squares.get(value)
-        if root is not None and root < node:
-            pairs.append((root, root, False))
-        for factor, inverse, own in inverses:
-            if own & outside:
-                continue
-            rest = at_hand.get(value * inverse % p)
-            if rest is not None:
-                other = rest if rest >= 0 else ~rest
-                if other > 1 and other < node and factor < node and {factor, other}.isdisjoint(kids[node]):
-                    pairs.append((factor, other, rest < 0))
+        pairs = [] if root is None or root >= node else [(root, root, False)]
+        for factor, rest in [(f, at_hand[x]) for f, inverse in may_hold[own] if (x := value * inverse % p) in at_hand]:
+            other = rest if rest >= 0 else ~rest
+            if other > 1 and other < node and factor < node and {factor, other}.isdisjoint(kids[node]):
+                pairs.append((factor, other, rest < 0))
         if pairs:
             candidates[node] = pairs
-    return _keep_true(graph, needed, candidates, values) if candidates else {}
+    return _keep_true(graph, candidates, values) if candidates else {}
 
 
 def _keep_true(
-    graph: Graph, needed: Sequence[Node], candidates: Mapping[Node, Sequence[_Pair]], values: Mapping[Node, int]
+    graph: Graph, candidates: Mapping[Node, Sequence[_Pair]], values: Mapping[Node, int]
 ) -> dict[Node, _Pair]:
     """For each node the first of its pairs that divides by nothing else and is right at the second point, too."""
-    point = draw_point(graph, 1, needed)
+    factors = [x for pairs in candidates.values() for first, second, _ in pairs for x in (first, second)]
+    own = reachable(graph, [*candidates, *factors])
+    point = draw_point(graph, 1, own)
     if point is None:
         return {}
-    q, others, poles = point.prime, point.values, find_poles(graph, needed, values)
+    q, others, poles = point.prime, point.values, find_poles(graph, own, values)
     found: dict[Node, _Pair] = {}
     for node, pairs in candidates.items():
         for first, second, opposite in pairs:

@@ -19,7 +19,7 @@ from nhc.algebra.graph import NEG, POW, Graph, Node
 from nhc.algebra.rewriting.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.rewriting.joined import make_product, split_factors
-from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.rewriting.shorten import canonical_form, shorten
 from nhc.algebra.solving.sizes import row_scale
 from nhc.algebra.walks import count, reachable
 
@@ -197,9 +197,11 @@ def _divide(graph: Graph, numerator: Node, divisor: Node) -> Node:
     Factors of both are left out, for which the numerator is brought to canonical form where that is shorter.
     """
     quotient = graph.div(numerator, divisor)
-    (short,) = shorten(graph, [quotient])
-    if _divisions(graph, short) < _divisions(graph, quotient):
-        return short
+    divisions = _divisions(graph, quotient)
+    if _divisions(graph, canonical_form(graph, quotient)) < divisions:
+        (short,) = shorten(graph, [quotient])
+        if _divisions(graph, short) < divisions:
+            return short
     number, left = split_factors(graph, divisor)
     if len(left) < 2:
         return quotient

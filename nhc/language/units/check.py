@@ -251,13 +251,25 @@ def check_units(spec: Spec, bag: Bag) -> None:
     for holonomic in spec.holonomic:
         checker.equate(holonomic)
     for name in ENERGIES:
-        checker.names.setdefault(name, Quantity(energy))
+        checker.names.setdefault(name, kinetic)
     for output in spec.outputs:
         checker.measure(output.value)
     checker.loose = True
     for scene in spec.scenes:
         for start in scene.initial:
             _check_start(checker, start)
+    checker.loose = False
+    spec.memory["measured"] = checker, kinetic
+
+
+def measured(spec: Spec) -> tuple[Checker, Quantity]:
+    """A checker that knows what the spec names, and the quantity of T: that of :func:`check_units` where this went through."""
+    known: tuple[Checker, Quantity] | None = spec.memory.get("measured")
+    if known is None:
+        checker = Checker(spec, Bag(spec.origin))  # what does not fit was told
+        checker.measure_named(spec)
+        known = spec.memory["measured"] = checker, checker.measure(spec.kinetic)
+    return known
 
 
 def _check_start(checker: Checker, start: Initial) -> None:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from nhc.diagnostics import Bag
 from nhc.language.expressions.names import ENERGIES
 from nhc.language.expressions.syntax import Binary, Call, Differential, Name, Negate, Prime, Syntax, fold_tree, walk
 from nhc.language.spec import Constraint, Holonomic, Spec
-from nhc.language.units.check import Checker, list_units
+from nhc.language.units.check import list_units, measured
 from nhc.language.units.dimensions import (
     ENERGY,
     SECOND,
@@ -39,12 +38,10 @@ class _Deriver:
     def __init__(self, spec: Spec) -> None:
         self.spec = spec
         self.words = base_words([unit for _, unit in list_units(spec) if unit])
-        self.checker = Checker(spec, Bag(spec.origin))  # what does not fit is told by `check_units`
+        self.checker, self.kinetic = measured(spec)
         self.angles = {name for name, unit in list_units(spec) if unit == "rad"}
         self.angles.update(name for rotation in spec.rotations for name in rotation.velocities)
-        self.checker.measure_named(spec)
         self.angles.update(name for name, value in spec.named_values if fold_tree(value, self._turns))
-        self.kinetic = self.checker.measure(spec.kinetic)
 
     def derive(self) -> dict[str, str]:
         spec, names = self.spec, self.checker.names
