@@ -13,6 +13,7 @@ from nhc.cli.options import (
     scene_set_option,
     scene_time_option,
     spec_argument,
+    split_names,
 )
 from nhc.cli.simplify import approximate, check_options
 from nhc.cli.specs import open_spec, take_first_scene
@@ -36,6 +37,13 @@ if TYPE_CHECKING:
 )
 @scene_set_option
 @scene_time_option
+@click.option(
+    "--need",
+    "needs",
+    metavar="A,B",
+    callback=split_names,
+    help="What the model has to deliver; default: the scene's need.",
+)
 @formulation_option
 @click.option("--fold", is_flag=True, help="Put the scene's parameter values in as numbers first.")
 @click.option(
@@ -54,6 +62,7 @@ def command(
     scene: str,
     values: tuple[str, ...],
     time: str,
+    needs: tuple[str, ...],
     formulation: str | None,
     fold: bool,
     tolerance: float | None,
@@ -74,7 +83,7 @@ def command(
     from nhc.pipeline import Options, reduce_scene
     from nhc.simulate.changes import Changes
 
-    changes = Changes(values, time)
+    changes = Changes(values, time, needs)
     options = Options(formulation=formulation or "", scene=scene, fold=fold)
     if tolerance is not None:
         return approximate(source, options, changes, tolerance, output, chart, force, as_json)

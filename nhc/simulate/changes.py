@@ -12,6 +12,7 @@ from nhc.language.shape import Shapes
 from nhc.language.yaml_tree.nodes import Text
 from nhc.mechanics.about import scene_about
 from nhc.records import record
+from nhc.simulate.requests import list_wanted
 
 _OPTION = "--time"
 _HELP = "write `END`, or `START:END`, the smaller number first"
@@ -22,11 +23,12 @@ class Changes:
     """What a run takes in place of what its scene says.
 
     ``values``: pairs such as ``a=1, v=2`` of its start and of parameters; ``time``: its end, such as ``20`` or ``2*pi``, or its
-    start and its end, such as ``5:20``.
+    start and its end, such as ``5:20``; ``needs``: names of what is wanted of it.
     """
 
     values: tuple[str, ...] = ()
     time: str = ""
+    needs: tuple[str, ...] = ()
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -45,10 +47,13 @@ def changed(spec: Spec, scene: Scene, changes: Changes) -> tuple[Spec, Scene]:
     Raises:
         nhc.diagnostics.SpecError: an unknown name, a value that is not constant, or a time that does not end after its start;
             with places in the options' texts.
+        nhc.simulate.requests.RunError: a need that is no quantity of the spec.
     """
     other = scene_about(spec, scene.name, changes.values) if changes.values else scene
     if changes.time:
         other = replace(other, time=_read_time(changes.time, scene.time[0]))
+    if changes.needs:
+        other = replace(other, need=list_wanted(spec, changes.needs))
     return replace(spec, scenes=tuple(other if one is scene else one for one in spec.scenes)), other
 
 

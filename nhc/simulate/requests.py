@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from nhc.diagnostics import suggest
+from collections.abc import Iterable
+
+from nhc.diagnostics import Span, suggest
 from nhc.language import Spec
 from nhc.language.advice import advise_need
 from nhc.language.expressions.names import ENERGIES, fold_typed
-from nhc.language.spec import Scene, reaction_name
+from nhc.language.spec import Need, Scene, reaction_name
 from nhc.mechanics.starts.scenes import check_scene_name
 
 
@@ -63,3 +65,19 @@ def find_need(spec: Spec, text: str) -> str:
     shown = name in (*ENERGIES, *(d.name for d in spec.definitions))
     hint = advise_need(name) if shown else suggest(name, known, f"it can be {', '.join(known)}")
     raise RunError(f"`--need` names `{text}`, which is no quantity of this spec", (hint,))
+
+
+def list_wanted(spec: Spec, texts: Iterable[str]) -> tuple[Need, ...]:
+    """What these names mean, as a scene needs it; what is named twice counts once.
+
+    Raises:
+        RunError: one is no quantity of the spec.
+    """
+    constraints = [one.name for one in spec.constraints] + [one.name for one in spec.holonomic]
+    kinds = {reaction_name(name): "reaction" for name in constraints}
+    kinds |= {f"{c.name}'": "velocity" for c in spec.coordinates} | {"energy": "energy", "reactions": "reactions"}
+    kinds |= {c.name: "coordinate" for c in spec.coordinates} | {q.name: "quasi" for q in spec.quasi_velocities}
+    kinds |= {o.name: "output" for o in spec.outputs}  # which may have the names of what nhc knows by itself
+    names = dict.fromkeys(find_need(spec, text) for text in texts)
+    whole = "reactions" in names  # the single ones among them
+    return tuple(Need(kinds[x], x, Span(0, 0)) for x in names if not whole or kinds[x] != "reaction")

@@ -65,18 +65,24 @@ def test_the_written_scene_is_the_changed_one(text: str, scene: str, values: tup
 
 
 def test_the_exact_model_is_that_of_the_changed_scene(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """With the spring gone, and not before, the one mass does not depend on the other."""
+    """With the spring gone, and not before, the one mass does not depend on the other, and that other one goes on as it is."""
     spec = tmp_path / "pair.yaml"
     spec.write_text(
         "nhc: 1\nsystem: pair\ncoordinates: [x, y]\nparameters: {k: 2}\nT: x'^2 + y'^2\nV: x^2 + k*(x - y)^2\n"
         "scenes: {go: {initial: {x: 1}, time: [0, 1], need: [x]}}\n"
     )
     found = []
-    for options in ((), ("--set", "k=0")):
+    for options in ((), ("--set", "k=0"), ("--need", "ydot, energy, x, energy"), ("--need", "y", "--set", "k=0")):
         assert main(["reduce", str(spec), "--fold", "--json", *options]) == 0
         data = json.loads(capsys.readouterr().out)
-        found.append((data["reduced"]["state"], data["changes"]))
+        found.append((data["reduced"]["state"], data["need"], data["changes"]))
     assert found == [
-        (["x", "y", "x'", "y'"], []),
-        (["x", "x'"], ["other values than those of the spec's scene: k=0"]),
+        (["x", "y", "x'", "y'"], ["x"], []),
+        (["x", "x'"], ["x"], ["other values than those of the spec's scene: k=0"]),
+        (["x", "y", "x'", "y'"], ["y'", "energy", "x"], []),
+        (["y"], ["y"], ["other values than those of the spec's scene: k=0"]),
     ]
+    assert main(["reduce", str(spec), "--need", "x,z"]) == 2
+    assert "`--need` names `z`, which is no quantity of this spec" in capsys.readouterr().err
+    assert main(["reduce", str(spec), "--need", "y'", "--tol", "1e-3", "-o", str(tmp_path / "less.yaml")]) == 0
+    assert "    need: [y']\n" in (tmp_path / "less.yaml").read_text()

@@ -17,7 +17,7 @@ _NOWHERE = Span(0, 0)
 
 
 def with_scene(root: Table, scene: Scene) -> Table:
-    """The table of a spec whose scene of that name has the start, the parameters' values and the time of ``scene``."""
+    """The table of a spec whose scene of that name has the start, the parameters' values, the time and the needs of ``scene``."""
     found = list[tuple[Text, Node]]()
     for key, node in root.entries:
         if key.value == "scenes" and isinstance(node, Table):
@@ -35,6 +35,8 @@ def _change(own: Node, scene: Scene) -> Node:
     new: dict[str, Node] = {"time": Items(tuple(_value(time) for time in scene.time), _NOWHERE)}
     if scene.initial:
         new["initial"] = _table((_key(entry), _start(entry)) for entry in scene.initial)
+    if any(need.span == _NOWHERE for need in scene.need):  # asked for by name
+        new["need"] = Items(tuple(_plain(need.name) for need in scene.need), _NOWHERE)
     if scene.parameters:
         new["parameters"] = _table((entry.name, _value(entry.value)) for entry in scene.parameters)
     kept = [(key, new.pop(key.value, node)) for key, node in own.entries]
