@@ -44,15 +44,18 @@ QUICK = shutil.which("clang") or COMPILER
 UNOPTIMISED = ("-O0", "-ffp-contract=off")
 
 
+def seldom(*values: Any) -> Any:
+    """A case of a parametrised test that is one of many and takes long."""
+    return pytest.param(*values, marks=pytest.mark.slow)
+
+
 def both_ways(*cases: Any) -> list[Any]:
     """Each case of a method, or of a method and more, compiled and in plain Python, where radau5 is slow."""
     found = []
     for case in cases:
         values = case if isinstance(case, tuple) else (case,)
-        found += [
-            pytest.param(*values, True),
-            pytest.param(*values, False, marks=pytest.mark.slow if values[0] == "radau5" else ()),
-        ]
+        plain = seldom if values[0] == "radau5" else pytest.param
+        found += [pytest.param(*values, True), plain(*values, False)]
     return found
 
 

@@ -23,7 +23,7 @@ from nhc.diagnostics import Source
 from nhc.pipeline import Options, check, emit, model
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
-from tests.support import CModel, compile_c, error, python_model
+from tests.support import CModel, compile_c, error, python_model, seldom
 
 CASES = ((1, 5, 2, "voronec"), (2, 5, 2, "euler-lagrange"), (3, 6, 2, "voronec"), (4, 7, 1, "euler-lagrange"))
 
@@ -155,7 +155,7 @@ def libraries(made: Made, folder: Path) -> tuple[CModel, list[ModuleType]]:
     return compiled, [python_model(text, f"dense_{k}") for k, text in enumerate(texts)]
 
 
-@pytest.mark.parametrize("chosen", [*CASES[:-1], pytest.param(CASES[-1], marks=pytest.mark.slow)])
+@pytest.mark.parametrize("chosen", [*CASES[:-2], *map(seldom, CASES[-2:])])
 @pytest.mark.usefixtures("jax_is_numpy")
 def test_functions_at_and_near_a_pivots_zero(chosen: tuple[int, int, int, str], tmp_path: Path) -> None:
     """All were refused, or lost as many digits twice over as the pivot was small."""

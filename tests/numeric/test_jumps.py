@@ -20,6 +20,7 @@ from nhc.program.runs.limits import Limits
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.stepping import loop
+from tests.support import seldom
 
 pytestmark = pytest.mark.usefixtures("optimised_models")
 HEAD = "nhc: 1\nsystem: jump\ncoordinates: [x, y]\nparameters: {k: 0.5, e: 1e-3}\n"
@@ -219,7 +220,7 @@ def test_the_warning_names_what_jumps() -> None:
     assert warning.message.startswith("`V` jumps")
 
 
-STICKING = [pytest.param("auto", False, marks=pytest.mark.slow), ("auto", True), ("radau5", True)]
+STICKING = [seldom("auto", False), ("auto", True), ("radau5", True)]
 
 
 @pytest.mark.parametrize(("method", "compiled"), STICKING)

@@ -21,7 +21,7 @@ from nhc.simulate.methods.tableau import Explicit
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import DONE, STOPPED, UNDERFLOW, Outcome, Task
-from tests.support import COMPILER, STRICT, spec_path
+from tests.support import COMPILER, STRICT, seldom, spec_path
 
 EXPLICIT = [name for name, method in RUNGE_KUTTA.items() if isinstance(method, Explicit)]
 STARTS = 19
@@ -88,7 +88,7 @@ def assert_close(found: Outcome, single: Outcome, tolerance: float) -> None:
     ("name", "method"),
     [
         *((name, "dop853") for name in ("rolling_disk", "pumped_pendulum")),
-        *(pytest.param(name, "dop853", marks=pytest.mark.slow) for name in ("roller_racer", "snakeboard")),
+        *(seldom(name, "dop853") for name in ("roller_racer", "snakeboard")),
         *(("chaplygin_sleigh", method) for method in EXPLICIT),
         *(("pumped_pendulum", method) for method in EXPLICIT if method != "dop853"),
     ],

@@ -28,7 +28,7 @@ from nhc.study.chart.grid import Grid
 from nhc.study.chart.model import LongModel, compile_long
 from nhc.study.chart.study import chart
 from nhc.study.stability.bench import open_bench
-from tests.support import compile_c
+from tests.support import compile_c, seldom
 
 pytestmark = pytest.mark.usefixtures("optimised_models")
 
@@ -175,9 +175,7 @@ OFTEN = {
 }
 
 
-@pytest.mark.parametrize(
-    "potential", [pytest.param(one, marks=pytest.mark.slow if one.startswith("-") else ()) for one in OFTEN]
-)
+@pytest.mark.parametrize("potential", [one if one.startswith(("0.3", "1000")) else seldom(one) for one in OFTEN])
 def test_a_place_that_is_passed_again_and_again(potential: str) -> None:
     """Thirty times: more turns of the argument than a grid over the scene can tell."""
     found = swing(potential, 50.0, Settings(points=2))

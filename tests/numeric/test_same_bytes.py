@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.support import ROOT, spec_path
+from tests.support import ROOT, seldom, spec_path
 
 SYSTEMS = [
-    *("rolling_disk", "snakeboard", "n_trailer3"),
-    *(pytest.param(name, marks=pytest.mark.slow) for name in ("ball_on_table", "rattleback")),
+    *("rolling_disk", "snakeboard"),
+    *map(seldom, ("ball_on_table", "n_trailer3", "rattleback")),
 ]
 SCRIPT = """
 import sys

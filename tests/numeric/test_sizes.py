@@ -20,7 +20,7 @@ from nhc.simulate.opening import open_scene
 from nhc.simulate.peers import SCIPY
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.starts import list_starts, read_starts
-from tests.support import both_ways, compile_c, spec_path
+from tests.support import both_ways, compile_c, seldom, spec_path
 
 ADAPTIVE = [method for method in RUNGE_KUTTA if is_adaptive(method)]
 
@@ -139,7 +139,7 @@ def test_what_is_zero_but_for_rounding_holds_no_step_up(method: str, compiled: b
     assert all(abs(row[0]) < 1e-12 and math.isfinite(row[1]) for row in found.rows)
 
 
-@pytest.mark.parametrize("method", ADAPTIVE)
+@pytest.mark.parametrize("method", ["dop853", seldom("dopri5"), "radau5"])
 def test_terms_that_cancel_hold_no_step_up(method: str) -> None:
     """A bicycle next to straight on pitches by 1e-13, out of terms of 1e13 times that, and no move of its small angles tells their
     rounding: steps of 1e-7 s were taken for ever.

@@ -203,6 +203,7 @@ def test_a_potential_that_sees_the_length_has_its_reaction() -> None:
     assert any(row.force != g.zero for row in found.equations.reactions)
 
 
+@pytest.mark.slow
 def test_axes_are_followed_to_any_depth() -> None:
     """34 universal joints are 68 turns on one another."""
     short, long = (count_rates(joints(bodies)) for bodies in (12, 34))
