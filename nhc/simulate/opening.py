@@ -11,9 +11,8 @@ from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.resolving.resolve import resolve
-from nhc.mechanics.starts.scenes import Start, start_of
-from nhc.program.planning.planner import Planner
-from nhc.program.runs.starting import find_negative
+from nhc.mechanics.starts.scenes import start_of
+from nhc.program.runs.starting import note_negative
 from nhc.simulate.changes import UNCHANGED, Changes, changed
 from nhc.simulate.edges import continue_beyond
 from nhc.simulate.events import resolve_event
@@ -77,16 +76,10 @@ def open_scene(
     recipe = Recipe(equations, wanted, ending, implicit, hold, checks, draw, weak, " ".join(until.split()))
     job = prepare_reduced(recipe, form, start) if plain else None
     job = job or prepare(recipe, form, start, natural=natural, fixed=not beside)
-    job = replace(job, notes=(*notes, *_doubt(Planner(equations, form), start)))
+    job = replace(job, notes=(*notes, *note_negative(equations, form, start)))
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:
         lacking = "its mass matrix is not constant"
     if natural and lacking:
         raise RunError(f"the method `{method}` does not fit this system: {lacking}", ("take dop853 or midpoint",))
     return job
-
-
-def _doubt(planner: Planner, start: Start) -> tuple[str, ...]:
-    """A note where no real body could move as this one does: a run may have other values than `nhc check` has seen."""
-    what, why = find_negative(planner, start)
-    return (f"{': '.join((what, *why))} (W0423)",) if what else ()

@@ -93,6 +93,12 @@ def test_a_chart_of_a_changed_scene_is_that_of_a_spec_with_these_values() -> Non
     assert [r.error for r in made.results] == [r.error for r in wanted.results] and made.results
 
 
+def test_a_chart_notes_a_negative_mass() -> None:
+    grid = replace(SMALL, methods=("dop853",), tolerances=(1e-6,), languages=("python",))
+    made = chart(Source("fall.yaml", STIFF.replace("RATE", "0.1")), replace(grid, changes=Changes(("m=-1",), "1")))
+    assert [note.endswith("`m` is negative there (W0423)") for note in made.notes] == [False, True]
+
+
 def test_only_right_hand_sides_are_timed_and_no_conversions_of_states(monkeypatch: pytest.MonkeyPatch) -> None:
     job = open_scene(gallery("chaplygin_sleigh"))
     model = ChartModel(compile_chart(job, ("dop853",)), job)

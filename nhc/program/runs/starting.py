@@ -12,6 +12,8 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, SpecError, quote
 from nhc.language.spec import Scene
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.regular.given_rank import find_dependent_as_given, find_dependent_row, given_states
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.regular.undefined import find_pole, find_undefined
@@ -202,6 +204,14 @@ def warn_negative(planner: Planner, start: Start, bag: Bag) -> None:
     if what and not bag.again("W0423", what, start.scene.span):
         help = ("look for a wrong sign in `T`, or in the values of the parameters",)
         bag.warning("W0423", what, start.scene.span, notes=notes, help=help)
+
+
+def note_negative(equations: Equations, formulation: Formulation, start: Start) -> tuple[str, ...]:
+    """The same as a note of what runs from this start, which may have other values than `nhc check` has seen; or none."""
+    if equations.definite:
+        return ()
+    what, why = find_negative(Planner(equations, formulation), start)
+    return (f"{': '.join((what, *why))} (W0423)",) if what else ()
 
 
 def find_negative(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:

@@ -12,6 +12,7 @@ from nhc.language import decode
 from nhc.language.spec import Scene
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
+from nhc.program.runs.starting import note_negative
 from nhc.simulate.c.compile import CompileError, find_compiler
 from nhc.simulate.changes import changed
 from nhc.simulate.interpreted import InterpretedModel
@@ -53,6 +54,8 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     runs = settle_runs(grid, compiled)
     notes = grid.changes.notes
     notes += () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
+    if made.full.recipe is not None:
+        notes += note_negative(made.full.recipe.equations, made.full.formulation, made.full.start)
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
     methods = tuple(m for m in grid.methods if m in RUNGE_KUTTA) if grid.methods else METHODS
