@@ -13,6 +13,7 @@ from nhc.cli.options import (
     FORMULATIONS,
     json_option,
     list_examples,
+    need_option,
     scene_set_option,
     scene_time_option,
     specs_argument,
@@ -53,10 +54,6 @@ def _languages(context: click.Context, parameter: click.Parameter, value: str | 
     return _names(value, LANGUAGES, "language")
 
 
-def _needs(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
-    return tuple(name.strip() for name in (value or "").split(",") if name.strip())
-
-
 def _tolerances(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[float, ...]:
     found = []
     for text in (value or "").split(","):
@@ -82,13 +79,7 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
 @click.option("--scene", metavar="NAME", default="", help="The scene to chart; default: the first.")
 @scene_set_option
 @scene_time_option
-@click.option(
-    "--need",
-    "needs",
-    metavar="A,B",
-    callback=_needs,
-    help="The quantities whose error is measured; default: the scene's need.",
-)
+@need_option("The quantities whose error is measured")
 @click.option(
     "--formulations",
     metavar="F,...",

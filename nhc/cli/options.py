@@ -125,6 +125,15 @@ scene_time_option = click.option(
     callback=refuse_empty,
     help="When to end, and to start, in place of the scene's `time`.",
 )
+
+
+def need_option(what: str) -> Callable[[Command], Command]:
+    """``--need``; the help says ``what`` these names are."""
+    return click.option(
+        "--need", "needs", metavar="A,B", callback=split_names, help=f"{what}; default: the scene's need."
+    )
+
+
 hold_option = click.option(
     "--hold",
     "holds",

@@ -10,10 +10,10 @@ from nhc.cli.options import (
     formulation_option,
     json_option,
     list_examples,
+    need_option,
     scene_set_option,
     scene_time_option,
     spec_argument,
-    split_names,
 )
 from nhc.cli.simplify import approximate, check_options
 from nhc.cli.specs import open_spec, take_first_scene
@@ -37,13 +37,7 @@ if TYPE_CHECKING:
 )
 @scene_set_option
 @scene_time_option
-@click.option(
-    "--need",
-    "needs",
-    metavar="A,B",
-    callback=split_names,
-    help="What the model has to deliver; default: the scene's need.",
-)
+@need_option("What the model has to deliver")
 @formulation_option
 @click.option("--fold", is_flag=True, help="Put the scene's parameter values in as numbers first.")
 @click.option(

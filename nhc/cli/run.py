@@ -15,10 +15,10 @@ from nhc.cli.options import (
     check_steps,
     formulation_option,
     list_examples,
+    need_option,
     scene_set_option,
     scene_time_option,
     spec_argument,
-    split_names,
 )
 from nhc.cli.progress import Progress
 from nhc.cli.specs import open_spec
@@ -73,13 +73,7 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
 @scene_set_option
 @scene_time_option
 @click.option("-o", "output", metavar="FILE", help="A .csv, .npz, .svg or .html file; default: CSV on stdout (`-`).")
-@click.option(
-    "--need",
-    "needs",
-    metavar="A,B",
-    callback=split_names,
-    help="The columns that are wanted; default: the scene's need.",
-)
+@need_option("The columns that are wanted")
 @click.option(
     "--points",
     type=click.IntRange(2, 10_000_000),
