@@ -190,12 +190,12 @@ def look_out(
 
 
 def _way_out(watch: Watch, index: int) -> str:
-    """A driver keeps the formulation that it was emitted with: where another has no such place, that is said."""
-    return (
-        "; emitted with `--formulation multipliers` the model chooses no velocities"
-        if watch.kinds[index] == "frame"
-        else ""
-    )
+    """A driver keeps the formulation that it was emitted with: where another has no such place, that is said.  Of a pivot, too: the
+    determinant of the choice of velocities is in it, squared, so that it is lost first where that vanishes.
+    """
+    if watch.kinds[index] != "frame" and not (watch.kinds[index] == "mass" and "frame" in watch.kinds):
+        return ""
+    return "; emitted with `--formulation multipliers` the model chooses no velocities"
 
 
 def known_values(system: System, parameters: Sequence[Sequence[float]]) -> dict[Node, tuple[float, float]]:
