@@ -21,7 +21,7 @@ def reachable(
     """
     if within == -1 and known is None:
         return _list_below(graph, roots).copy()
-    kids, deps = graph.kids, graph.deps
+    kids, deps = graph.kids, graph.deps  # a loop for each kind of question: no work is done more often (decision 11)
     seen = {root for root in roots if within == -1 or deps[root] & within}
     if known is not None:
         seen = {root for root in seen if root not in known}

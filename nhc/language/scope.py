@@ -11,6 +11,7 @@ from nhc.language.advice import foreign_name, meant_entry, meant_force, meant_ra
 from nhc.language.expressions.names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
 from nhc.language.expressions.syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
 from nhc.language.expressions.unparse import unparse
+from nhc.language.spec import reaction_name
 from nhc.language.yaml_tree.nodes import Text
 from nhc.records import record
 
@@ -335,7 +336,7 @@ def names_in(tree: Syntax) -> tuple[str, ...]:
 def check_reactions(constraints: Mapping[str, Span], scope: Scope) -> None:
     """Refuse names that a table's columns of reactions have: one of two columns of one name would be lost."""
     for name in constraints:
-        taken = f"lambda_{name}"
+        taken = reaction_name(name)
         span = scope.shown.get(taken)
         if span is None and scope.kind(taken) in ("coordinate", "quasi", "output"):
             span = scope.names[taken].span

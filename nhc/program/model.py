@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import SpecError
-from nhc.language.spec import Parameter, Scene
+from nhc.language.spec import Parameter, Scene, reaction_name
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.starts.scenes import kept_velocities, start_of
@@ -54,7 +54,9 @@ def build_program(
         parameters=tuple(
             Quantity(p.name, p.unit, p.about, _default(p, k, chosen)) for k, p in enumerate(spec.parameters)
         ),
-        constraints=tuple(Quantity(c.name, unit=system.units.get(f"lambda_{c.name}", "")) for c in system.constraints),
+        constraints=tuple(
+            Quantity(c.name, unit=system.units.get(reaction_name(c.name), "")) for c in system.constraints
+        ),
         outputs=tuple(Quantity(name, system.units.get(name, "")) for name, _ in system.outputs),
         functions=build_functions(planner, only),
         scenes=starts,

@@ -12,7 +12,7 @@ from nhc.language.shape import Shapes
 from nhc.language.yaml_tree.nodes import Text
 from nhc.mechanics.about import scene_about
 from nhc.records import record
-from nhc.simulate.requests import list_wanted
+from nhc.simulate.requests import scene_of_needs
 
 _OPTION = "--time"
 _HELP = "write `END`, or `START:END`, the smaller number first"
@@ -52,8 +52,7 @@ def changed(spec: Spec, scene: Scene, changes: Changes) -> tuple[Spec, Scene]:
     other = scene_about(spec, scene.name, changes.values) if changes.values else scene
     if changes.time:
         other = replace(other, time=_read_time(changes.time, scene.time[0]))
-    if changes.needs:
-        other = replace(other, need=list_wanted(spec, changes.needs))
+    other = scene_of_needs(spec, other, changes.needs)
     return replace(spec, scenes=tuple(other if one is scene else one for one in spec.scenes)), other
 
 

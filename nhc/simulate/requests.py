@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
+from dataclasses import replace
 
-from nhc.diagnostics import Span, suggest
+from nhc.diagnostics import suggest
 from nhc.language import Spec
 from nhc.language.advice import advise_need
 from nhc.language.expressions.names import ENERGIES, fold_typed
@@ -36,19 +37,16 @@ def find_scene(spec: Spec, name: str) -> Scene:
     return next(scene for scene in spec.scenes if scene.name == name)
 
 
-def list_needs(spec: Spec) -> tuple[str, ...]:
-    """Everything that a run can be asked for, each name once: an output may be called `energy`."""
-    names = (
-        *(c.name for c in spec.coordinates),
-        *(f"{c.name}'" for c in spec.coordinates),
-        *(q.name for q in spec.quasi_velocities),
-        *(o.name for o in spec.outputs),
-        "energy",
-        *(("reactions",) if spec.constraints or spec.holonomic or spec.rotations else ()),
-        *(reaction_name(constraint.name) for constraint in spec.constraints),
-        *(reaction_name(equation.name) for equation in spec.holonomic),
-    )
-    return tuple(dict.fromkeys(names))
+def list_needs(spec: Spec) -> dict[str, str]:
+    """Everything that a run can be asked for, with its kind as a scene needs it; an output may be called `energy`."""
+    found = {c.name: "coordinate" for c in spec.coordinates} | {f"{c.name}'": "velocity" for c in spec.coordinates}
+    found |= {q.name: "quasi" for q in spec.quasi_velocities} | {o.name: "output" for o in spec.outputs}
+    own = {"energy": "energy"}
+    if spec.constraints or spec.holonomic or spec.rotations:
+        own["reactions"] = "reactions"
+    own |= {reaction_name(constraint.name): "reaction" for constraint in spec.constraints}
+    own |= {reaction_name(equation.name): "reaction" for equation in spec.holonomic}
+    return found | {name: kind for name, kind in own.items() if name not in found}
 
 
 def find_need(spec: Spec, text: str) -> str:
@@ -63,21 +61,19 @@ def find_need(spec: Spec, text: str) -> str:
     if name == "t":
         raise RunError("the time needs not be asked for: it is the first column", ("leave `t` out",))
     shown = name in (*ENERGIES, *(d.name for d in spec.definitions))
-    hint = advise_need(name) if shown else suggest(name, known, f"it can be {', '.join(known)}")
+    hint = advise_need(name) if shown else suggest(name, [*known], f"it can be {', '.join(known)}")
     raise RunError(f"`--need` names `{text}`, which is no quantity of this spec", (hint,))
 
 
-def list_wanted(spec: Spec, texts: Iterable[str]) -> tuple[Need, ...]:
-    """What these names mean, as a scene needs it; what is named twice counts once.
+def scene_of_needs(spec: Spec, scene: Scene, texts: Sequence[str]) -> Scene:
+    """The scene with other needs, each once; itself where none are named.
 
     Raises:
         RunError: one is no quantity of the spec.
     """
-    constraints = [one.name for one in spec.constraints] + [one.name for one in spec.holonomic]
-    kinds = {reaction_name(name): "reaction" for name in constraints}
-    kinds |= {f"{c.name}'": "velocity" for c in spec.coordinates} | {"energy": "energy", "reactions": "reactions"}
-    kinds |= {c.name: "coordinate" for c in spec.coordinates} | {q.name: "quasi" for q in spec.quasi_velocities}
-    kinds |= {o.name: "output" for o in spec.outputs}  # which may have the names of what nhc knows by itself
-    names = dict.fromkeys(find_need(spec, text) for text in texts)
-    whole = "reactions" in names  # the single ones among them
-    return tuple(Need(kinds[x], x, Span(0, 0)) for x in names if not whole or kinds[x] != "reaction")
+    if not texts:
+        return scene
+    kinds, names = list_needs(spec), dict.fromkeys(find_need(spec, text) for text in texts)
+    if "reactions" in names:  # the single ones are among them
+        names = {name: None for name in names if kinds[name] != "reaction"}
+    return replace(scene, need=tuple(Need(kinds[name], name, scene.span) for name in names))

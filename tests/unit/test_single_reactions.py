@@ -6,10 +6,12 @@ import pytest
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import decode
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit, reduce_scene
 from nhc.simulate.interpreted import TextModel
 from nhc.simulate.opening import open_scene
 from nhc.simulate.requests import RunError
+from nhc.study.chart.jobs import prepare_jobs
 
 # a bead on two wires: rod: r = 2 by the coordinates, slip: no velocity along z; both reactions are known by hand
 SPEC = """nhc: 1
@@ -40,6 +42,18 @@ def test_a_run_has_single_reactions_and_none_twice(formulation: str) -> None:
         # x'' = -v^2/r = -1/2 by lambda 2x; z'' = 0 by 3
         wanted = {"lambda_rod": -0.125, "lambda_slip": 3.0, "x": 2.0, "y": 0.0}
         assert row == pytest.approx([wanted[name] for name in headings])
+
+
+def test_a_chart_of_a_reduced_model_takes_what_is_asked_for() -> None:
+    spec = decode(bead("[x]"))
+    system, scene = resolve(spec), spec.scenes[0]
+    for needs in (("lambda_slip",), ("lambda_slip", "reactions", "x'")):
+        made = prepare_jobs(system, scene, (), needs, reduced=True)
+        wanted = [
+            name for need in needs[-2:] for name in (("lambda_slip", "lambda_rod") if need == "reactions" else (need,))
+        ]
+        for job in made.jobs.values():
+            assert sorted(column.heading for column in job.columns) == sorted(wanted)
 
 
 def test_a_reduced_model_delivers_it() -> None:

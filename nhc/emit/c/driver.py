@@ -5,6 +5,7 @@ from __future__ import annotations
 from nhc.emit.c.literals import print_comment, print_float, print_string
 from nhc.emit.options import EmitError
 from nhc.emit.statements import Status, list_statuses
+from nhc.language.spec import reaction_name
 from nhc.program.ir import Program, SceneData
 from nhc.program.runs.limits import LIMITS
 from nhc.records import record
@@ -69,7 +70,7 @@ def find_columns(program: Program, need: str) -> tuple[Column, ...]:
         return (Column(need, "NEEDED", program.driving.needed.names.index(need)),)
     if need == "energy":
         return (Column(need, "ENERGY", 0),)
-    reactions = tuple(Column(f"lambda_{q.name}", "REACTION", i) for i, q in enumerate(program.constraints))
+    reactions = tuple(Column(reaction_name(q.name), "REACTION", i) for i, q in enumerate(program.constraints))
     if need == "reactions":
         return reactions
     single = tuple(column for column in reactions if column.heading == need)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from nhc.language.expressions.names import ENERGIES
 from nhc.language.expressions.syntax import Binary, Call, Differential, Name, Negate, Prime, Syntax, fold_tree, walk
-from nhc.language.spec import Constraint, Holonomic, Spec
+from nhc.language.spec import Constraint, Holonomic, Spec, reaction_name
 from nhc.language.units.check import list_units, measured
 from nhc.language.units.dimensions import (
     ENERGY,
@@ -53,7 +53,7 @@ class _Deriver:
             found.update((name, self._name(names[name].dimension, True)) for name in rotation.velocities)
         found["energy"] = self._name(self.kinetic.dimension, energy=True)
         rows: tuple[Constraint | Holonomic, ...] = (*spec.constraints, *spec.holonomic)
-        found.update((f"lambda_{row.name}", self._reaction(row)) for row in rows)
+        found.update((reaction_name(row.name), self._reaction(row)) for row in rows)
         for name in ENERGIES:
             names.setdefault(name, self.kinetic)
         for output in spec.outputs:

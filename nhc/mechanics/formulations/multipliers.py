@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from nhc.algebra.graph import Node
 from nhc.exterior import Form, basis_form, one_form, wedge
+from nhc.language.spec import reaction_name
 from nhc.mechanics.formulations import lagrange
 from nhc.mechanics.frame import form_value, total_derivative
 from nhc.mechanics.system import System
@@ -12,7 +13,7 @@ from nhc.thesis.tie import equation
 
 def multiplier_symbols(system: System) -> tuple[Node, ...]:
     """lambda_alpha, one for each constraint."""
-    return tuple(system.graph.symbol(f"lambda_{form.name}", "multiplier") for form in system.constraints)
+    return tuple(system.graph.symbol(reaction_name(form.name), "multiplier") for form in system.constraints)
 
 
 def omega(system: System) -> Form:

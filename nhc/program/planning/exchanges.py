@@ -14,6 +14,7 @@ from nhc.algebra.calculus import gradient, pullback_gradient, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.peel import coefficients
+from nhc.language.spec import reaction_name
 from nhc.mechanics.choosing.choose import build
 from nhc.mechanics.formulate import bordered_system, equations_of
 from nhc.mechanics.frame import form_value, total_derivative
@@ -122,7 +123,7 @@ class ExchangePlanner(Planner):
         """The columns of a scene by their names."""
         system = self.system
         reactions = zip(system.constraints, self.equations.multipliers, strict=True)
-        known = {f"lambda_{form.name}": node for form, node in reactions} | {"energy": system.energy}
+        known = {reaction_name(form.name): node for form, node in reactions} | {"energy": system.energy}
         known |= dict(system.outputs) | {form.name: form_value(system, form) for form in system.quasi}
         known |= {f"{name}'": v for name, v in zip(system.q_names, system.v, strict=True)}
         known |= dict(zip(system.q_names, system.q, strict=True))

@@ -12,6 +12,7 @@ from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.paper import shortest
 from nhc.algebra.walks import count
 from nhc.exterior import Form
+from nhc.language.spec import reaction_name
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.rotations.rotation import name_entries
@@ -133,7 +134,7 @@ class Desk:
         known = self.graph.symbol_of(symbol)
         assert known is not None
         for k, form in enumerate(self.system.constraints):
-            if known.kind == "multiplier" and known.name == f"lambda_{form.name}":
+            if known.kind == "multiplier" and known.name == reaction_name(form.name):
                 return self.own("lambda", form.name)
             frame = self.formulation.frame
             if frame is not None and frame.omega[k] == symbol:

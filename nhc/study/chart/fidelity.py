@@ -23,12 +23,11 @@ from nhc.simulate.changes import Changes, changed
 from nhc.simulate.methods import is_adaptive
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
-from nhc.simulate.requests import find_need, find_scene
+from nhc.simulate.requests import find_need, find_scene, scene_of_needs
 from nhc.simulate.run import list_times
 from nhc.study.chart.case import RESOLVED, Case, Machine, Reference, Result
 from nhc.study.chart.comparable import check_comparable
 from nhc.study.chart.grid import Grid
-from nhc.study.chart.jobs import scene_of_needs
 from nhc.study.chart.measure import Rows, describe_machine
 from nhc.study.chart.reference import Solution, make_reference
 from nhc.study.chart.single import Rig, follow_case

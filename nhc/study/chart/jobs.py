@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.language.spec import FORMULATIONS, Need, Scene, Spec
+from nhc.language.spec import FORMULATIONS, Scene
 from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.program.ir import Function, Let, Origin, Result, Section, Statement, Store, Sweep
+from nhc.program.runs.starting import note_negative
 from nhc.program.scene_model import reduce_one, scene_model
 from nhc.records import record
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import job_of
+from nhc.simulate.requests import scene_of_needs
 
 SCENE = "scene"
 """The name of the model that `nhc emit --scene` writes, where its coframe is none of the spec's formulations."""
@@ -131,23 +133,10 @@ def _bare(function: Function) -> tuple[Statement, ...]:
 
 
 def _full_job(system: System, form: Formulation, scene: Scene, needs: Sequence[str]) -> Job:
-    recipe = Recipe(equations_of(system, form), tuple(needs), jacobian=True, checks=True)
-    return prepare(recipe, form, start_of(system, scene))
+    equations, start = equations_of(system, form), start_of(system, scene)
+    job = prepare(Recipe(equations, tuple(needs), jacobian=True, checks=True), form, start)
+    return replace(job, notes=note_negative(equations, form, start))
 
 
 def _shrunk(made: Reduction) -> Shrunk:
     return Shrunk(tuple((omission.name, omission.reason) for omission in made.left), len(made.names))
-
-
-def scene_of_needs(spec: Spec, scene: Scene, needs: Sequence[str]) -> Scene:
-    """The scene with other needs; itself where none are named."""
-    if not needs:
-        return scene
-    kinds = {
-        **{c.name: "coordinate" for c in spec.coordinates},
-        **{f"{c.name}'": "velocity" for c in spec.coordinates},
-        **{q.name: "quasi" for q in spec.quasi_velocities},
-        **{o.name: "output" for o in spec.outputs},
-    }
-    made = tuple(Need(kinds.get(name, name), name, scene.span) for name in needs)
-    return replace(scene, need=made)

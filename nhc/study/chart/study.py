@@ -12,21 +12,20 @@ from nhc.language import decode
 from nhc.language.spec import Scene
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
-from nhc.program.runs.starting import note_negative
 from nhc.simulate.c.compile import CompileError, find_compiler
 from nhc.simulate.changes import changed
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.methods import STRUCTURE as SCHEMES
 from nhc.simulate.prepare import Job
-from nhc.simulate.requests import find_need, find_scene
+from nhc.simulate.requests import find_need, find_scene, scene_of_needs
 from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
 from nhc.study.chart.ahead import compile_ahead
 from nhc.study.chart.case import Case, Cost, Result, Study
 from nhc.study.chart.case_runner import CaseRunner
 from nhc.study.chart.grid import METHODS, POINTS, SCOUT, STRUCTURE, Grid, Runs, settle_runs
-from nhc.study.chart.jobs import Prepared, Shrunk, prepare_jobs, scene_of_needs
+from nhc.study.chart.jobs import Prepared, Shrunk, prepare_jobs
 from nhc.study.chart.measure import describe_machine, time_repeats
 from nhc.study.chart.model import ChartModel, LongModel, compile_chart, compile_long
 from nhc.study.chart.peers import PEERS, run_peer
@@ -54,8 +53,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     runs = settle_runs(grid, compiled)
     notes = grid.changes.notes
     notes += () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
-    if made.full.recipe is not None:
-        notes += note_negative(made.full.recipe.equations, made.full.formulation, made.full.start)
+    notes += made.full.notes
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
     methods = tuple(m for m in grid.methods if m in RUNGE_KUTTA) if grid.methods else METHODS

@@ -35,7 +35,7 @@ def _change(own: Node, scene: Scene) -> Node:
     new: dict[str, Node] = {"time": Items(tuple(_value(time) for time in scene.time), _NOWHERE)}
     if scene.initial:
         new["initial"] = _table((_key(entry), _start(entry)) for entry in scene.initial)
-    if any(need.span == _NOWHERE for need in scene.need):  # asked for by name
+    if any(need.span == scene.span for need in scene.need):  # asked for in place of the spec's
         new["need"] = Items(tuple(_plain(need.name) for need in scene.need), _NOWHERE)
     if scene.parameters:
         new["parameters"] = _table((entry.name, _value(entry.value)) for entry in scene.parameters)
