@@ -73,8 +73,8 @@ STAGES = (
 class Options:
     """``formulation``, ``scene``: names or empty; ``to``: text, latex or json; ``only``: functions; ``array``: numpy or jax.
 
-    ``reduce``: the scene's smallest model in place of the full one; ``fold``: with its parameter values put in.
-    ``width``: of the lines of a text; 0 for the usual one.
+    ``reduce``: the scene's smallest model in place of the full one; ``fold``: with its parameter values put in; ``changes``: of the
+    scene, in its smallest model.  ``width``: of the lines of a text; 0 for the usual one.
     """
 
     formulation: str = ""
@@ -87,6 +87,7 @@ class Options:
     trig: str = ""
     reduce: bool = False
     fold: bool = False
+    changes: Changes | None = None
     width: int = 0
 
 
@@ -136,14 +137,15 @@ def program(source: Source, options: Options = DEFAULT) -> Program:
     if options.reduce and options.scene:
         from nhc.program.reduced import build_scene_program
 
-        return build_scene_program(reduce_scene(source, options), options.only, options.driver)
+        notes = options.changes.notes if options.changes else ()
+        return build_scene_program(reduce_scene(source, options), options.only, options.driver, notes)
     made, driver = model(source, options), options.driver
     scenes = driver or not options.only
     return build_program(made.system, made.formulation, made.equations, options.only, options.scene, scenes, driver)
 
 
-def reduce_scene(source: Source, options: Options, changes: Changes | None = None) -> SceneModel:
-    """The smallest model that delivers what a scene needs, with all that was tried for it; ``changes``: of the scene's values.
+def reduce_scene(source: Source, options: Options) -> SceneModel:
+    """The smallest model that delivers what a scene needs, with all that was tried for it.
 
     Raises:
         SpecError: everything that is wrong with the spec, or with the changes.
@@ -153,10 +155,10 @@ def reduce_scene(source: Source, options: Options, changes: Changes | None = Non
     spec = decode(source)
     check_scene_name(spec, options.scene)
     scene = next(s for s in spec.scenes if s.name == options.scene)
-    if changes is not None:
+    if options.changes is not None:
         from nhc.simulate.changes import changed
 
-        spec, scene = changed(spec, scene, changes)
+        spec, scene = changed(spec, scene, options.changes)
     system = resolve(spec)
     fixed = (options.formulation or spec.formulation or "auto") != "auto"
     return scene_model(system, formulate(system, options.formulation), scene, only_base=fixed, fold=options.fold)
@@ -326,9 +328,7 @@ def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: 
     return compare(sources, finest, grid, show)
 
 
-def simplify(
-    source: Source, tolerance: float, options: Options, show: ShowTrial | None = None, changes: Changes | None = None
-) -> Ladder:
+def simplify(source: Source, tolerance: float, options: Options, show: ShowTrial | None = None) -> Ladder:
     """Models of a scene with less and less in them, by measured errors, down to the smallest within ``tolerance``.
 
     Raises:
@@ -339,7 +339,9 @@ def simplify(
     from nhc.study.simplify.search import simplify as search
 
     check_scene_name(decode(source), options.scene)
-    return search(source, options.scene, tolerance, options.formulation, show=show, changes=changes or UNCHANGED)
+    return search(
+        source, options.scene, tolerance, options.formulation, show=show, changes=options.changes or UNCHANGED
+    )
 
 
 def cite(source: Source) -> str:

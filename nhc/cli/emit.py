@@ -11,13 +11,23 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.answers import Answer, answer
-from nhc.cli.options import anew_option, formulation_option, list_examples, spec_argument, split_names
+from nhc.cli.options import (
+    anew_option,
+    formulation_option,
+    list_examples,
+    need_option,
+    scene_set_option,
+    scene_time_option,
+    spec_argument,
+    split_names,
+)
 from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, put, say
 from nhc.cli.write import compare_files, place_files, refuse_to_overwrite, write_files
 
 if TYPE_CHECKING:
     from nhc.diagnostics import Source
+    from nhc.simulate.changes import Changes
 
 _C_HEADERS = frozenset(
     (
@@ -57,6 +67,9 @@ _WARNINGS = "<warnings>"  # among the texts of an answer; no file is called so
     default="",
     help="Emit the smallest model of this scene, with its parameters; default: the whole model.",
 )
+@scene_set_option
+@scene_time_option
+@need_option("With --scene: what the model has to deliver")
 @click.option("--fold", is_flag=True, help="With --scene: put its parameter values in as numbers.")
 @click.option(
     "--only", metavar="A,B", callback=split_names, help="Emit only these functions, such as rhs,energy; default: all."
@@ -87,6 +100,9 @@ def command(
     to_stdout: bool,
     formulation: str | None,
     scene: str,
+    values: tuple[str, ...],
+    time: str,
+    needs: tuple[str, ...],
     fold: bool,
     only: tuple[str, ...],
     driver: bool,
@@ -114,8 +130,11 @@ def command(
         raise click.UsageError("`--check` compares with files; stdout holds none")
     if fold and (not scene or language == "latex"):
         raise click.UsageError("`--fold` puts the values of a scene into C or Python: it needs `--scene`")
+    changes = (values, time, needs)
+    if any(changes) and (not scene or language == "latex"):
+        raise click.UsageError("`--set`, `--time` and `--need` change a scene of C or Python: they need `--scene`")
     source = open_spec(spec)
-    asked = (formulation or "", scene, only, driver, array or "", trig or "", fold)
+    asked = (formulation or "", scene, changes, only, driver, array or "", trig or "", fold)
     make = partial(_emit, source, language, *asked)
     files = make() if anew else answer(("emit", language, repr(asked), *list_texts(source)), make)
     for line in files.pop(_WARNINGS, "").splitlines():
@@ -151,6 +170,7 @@ def _emit(
     language: str,
     formulation: str,
     scene: str,
+    changes: tuple[tuple[str, ...], str, tuple[str, ...]],
     only: tuple[str, ...],
     driver: bool,
     array: str,
@@ -159,9 +179,19 @@ def _emit(
 ) -> Answer:
     from nhc.pipeline import Options, emit
 
-    options = Options(formulation, scene, only=only, driver=driver, array=array, trig=trig, fold=fold)
+    options = Options(
+        formulation, scene, only=only, driver=driver, array=array, trig=trig, fold=fold, changes=_changes(*changes)
+    )
     warnings: list[str] = []
     return emit(source, language, options, warnings.append) | ({_WARNINGS: "\n".join(warnings)} if warnings else {})
+
+
+def _changes(values: tuple[str, ...], time: str, needs: tuple[str, ...]) -> Changes | None:
+    if not (values or time or needs):
+        return None
+    from nhc.simulate.changes import Changes
+
+    return Changes(values, time, needs)
 
 
 def _print(files: Mapping[str, str], *, titled: bool) -> None:

@@ -78,10 +78,10 @@ def command(
     from nhc.simulate.changes import Changes
 
     changes = Changes(values, time, needs)
-    options = Options(formulation=formulation or "", scene=scene, fold=fold)
+    options = Options(formulation=formulation or "", scene=scene, fold=fold, changes=changes)
     if tolerance is not None:
-        return approximate(source, options, changes, tolerance, output, chart, force, as_json)
-    made = reduce_scene(source, options, changes)
+        return approximate(source, options, tolerance, output, chart, force, as_json)
+    made = reduce_scene(source, options)
     if as_json:
         put_json("nhc.reduce/1", {**_data(made), "changes": list(changes.notes)})
     else:

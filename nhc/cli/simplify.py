@@ -15,7 +15,6 @@ from nhc.language import Source
 
 if TYPE_CHECKING:
     from nhc.pipeline import Options
-    from nhc.simulate.changes import Changes
 
 
 def check_options(tolerance: float | None, output: str | None, chart: str | None, fold: bool, as_json: bool) -> None:
@@ -45,7 +44,6 @@ def check_options(tolerance: float | None, output: str | None, chart: str | None
 def approximate(
     source: Source,
     options: Options,
-    changes: Changes,
     tolerance: float,
     output: str | None,
     chart: str | None,
@@ -60,7 +58,7 @@ def approximate(
     from nhc.study.simplify.measure import NotMeasured
 
     try:
-        ladder = pipeline.simplify(source, tolerance, options, _show(), changes)
+        ladder = pipeline.simplify(source, tolerance, options, _show())
     except NotMeasured as error:
         raise Failure(str(error), error.help, exit=Exit.NUMERICAL) from error
     finally:

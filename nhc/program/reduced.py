@@ -22,10 +22,13 @@ from nhc.program.scene_model import SceneModel
 SCENE_FUNCTIONS = ("rhs", "state", "jacobian", "outputs")
 
 
-def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: bool = False) -> Program:
+def build_scene_program(
+    model: SceneModel, only: Sequence[str] = (), driver: bool = False, notes: Sequence[str] = ()
+) -> Program:
     """The program of a scene: its state, its constants after the spec's parameters, and its needs as the outputs.
 
-    A ``driver`` that must bring its state back to the constraints needs all of it: then nothing is left out.
+    A ``driver`` that must bring its state back to the constraints needs all of it: then nothing is left out.  ``notes``: lines for
+    the heads of files, before those of the model.
     """
     held = driver and must_hold(model.reduction.equations)
     if held:
@@ -53,7 +56,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         outputs=tuple(Quantity(c.name, c.unit, c.about) for c in columns),
         functions=build_scene_functions(planner, only),
         scenes=(data,),
-        notes=(*full.notes, *_notes(model)),
+        notes=(*full.notes, *notes, *_notes(model)),
         warnings=warn_of_coframe(planner, (model.scene,)),
         driving=_make_driving(planner, model.start, held) if driver else NO_DRIVING,
     )

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 
 import pytest
 
 from nhc.cli import main
 from nhc.diagnostics import Source
+from nhc.emit import EmitOptions, render
 from nhc.language import decode
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.starts.scenes import start_of
+from nhc.pipeline import Options, program
 from nhc.simulate.changes import Changes, changed
 from nhc.study.simplify.draft import draft_of
 from nhc.study.simplify.text import write_draft
+from tests.support import python_model
 
 CRANK = """nhc: 1
 system: crank
@@ -62,6 +66,49 @@ def test_the_written_scene_is_the_changed_one(text: str, scene: str, values: tup
     assert (own.time, own.p) == (start.time, start.p)
     assert [need.name for need in found.need] == [need.name for need in chosen.need]
     assert (own.q, own.v) == (pytest.approx(start.q, abs=1e-15), pytest.approx(start.v, abs=1e-15))
+
+
+def test_the_emitted_model_is_that_of_the_changed_scene(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """By its start and by what its functions deliver there; what was changed stands in its head."""
+    source = Source("crank.yaml", CRANK)
+    (tmp_path / "crank.yaml").write_text(CRANK)
+    slope = math.asin(math.sin(math.pi / 4) / 4)
+    cases: list[tuple[Changes, list[str], list[float], tuple[float, float]]] = [
+        (Changes(), [], [math.cos(math.pi / 4) + math.sqrt(8.5)], (0, 1)),
+        (Changes(("w=3, l=4",), "1:2", ("b", "a'")), ["w=3, l=4; time 1:2"], [slope, 1.5], (1, 2)),
+        (Changes(("w=3", "l=4"), "", ("b",)), ["w=3, l=4"], [slope], (0, 1)),
+    ]
+    for changes, notes, wanted, time in cases:
+        made = program(source, Options(scene="crank", reduce=True, changes=changes))
+        (data,) = made.scenes
+        assert (data.time, data.need) == (time, changes.needs or ("x",))
+        model = python_model(render(made, "python", EmitOptions())["crank.py"], "crank")
+        assert model.outputs(time[0], data.y, data.p) == pytest.approx(wanted, abs=1e-12)
+        options = [*(word for value in changes.values for word in ("--set", value)), "--time", changes.time or "0:1"]
+        options += ["--need", ",".join(changes.needs or ["x"])]
+        assert main(["emit", str(tmp_path / "crank.yaml"), "-l", "c", "--scene", "crank", *options, "--stdout"]) == 0
+        text = capsys.readouterr().out
+        assert [f"other values than those of the spec's scene: {note}" in text for note in notes] == [True] * len(notes)
+        assert all(f"out[{k}] = {name}" in text for k, name in enumerate(changes.needs))
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--lang", "c", "--set", "w=3"], "they need `--scene`"),
+        (["--lang", "latex", "--scene", "crank", "--need", "a"], "they need `--scene`"),
+        (["--lang", "c", "--scene", "crank", "--set", "u=3"], "`u`"),
+        (["--lang", "c", "--scene", "crank", "--time", "0"], "ends where it starts"),
+        (["--lang", "python", "--scene", "crank", "--need", "q"], "names `q`, which is no quantity"),
+    ],
+)
+def test_changes_that_nothing_can_be_made_of(
+    options: list[str], message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "crank.yaml").write_text(CRANK)
+    assert main(["emit", str(tmp_path / "crank.yaml"), *options, "-o", str(tmp_path / "out")]) in (1, 2)
+    assert message in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
 
 
 def test_the_exact_model_is_that_of_the_changed_scene(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
