@@ -62,7 +62,7 @@ def list_pairs() -> list[Pair]:
 
 def measure(pair: Pair) -> tuple[Cost, Cost]:
     """The costs of both, measured in turn, the least of each."""
-    models = [(job, ChartModel(compile_chart(job, (METHOD,)), job)) for job in (pair.full, pair.reduced)]
+    models = [(job, ChartModel(compile_chart(job, METHOD), job)) for job in (pair.full, pair.reduced)]
     rounds = [[take(job, model) for job, model in models] for _ in range(ROUNDS)]
     first, second = (
         Cost(min(cost.rhs for cost in costs), min(cost.run for cost in costs), costs[0].calls)

@@ -101,7 +101,7 @@ def test_a_chart_notes_a_negative_mass() -> None:
 
 def test_only_right_hand_sides_are_timed_and_no_conversions_of_states(monkeypatch: pytest.MonkeyPatch) -> None:
     job = open_scene(gallery("chaplygin_sleigh"))
-    model = ChartModel(compile_chart(job, ("dop853",)), job)
+    model = ChartModel(compile_chart(job, "dop853"), job)
     repeat = model.rhs_at(job.time[:1], (job.y,), job.p)
 
     def refuse(values: object) -> None:
@@ -119,7 +119,7 @@ def test_a_right_hand_side_is_timed_along_the_motion_in_both_languages(monkeypat
     times = (0.0, 0.5, 1.0)
     nothing = Solution([], [], Reference("", "", "", 0.0, 0.0))
     model = InterpretedModel(job.program, job.events, job.holds)
-    rig = Rig("lagrange", job, times, nothing, None, model)
+    rig = Rig("lagrange", job, times, nothing, {}, model)
     seen: set[float] = set()
     whole = model.rhs
 

@@ -56,4 +56,4 @@ def test_what_does_not_compile_is_met_where_it_is_needed(monkeypatch: pytest.Mon
     job = open_scene(read(str(spec_path("nh_particle_pot"))))
     compile_ahead(job, [job], ("dop853",), None, ())
     with pytest.raises(CompileError):
-        compile_chart(job, ("dop853",))
+        compile_chart(job, "dop853")

@@ -270,7 +270,7 @@ def test_the_page_is_alone_and_escapes_what_it_is_given() -> None:
 @pytest.mark.parametrize(
     ("template", "given"),
     [
-        ("c/chart/repeat.c.jinja", {"head", "name", "methods"}),
+        ("c/chart/repeat.c.jinja", {"head", "name"}),
         ("c/chart/natural.c.jinja", {"head", "name"}),
         ("c/chart/again.c.jinja", {"name", "method"}),
         ("c/chart/long.c.jinja", {"head", "name", "methods", "functions", "parameters", "needed"}),

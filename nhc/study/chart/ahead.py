@@ -24,7 +24,7 @@ def compile_ahead(
     ``full``: the reference's job; ``jobs`` with ``methods``, ``natural`` with those of ``schemes`` that apply: what is charted.
     """
     work: list[Callable[[], Path]] = [partial(compile_long, full, REFERENCE_METHODS)]
-    work += [partial(compile_chart, job, methods) for job in jobs]
+    work += [partial(compile_chart, job, method) for job in jobs for method in methods]
     if natural is not None:
         work += [partial(compile_natural, natural, scheme) for scheme in choose_schemes(natural, schemes)[0]]
 

@@ -30,18 +30,18 @@ def doubles(values: Sequence[float]) -> ctypes.Array[ctypes.c_double]:
     return (_Number * max(len(values), 1))(*values)
 
 
-def compile_chart(job: Job, methods: Sequence[str]) -> Path:
-    """The library of a formulation with all methods.
+def compile_chart(job: Job, method: str) -> Path:
+    """The library of a formulation with one method: with others in its file gcc would leave calls that it puts in place in a run.
 
     Raises:
         nhc.simulate.c.compile.CompileError: no compiler.
     """
     name = job.program.system
-    sources = write_source(job.program, [RUNGE_KUTTA[method] for method in methods], job.events, job.holds)
+    sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
     context: dict[str, object] = {
         "head": f"{name}_chart.c: runs for a chart, emitted by nhc {__version__} ({PLACEHOLDER})",
         "name": name,
-        "methods": tuple(methods),
+        "method": method,
     }
     unit = f"{name}_chart.c"
     files = sources | {unit: render_file(File(unit, "c/chart/repeat.c.jinja", context))}

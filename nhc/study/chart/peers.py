@@ -68,8 +68,7 @@ def _run(
             states = found.y.T if case.language == "scipy" else found.y
             solve("end")  # what is timed: between its steps it needs no slopes
             counts = Result(case, calls=slope.calls, jacobians=int(found.njev or 0), steps=steps)
-            assert rig.compiled is not None
-            rows = rig.compiled.quantities(rig.times, [list(map(float, y)) for y in states], rig.job.p)
+            rows = rig.right_side.quantities(rig.times, [list(map(float, y)) for y in states], rig.job.p)
             measured = judge(rig, counts, rows)
             if measured.failed:
                 return measured

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 
 from nhc.records import record
@@ -21,14 +22,22 @@ MOST = 100_000
 
 @record
 class Rig:
-    """A formulation ready to be run beside the reference ``solution``; ``times`` are those of the reference's rows."""
+    """A formulation ready to be run beside the reference ``solution``; ``times`` are those of the reference's rows.
+
+    ``compiled``: by method, none without a compiler; ``interpreted`` takes every method.
+    """
 
     name: str
     job: Job
     times: tuple[float, ...]
     solution: Solution
-    compiled: RepeatedModel | None
+    compiled: Mapping[str, RepeatedModel]
     interpreted: InterpretedModel | NaturalModel
+
+    @property
+    def right_side(self) -> RepeatedModel:
+        """A compiled model, for what all methods' libraries have: the right-hand side and the needed quantities."""
+        return next(iter(self.compiled.values()))
 
 
 def run_case(rig: Rig, case: Case, budget: float) -> Result:
@@ -38,8 +47,7 @@ def run_case(rig: Rig, case: Case, budget: float) -> Result:
 
 def follow_case(rig: Rig, case: Case, budget: float) -> tuple[Result, Rows]:
     """The same with the rows of columns and checks; none where the run failed."""
-    model = rig.compiled if case.language == "c" else rig.interpreted
-    assert model is not None
+    model = rig.compiled[case.method] if case.language == "c" else rig.interpreted
     job = rig.job
     task = Task(job.p, job.y, rig.times, case.tolerance, case.step, MOST, job.stops)
     outcome = model.integrate(task, case.method, model.news())
@@ -63,8 +71,7 @@ def follow_case(rig: Rig, case: Case, budget: float) -> tuple[Result, Rows]:
 
     def repeat(count: int) -> None:
         if case.language == "c":
-            assert rig.compiled is not None
-            rig.compiled.repeat(ends, case.method, count)
+            rig.compiled[case.method].repeat(ends, case.method, count)
             return
         for _ in range(count):
             rig.interpreted.integrate(ends, case.method, rig.interpreted.news())

@@ -28,8 +28,7 @@ class Slope:
     def __init__(self, rig: Rig) -> None:
         import numpy as np
 
-        assert rig.compiled is not None
-        self.function = getattr(rig.compiled.library, f"{rig.job.program.system}_slope")
+        self.function = getattr(rig.right_side.library, f"{rig.job.program.system}_slope")
         self.function.argtypes = (ctypes.c_double, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_void_p)
         self.p = doubles(rig.job.p)
         self.state, self.slope = np.empty(len(rig.job.y)), np.empty(len(rig.job.y))

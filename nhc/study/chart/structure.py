@@ -71,7 +71,7 @@ def run_schemes(
     found: list[Result] = []
     slow: list[str] = []
     for name in schemes:
-        compiled = RepeatedModel(compile_natural(job, name), job) if "c" in runs.languages else None
+        compiled = {name: RepeatedModel(compile_natural(job, name), job)} if "c" in runs.languages else {}
         rig = Rig(job.formulation.name, job, tuple(times), solution, compiled, NaturalModel(job.program))
         runner = CaseRunner(rig, runs.explicit, runs.budget)
         ladder = list_steps(runs.tolerances, anchor, STRUCTURE[name].order, len(times) - 1)

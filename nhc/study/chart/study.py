@@ -125,8 +125,8 @@ def prepare_structure(system: System, scene: Scene, grid: Grid, needs: Sequence[
 
 
 def list_compiled(methods: Sequence[str]) -> tuple[str, ...]:
-    """The methods that a formulation's library has: those of the chart, and the one that counts steps."""
-    return tuple(dict.fromkeys((*methods, SCOUT)))
+    """The methods of which a formulation is compiled: the one that counts steps, and those of the chart."""
+    return tuple(dict.fromkeys((SCOUT, *methods)))
 
 
 def open_long(job: Job) -> LongModel | None:
@@ -141,8 +141,8 @@ def open_rig(
     name: str, job: Job, times: Sequence[float], solution: Solution, methods: Sequence[str], compiled: bool
 ) -> Rig:
     """Both models of a formulation, ready to be run."""
-    model = ChartModel(compile_chart(job, list_compiled(methods)), job) if compiled else None
-    return Rig(name, job, tuple(times), solution, model, InterpretedModel(job.program, job.events, job.holds))
+    models = {method: ChartModel(compile_chart(job, method), job) for method in list_compiled(methods) if compiled}
+    return Rig(name, job, tuple(times), solution, models, InterpretedModel(job.program, job.events, job.holds))
 
 
 def cost_of(rig: Rig, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
@@ -150,9 +150,9 @@ def cost_of(rig: Rig, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
     job, in_c, in_python = rig.job, math.nan, math.nan
     function = next(f for f in job.program.functions if f.name == "rhs")
     task = Task(job.p, job.y, rig.times, 1e-6, 0.0, MOST, job.stops)
-    models = [model for model in (rig.compiled, rig.interpreted) if model is not None]
-    outcome = models[0].integrate(task, SCOUT, models[0].news())
-    compiled, interpreted = rig.compiled, rig.interpreted
+    compiled, interpreted = rig.compiled.get(SCOUT), rig.interpreted
+    model = compiled or interpreted
+    outcome = model.integrate(task, SCOUT, model.news())
     times, states = _regular_states(rig, outcome.states)
     if isinstance(compiled, ChartModel) and "c" in languages and times:
         best, _, _ = time_repeats(compiled.rhs_at(times, states, job.p), 0.02)
@@ -221,7 +221,7 @@ def run_peers(rig: Rig, runs: Runs) -> tuple[list[Result], list[tuple[str, str]]
 def count_steps(rig: Rig) -> int:
     """Steps of the first adaptive method at 1e-3: where the ladders of fixed steps begin."""
     job = rig.job
-    model = rig.compiled or rig.interpreted
+    model = rig.compiled.get(SCOUT, rig.interpreted)
     ends = (rig.times[0], rig.times[-1])
     outcome = model.integrate(Task(job.p, job.y, ends, 1e-3, 0.0, MOST, job.stops), SCOUT, model.news())
     return max(8, 2 * outcome.steps)

@@ -139,7 +139,7 @@ class Meter:
             slow = InterpretedModel(job.program, job.events, job.holds)
             rhs = time_repeats(lambda n: _call(slow, job, n), _BUDGET)[0]
             return Price(rhs, time_repeats(lambda n: _repeat(slow, task, self.method, n), _BUDGET)[0])
-        model = ChartModel(compile_chart(job, (self.method,)), job)
+        model = ChartModel(compile_chart(job, self.method), job)
         rhs = time_repeats(model.rhs_at((job.time[0],), (job.y,), job.p), _BUDGET)[0]
         return Price(rhs, time_repeats(lambda n: model.repeat(task, self.method, n), _BUDGET)[0])
 
