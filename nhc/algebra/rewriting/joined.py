@@ -7,7 +7,6 @@ Emitted code keeps the products, whose sines and cosines it has anyway (the othe
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import combinations
 
 from nhc.algebra.expand import Monomial, Polynomial
 from nhc.algebra.graph import ADD, NEG, Graph, Node
@@ -75,9 +74,13 @@ def make_product(graph: Graph, monomial: Monomial, coefficient: Rational = 1) ->
 def join_terms(graph: Graph, p: Polynomial) -> Polynomial:
     """The polynomial with pairs of terms as one, as often as there are any."""
     left, waiting = dict(p), list(p)
+    alike: dict[_Skeleton, set[Monomial]] = {}
+    for monomial in p:
+        alike.setdefault(_skeleton(graph, monomial), set()).add(monomial)
     while waiting:
         first = waiting.pop(0)
-        for second, rest, made in _partners(graph, first) if first in left else ():
+        others = alike[_skeleton(graph, first)] - {first} if first in left else set()
+        for second, rest, made in _partners(graph, first, others) if others else ():
             size, other = left[first], left.get(second)
             if other is None or abs(other) != abs(size):
                 continue
@@ -87,9 +90,23 @@ def join_terms(graph: Graph, p: Polynomial) -> Polynomial:
             left[monomial] = left.get(monomial, 0) + size * k
             if left[monomial] == 0:
                 del left[monomial]
+            alike.setdefault(_skeleton(graph, monomial), set()).add(monomial)
             waiting.append(monomial)
             break
     return left
+
+
+_Skeleton = frozenset[tuple[tuple[Node, bool], int]]
+
+
+def _skeleton(graph: Graph, monomial: Monomial) -> _Skeleton:
+    """A term's factors with sines and cosines of one angle as one: terms that can be joined have the same."""
+    powers: dict[tuple[Node, bool], int] = {}
+    for factor, exponent in monomial:
+        turned = graph.op[factor] in _OTHER
+        key = (graph.a[factor] if turned else factor, turned)
+        powers[key] = powers.get(key, 0) + exponent
+    return frozenset(powers.items())
 
 
 class _Made:
@@ -111,10 +128,13 @@ class _Made:
         return g.neg(joined) if self.functions == ("sin", "sin") and not equal else joined
 
 
-def _partners(graph: Graph, monomial: Monomial) -> Iterator[tuple[Monomial, Monomial, _Made]]:
-    """Each term that the given one may be joined with, what both have in common, and what they make together."""
+def _partners(
+    graph: Graph, monomial: Monomial, others: Iterable[Monomial]
+) -> Iterator[tuple[Monomial, Monomial, _Made]]:
+    """Each of the ``others`` that the given term may be joined with, what both have in common, and what they make together."""
     turned = [f for f, e in monomial if e > 0 and graph.op[f] in _OTHER]
-    for f, h in combinations(turned, 2):
+    for f, h in sorted(_lost_pairs(monomial, others, {f: k for k, f in enumerate(turned)})):
+        f, h = turned[f], turned[h]
         if graph.a[f] == graph.a[h]:
             continue
         one, other = (h, f) if (graph.op[f], graph.op[h]) == ("cos", "sin") else (f, h)
@@ -123,6 +143,18 @@ def _partners(graph: Graph, monomial: Monomial) -> Iterator[tuple[Monomial, Mono
         for factor in (one, other):
             partner = _times(partner, graph.function(_OTHER[graph.op[factor]], graph.a[factor]), graph)
         yield partner, rest, _Made(graph, graph.a[one], graph.a[other], (graph.op[one], graph.op[other]))
+
+
+def _lost_pairs(
+    monomial: Monomial, others: Iterable[Monomial], places: Mapping[Node, int]
+) -> Iterator[tuple[int, int]]:
+    """Places of two factors that the term has once more than another one, and no further ones."""
+    for other in others:
+        powers = dict(other)
+        lost = [(f, e - powers.get(f, 0)) for f, e in monomial if e > powers.get(f, 0)]
+        if len(lost) == 2 and all(more == 1 and f in places for f, more in lost):
+            (f, _), (h, _) = lost
+            yield places[f], places[h]
 
 
 def _times(monomial: Monomial, factor: Node, graph: Graph, exponent: int = 1) -> Monomial:
