@@ -21,6 +21,7 @@ _SECOND = re.compile(r"(.+?)_?(?:ddot|dotdot)|(?:ddot_?|dd_?|d2_?)(.+?)(?:_?dt2)
 # key of a spec as others call it -> (this language's key, what to do)
 _ENERGIES = "a Lagrangian is given by its energies: `T: ...`, and `V: ...` with L = T - V"
 _FRICTION = "friction is given as forces: `forces: {x: -c*x'}`"
+_UNITS = "a unit stands beside what has it: `coordinates: {x: {unit: m}}`, `parameters: {a: {value: 1, unit: m}}`"
 _SCENE = "it belongs in a scene: `scenes: {go: {initial: {...}, time: [0, 10]}}`"
 KEYS: dict[str, tuple[str, str]] = {
     **dict.fromkeys(("L", "lagrangian", "lagrange"), ("T", _ENERGIES)),
@@ -36,6 +37,7 @@ KEYS: dict[str, tuple[str, str]] = {
     **dict.fromkeys(("nonholonomic", "constraint"), ("constraints", "")),
     **dict.fromkeys(("title", "description", "comment"), ("about", "")),
     **dict.fromkeys(("name",), ("system", "")),
+    **dict.fromkeys(("unit", "units", "dimensions"), ("", _UNITS)),
     **dict.fromkeys(("initial", "initial_conditions", "ic", "time", "tspan", "need", "tolerance"), ("", _SCENE)),
 }
 

@@ -139,6 +139,7 @@ def test_one_slip_one_diagnostic_and_a_help_that_helps(
     [
         ("T: m/2*X'^2 + m/2*(l*cos(θ))'^2 + x'^2\nV:", "L:", "a Lagrangian is given by its energies"),
         ("coordinates: [x, θ]", "coordinates: x", "write `[x]`"),
+        ("coordinates: [x, θ]", "coordinates: [x, θ]\nunits: {x: m}", "a unit stands beside what has it"),
         ("coordinates: [x, θ]", "coordinates:\n  - x: {unit: m}\n  - θ: {}", "leave out the `-`"),
         ("coordinates: [x, θ]", "coordinates:\n  - name: x\n    unit: m\n  - name: θ", "write `x:` in place of `- name: x`"),
         ("parameters: {m: 2,", "parameters:\n  - {name: m, value: 2}\n  - {name: g, v: 2,", "write `m:` in place of `- name: m`"),
