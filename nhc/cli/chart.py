@@ -14,6 +14,7 @@ from nhc.cli.options import (
     json_option,
     list_examples,
     need_option,
+    refuse_empty,
     scene_set_option,
     scene_time_option,
     specs_argument,
@@ -76,7 +77,7 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
     ),
 )
 @specs_argument
-@click.option("--scene", metavar="NAME", default="", help="The scene to chart; default: the first.")
+@click.option("--scene", metavar="NAME", callback=refuse_empty, help="The scene to chart; default: the first.")
 @scene_set_option
 @scene_time_option
 @need_option("The quantities whose error is measured")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import json_option, list_examples, spec_argument
+from nhc.cli.options import json_option, list_examples, refuse_empty, spec_argument
 from nhc.cli.reading import MIB, read_bounded
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, put_json, put_text, say
@@ -28,7 +28,7 @@ LARGEST_CERTIFICATE = 64 * MIB
     ),
 )
 @spec_argument
-@click.argument("other", required=False, default="", shell_complete=complete_spec)
+@click.argument("other", required=False, callback=refuse_empty, shell_complete=complete_spec)
 @click.option(
     "--map", "maps", metavar="NAME=EXPR", multiple=True, help="What a coordinate or parameter of SPEC is in OTHER."
 )

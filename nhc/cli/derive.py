@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.answers import Answer, answer
-from nhc.cli.options import anew_option, explain_option, formulation_option, list_examples, output_option, spec_argument
+from nhc.cli.options import (
+    anew_option,
+    explain_option,
+    formulation_option,
+    list_examples,
+    output_option,
+    refuse_empty,
+    spec_argument,
+)
 from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, narrow_width, say, wants_colour
 from nhc.cli.write import deliver
@@ -36,7 +44,7 @@ def _seconds(context: click.Context, parameter: click.Parameter, value: float) -
 @click.option(
     "--scene",
     metavar="NAME",
-    default="",
+    callback=refuse_empty,
     help="Show the parameters with the values of this scene; default: those of the spec.",
 )
 @click.option(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.answers import Answer, answer
-from nhc.cli.options import anew_option, formulation_option, list_examples, spec_argument, split_names
+from nhc.cli.options import anew_option, formulation_option, list_examples, refuse_empty, spec_argument, split_names
 from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, put, say
 from nhc.cli.write import compare_files, place_files, refuse_to_overwrite, write_files
@@ -54,7 +54,7 @@ _WARNINGS = "<warnings>"  # among the texts of an answer; no file is called so
 @click.option(
     "--scene",
     metavar="NAME",
-    default="",
+    callback=refuse_empty,
     help="Emit the smallest model of this scene, with its parameters; default: the whole model.",
 )
 @click.option("--fold", is_flag=True, help="With --scene: put its parameter values in as numbers.")

@@ -14,6 +14,7 @@ from nhc.cli.options import (
     hold_option,
     json_option,
     list_examples,
+    refuse_empty,
     set_option,
     spec_argument,
     sweep_option,
@@ -44,7 +45,7 @@ _OTHERS = (
 @click.option(
     "--about",
     metavar="MOTION",
-    default="",
+    callback=refuse_empty,
     help="Where to start looking: a scene, or values such as `theta=pi/2, w_n=3`; default: the first scene.",
 )
 @set_option

@@ -11,6 +11,7 @@ from nhc.cli.options import (
     json_option,
     list_examples,
     need_option,
+    refuse_empty,
     scene_set_option,
     scene_time_option,
     spec_argument,
@@ -33,7 +34,10 @@ if TYPE_CHECKING:
 )
 @spec_argument
 @click.option(
-    "--scene", metavar="NAME", default="", help="The scene whose needs the model has to deliver; default: the first."
+    "--scene",
+    metavar="NAME",
+    callback=refuse_empty,
+    help="The scene whose needs the model has to deliver; default: the first.",
 )
 @scene_set_option
 @scene_time_option

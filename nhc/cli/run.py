@@ -16,6 +16,7 @@ from nhc.cli.options import (
     formulation_option,
     list_examples,
     need_option,
+    refuse_empty,
     scene_set_option,
     scene_time_option,
     spec_argument,
@@ -69,7 +70,7 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
     ),
 )
 @spec_argument
-@click.option("--scene", metavar="NAME", default="", help="The scene to run; default: the first.")
+@click.option("--scene", metavar="NAME", callback=refuse_empty, help="The scene to run; default: the first.")
 @scene_set_option
 @scene_time_option
 @click.option("-o", "output", metavar="FILE", help="A .csv, .npz, .svg or .html file; default: CSV on stdout (`-`).")
@@ -100,7 +101,10 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
     help="Stop where this expression in the spec's names crosses zero; default: at the end of the scene.",
 )
 @click.option(
-    "--ensemble", metavar="FILE", default="", help="Run from each row of this CSV table of start values (`-`: stdin)."
+    "--ensemble",
+    metavar="FILE",
+    callback=refuse_empty,
+    help="Run from each row of this CSV table of start values (`-`: stdin).",
 )
 @formulation_option
 @click.option(

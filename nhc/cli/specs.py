@@ -42,7 +42,8 @@ def open_spec(spec: str) -> Source:
 
     gallery = gallery_paths() if "/" not in spec else shelf_paths()
     path = Path(spec)
-    if spec == "-" or (path.exists() and not (path.is_dir() and spec in gallery)):
+    exists = bool(spec) and path.exists()  # the path of no name is the folder
+    if spec == "-" or (exists and not (path.is_dir() and spec in gallery)):
         return _read(spec)
     if spec not in gallery:
         raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))

@@ -14,6 +14,7 @@ from nhc.cli.options import (
     hold_option,
     json_option,
     list_examples,
+    refuse_empty,
     set_option,
     sweep_option,
 )
@@ -40,11 +41,11 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
     ),
 )
 @click.argument("spec", required=False, shell_complete=complete_spec)
-@click.option("--scene", metavar="NAME", default="", help="The scene to look at; default: the first.")
+@click.option("--scene", metavar="NAME", callback=refuse_empty, help="The scene to look at; default: the first.")
 @click.option(
     "--about",
     metavar="MOTION",
-    default="",
+    callback=refuse_empty,
     help="Where to start looking for a steady motion: a scene, or values; default: the scene.",
 )
 @set_option
