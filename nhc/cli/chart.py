@@ -12,11 +12,11 @@ from nhc.cli.options import (
     FINEST_TOLERANCE,
     FORMULATIONS,
     json_option,
-    list_examples,
     need_option,
     scene_set_option,
     scene_time_option,
     specs_argument,
+    verb,
 )
 from nhc.cli.progress import show_part
 from nhc.cli.specs import open_spec
@@ -69,11 +69,10 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
     return tuple(dict.fromkeys(found))
 
 
-@click.command(
+@verb(
     "chart",
-    epilog=list_examples(
-        "nhc chart chaplygin_sleigh -o chart.html", "nhc chart ladder/rigid_bicycle --against ladder/relaxing_tyres"
-    ),
+    "nhc chart chaplygin_sleigh -o chart.html",
+    "nhc chart ladder/rigid_bicycle --against ladder/relaxing_tyres",
 )
 @specs_argument
 @click.option("--scene", metavar="NAME", default="", help="The scene to chart; default: the first.")

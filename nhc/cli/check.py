@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nhc.cli.options import explain_option, json_option, list_examples, specs_argument
+from nhc.cli.options import explain_option, json_option, specs_argument, verb
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, put_json, put_text, wants_colour
 from nhc.records import record
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from nhc.diagnostics import Diagnostic, Source
 
 
-@click.command("check", epilog=list_examples("nhc check kart.yaml", "nhc check chaplygin_sleigh --explain"))
+@verb("check", "nhc check kart.yaml", "nhc check chaplygin_sleigh --explain")
 @specs_argument
 @explain_option
 @click.option("--concise", is_flag=True, help="One line for each finding: file:line:column: severity[code]: message.")

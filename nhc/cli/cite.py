@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import click
 
-from nhc.cli.options import list_examples, output_option, spec_argument
+from nhc.cli.options import output_option, spec_argument, verb
 from nhc.cli.specs import open_spec
 from nhc.cli.write import deliver
 
 
-@click.command("cite", epilog=list_examples("nhc cite chaplygin_sleigh"))
+@verb("cite", "nhc cite chaplygin_sleigh")
 @spec_argument
 @output_option
 @click.option("--force", is_flag=True, help="Replace the file after `-o` when it exists.")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import json_option, list_examples, spec_argument
+from nhc.cli.options import json_option, spec_argument, verb
 from nhc.cli.reading import MIB, read_bounded
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, put_json, put_text, say
@@ -19,13 +19,11 @@ if TYPE_CHECKING:
 LARGEST_CERTIFICATE = 64 * MIB
 
 
-@click.command(
+@verb(
     "compare",
-    epilog=list_examples(
-        "nhc compare chaplygin_sleigh",
-        "nhc compare bicycle --certificate bicycle.json",
-        "nhc compare bicycle bodies/bicycle",
-    ),
+    "nhc compare chaplygin_sleigh",
+    "nhc compare bicycle --certificate bicycle.json",
+    "nhc compare bicycle bodies/bicycle",
 )
 @spec_argument
 @click.argument("other", required=False, default="", shell_complete=complete_spec)

@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.answers import Answer, answer
-from nhc.cli.options import anew_option, explain_option, formulation_option, list_examples, output_option, spec_argument
+from nhc.cli.options import (
+    anew_option,
+    explain_option,
+    formulation_option,
+    output_option,
+    spec_argument,
+    verb,
+)
 from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, narrow_width, say, wants_colour
 from nhc.cli.write import deliver
@@ -24,10 +31,7 @@ def _seconds(context: click.Context, parameter: click.Parameter, value: float) -
     return value
 
 
-@click.command(
-    "derive",
-    epilog=list_examples("nhc derive chaplygin_sleigh", "nhc derive rolling_disk -f voronec --to latex -o disk.tex"),
-)
+@verb("derive", "nhc derive chaplygin_sleigh", "nhc derive rolling_disk -f voronec --to latex -o disk.tex")
 @spec_argument
 @formulation_option
 @click.option("--to", type=click.Choice(["text", "latex", "json"]), help="What to print; default: text.")

@@ -10,9 +10,7 @@ import sys
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-import click
-
-from nhc.cli.options import json_option, list_examples
+from nhc.cli.options import json_option, verb
 from nhc.cli.specs import gallery_paths
 from nhc.cli.terminal import Exit, put_json, put_text
 from nhc.version import __version__
@@ -30,7 +28,7 @@ TOOLS = {"cc": "compiles emitted C", "clang": "a second opinion on emitted C", "
 Row = tuple[str, bool, str]  # name, found, detail
 
 
-@click.command("doctor", epilog=list_examples("nhc doctor"))
+@verb("doctor", "nhc doctor")
 @json_option
 def command(as_json: bool) -> int:
     """Say what nhc finds on this machine.

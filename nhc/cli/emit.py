@@ -14,12 +14,12 @@ from nhc.answers import Answer, answer
 from nhc.cli.options import (
     anew_option,
     formulation_option,
-    list_examples,
     need_option,
     scene_set_option,
     scene_time_option,
     spec_argument,
     split_names,
+    verb,
 )
 from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, put, say
@@ -41,11 +41,8 @@ _C_HEADERS = frozenset(
 _WARNINGS = "<warnings>"  # among the texts of an answer; no file is called so
 
 
-@click.command(
-    "emit",
-    epilog=list_examples(
-        "nhc emit chaplygin_sleigh --lang c --driver -o sleigh", "nhc emit bicycle --lang python --only rhs,energy"
-    ),
+@verb(
+    "emit", "nhc emit chaplygin_sleigh --lang c --driver -o sleigh", "nhc emit bicycle --lang python --only rhs,energy"
 )
 @spec_argument
 @click.option(

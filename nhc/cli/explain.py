@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 from click.shell_completion import CompletionItem
 
-from nhc.cli.options import list_examples
+from nhc.cli.options import verb
 from nhc.cli.terminal import Failure, put, put_text
 
 
@@ -17,7 +17,7 @@ def _complete(ctx: click.Context, parameter: click.Parameter, incomplete: str) -
     return [CompletionItem(name) for name in (*codes(), *EQUATIONS, *ERRATA) if name.startswith(incomplete.upper())]
 
 
-@click.command("explain", epilog=list_examples("nhc explain E0302", "nhc explain I.2.15"))
+@verb("explain", "nhc explain E0302", "nhc explain I.2.15")
 @click.argument("subject", metavar="[CODE|EQUATION]", required=False, shell_complete=_complete)
 def command(subject: str | None) -> int:
     """Explain a diagnostic code or an equation number.

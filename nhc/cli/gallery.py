@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 from click.shell_completion import CompletionItem
 
-from nhc.cli.options import json_option, list_examples
+from nhc.cli.options import json_option, verb
 from nhc.cli.specs import gallery_paths, shelf_paths
 from nhc.cli.terminal import Failure, put_json, put_text
 from nhc.cli.write import deliver
@@ -17,7 +17,7 @@ def _complete(ctx: click.Context, parameter: click.Parameter, incomplete: str) -
     return [CompletionItem(name) for name in gallery_paths() if name.startswith(incomplete)]
 
 
-@click.command("gallery", epilog=list_examples("nhc gallery", "nhc gallery rolling_disk -o ."))
+@verb("gallery", "nhc gallery", "nhc gallery rolling_disk -o .")
 @click.argument("name", required=False, shell_complete=_complete)
 @click.option("-o", "output", metavar="DIR|FILE", help="With NAME: copy the spec there.")
 @click.option("--force", is_flag=True, help="Replace a file that exists.")

@@ -13,10 +13,10 @@ from nhc.cli.options import (
     formulation_option,
     hold_option,
     json_option,
-    list_examples,
     set_option,
     spec_argument,
     sweep_option,
+    verb,
 )
 from nhc.cli.specs import open_spec, take_first_scene
 from nhc.cli.terminal import Exit, Failure, put_json, put_text
@@ -33,12 +33,10 @@ _OTHERS = (
 )
 
 
-@click.command(
+@verb(
     "linearize",
-    epilog=list_examples(
-        "nhc linearize rolling_disk --about 'theta=pi/2, w_n=3'",
-        "nhc linearize rolling_disk --about theta=pi/2 --sweep w_n=1:4:13",
-    ),
+    "nhc linearize rolling_disk --about 'theta=pi/2, w_n=3'",
+    "nhc linearize rolling_disk --about theta=pi/2 --sweep w_n=1:4:13",
 )
 @spec_argument
 @click.option(

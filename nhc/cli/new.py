@@ -7,12 +7,12 @@ from pathlib import Path
 
 import click
 
-from nhc.cli.options import list_examples
+from nhc.cli.options import verb
 from nhc.cli.terminal import Failure, say
 from nhc.cli.write import deliver
 
 
-@click.command("new", epilog=list_examples("nhc new kart"))
+@verb("new", "nhc new kart")
 @click.argument("name")
 @click.option("-o", "output", metavar="DIR|FILE", help="Where to write; default: NAME.yaml here, `-`: stdout.")
 @click.option("--force", is_flag=True, help="Replace a file that exists.")

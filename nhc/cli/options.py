@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 import click
+from click.core import ParameterSource
 
 from nhc.cli.specs import complete_spec
 
@@ -25,17 +26,6 @@ def split_names(context: click.Context, parameter: click.Parameter, value: str |
     if value is not None and not names:
         raise click.BadParameter("it names nothing; leave it out, or write `a,b`", context, parameter)
     return names
-
-
-def refuse_empty(context: click.Context, parameter: click.Parameter, value: str | None) -> str:
-    """The text, empty where the option is not given; one that is given an empty text (an unset variable?) is refused."""
-    if value is not None and not value.strip():
-        raise click.BadParameter("it is empty; leave it out, or give it a value", context, parameter)
-    return value or ""
-
-
-def _refuse_empties(context: click.Context, parameter: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
-    return tuple(refuse_empty(context, parameter, one) for one in value)
 
 
 def check_steps(step: float, start: float, end: float) -> None:
@@ -86,9 +76,31 @@ def sweep_option(usual: int | None = None) -> Callable[[Command], Command]:
     return click.option("--sweep", metavar=shape, callback=read, help=about)
 
 
-def list_examples(*commands: str) -> str:
-    """The end of a help text."""
-    return "\n".join(["\b", "Examples:", *(f"  {command}" for command in commands)])
+class Verb(click.Command):
+    """A verb; what it is given on the command line is no empty text (an unset variable?)."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read the arguments.
+
+        Raises:
+            click.BadParameter: one is empty.
+        """
+        rest = super().parse_args(ctx, args)
+        for parameter in self.get_params(ctx):
+            name = parameter.name or ""
+            if ctx.get_parameter_source(name) is not ParameterSource.COMMANDLINE:
+                continue
+            value = ctx.params.get(name)
+            given = value if isinstance(value, tuple) else (value,)
+            if any(isinstance(one, str) and not one.strip() for one in given):
+                raise click.BadParameter("it is empty; leave it out, or give it a value", ctx, parameter)
+        return rest
+
+
+def verb(name: str, *examples: str) -> Callable[[Callable[..., Any]], click.Command]:
+    """The decorator of a verb, with examples at the end of its help."""
+    epilog = "\n".join(["\b", "Examples:", *(f"  {example}" for example in examples)])
+    return click.command(name, cls=Verb, epilog=epilog)
 
 
 spec_argument = click.argument("spec", shell_complete=complete_spec)
@@ -112,7 +124,6 @@ def _set_option(name: str, whole: str, part: str) -> Callable[[Command], Command
         name,
         metavar="A=1,...",
         multiple=True,
-        callback=_refuse_empties,
         help=f"Change values of {whole}: of its {part} or of parameters.",
     )
 
@@ -122,7 +133,7 @@ scene_set_option = _set_option("values", "the scene", "start")
 scene_time_option = click.option(
     "--time",
     metavar="[START:]END",
-    callback=refuse_empty,
+    default="",
     help="When to end, and to start, in place of the scene's `time`.",
 )
 

@@ -9,11 +9,11 @@ import click
 from nhc.cli.options import (
     formulation_option,
     json_option,
-    list_examples,
     need_option,
     scene_set_option,
     scene_time_option,
     spec_argument,
+    verb,
 )
 from nhc.cli.simplify import approximate, check_options
 from nhc.cli.specs import open_spec, take_first_scene
@@ -23,17 +23,18 @@ if TYPE_CHECKING:
     from nhc.program.scene_model import SceneModel, Tried
 
 
-@click.command(
+@verb(
     "reduce",
-    epilog=list_examples(
-        "nhc reduce rolling_disk --scene lean",
-        "nhc reduce rolling_disk --scene lean --set R=0.3 --fold",
-        "nhc reduce pendulum --scene small --tol 1e-4 -o small.yaml",
-    ),
+    "nhc reduce rolling_disk --scene lean",
+    "nhc reduce rolling_disk --scene lean --set R=0.3 --fold",
+    "nhc reduce pendulum --scene small --tol 1e-4 -o small.yaml",
 )
 @spec_argument
 @click.option(
-    "--scene", metavar="NAME", default="", help="The scene whose needs the model has to deliver; default: the first."
+    "--scene",
+    metavar="NAME",
+    default="",
+    help="The scene whose needs the model has to deliver; default: the first.",
 )
 @scene_set_option
 @scene_time_option

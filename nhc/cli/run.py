@@ -14,11 +14,11 @@ from nhc.cli.options import (
     FINEST_TOLERANCE,
     check_steps,
     formulation_option,
-    list_examples,
     need_option,
     scene_set_option,
     scene_time_option,
     spec_argument,
+    verb,
 )
 from nhc.cli.progress import Progress
 from nhc.cli.specs import open_spec
@@ -60,13 +60,11 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
     return value or ""
 
 
-@click.command(
+@verb(
     "run",
-    epilog=list_examples(
-        "nhc run chaplygin_sleigh -o sleigh.html",
-        "nhc run rolling_disk --scene lean --tol 1e-10 --points 501",
-        "nhc run rolling_disk --scene lean --set 'R=0.3, w_n=5' --time 60",
-    ),
+    "nhc run chaplygin_sleigh -o sleigh.html",
+    "nhc run rolling_disk --scene lean --tol 1e-10 --points 501",
+    "nhc run rolling_disk --scene lean --set 'R=0.3, w_n=5' --time 60",
 )
 @spec_argument
 @click.option("--scene", metavar="NAME", default="", help="The scene to run; default: the first.")
@@ -100,7 +98,10 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
     help="Stop where this expression in the spec's names crosses zero; default: at the end of the scene.",
 )
 @click.option(
-    "--ensemble", metavar="FILE", default="", help="Run from each row of this CSV table of start values (`-`: stdin)."
+    "--ensemble",
+    metavar="FILE",
+    default="",
+    help="Run from each row of this CSV table of start values (`-`: stdin).",
 )
 @formulation_option
 @click.option(

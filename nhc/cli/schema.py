@@ -6,11 +6,11 @@ import json
 
 import click
 
-from nhc.cli.options import list_examples, output_option
+from nhc.cli.options import output_option, verb
 from nhc.cli.write import deliver
 
 
-@click.command("schema", epilog=list_examples("nhc schema -o nhc.schema.json"))
+@verb("schema", "nhc schema -o nhc.schema.json")
 @output_option
 @click.option("--force", is_flag=True, help="Replace the file after `-o` when it exists.")
 def command(output: str | None, force: bool) -> int:

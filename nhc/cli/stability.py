@@ -13,9 +13,9 @@ from nhc.cli.options import (
     formulation_option,
     hold_option,
     json_option,
-    list_examples,
     set_option,
     sweep_option,
+    verb,
 )
 from nhc.cli.progress import show_line, show_part
 from nhc.cli.specs import complete_spec, open_spec
@@ -33,12 +33,7 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
     return value
 
 
-@click.command(
-    "stability",
-    epilog=list_examples(
-        "nhc stability chaplygin_sleigh -o stability.html", "nhc stability bicycle --sweep speed=0:10"
-    ),
-)
+@verb("stability", "nhc stability chaplygin_sleigh -o stability.html", "nhc stability bicycle --sweep speed=0:10")
 @click.argument("spec", required=False, shell_complete=complete_spec)
 @click.option("--scene", metavar="NAME", default="", help="The scene to look at; default: the first.")
 @click.option(

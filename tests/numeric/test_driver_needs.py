@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -41,3 +42,11 @@ def test_quasi_velocities_beside_another_state(name: str, formulation: str, tmp_
 def test_a_wanted_quantity_of_the_state_costs_no_function(tmp_path: Path) -> None:
     drive(read(str(spec_path("chaplygin_sleigh"))), tmp_path)
     assert "_needed" not in (tmp_path / "chaplygin_sleigh_main.c").read_text()
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+def test_output_that_cannot_be_written_is_said(tmp_path: Path) -> None:
+    drive(read(str(spec_path("pendulum"))), tmp_path)
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run([tmp_path / "pendulum"], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+    assert (done.returncode, done.stderr) == (1, "pendulum: the output cannot be written\n")

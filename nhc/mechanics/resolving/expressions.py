@@ -161,7 +161,15 @@ class Resolver:
             return g.one
         if exponent is not None and exponent.denominator == 1 and abs(exponent) <= 1000:
             return g.power(x, int(exponent))
+        if not g.deps[x] and g.deps[y] & g.mask((*self.q, *self.v, self.t)) and evaluate(g, [x], {})[0] <= 0.0:
+            return self._refuse_base(part)
         return g.function("powf", x, y)
+
+    def _refuse_base(self, part: Binary) -> Node:
+        """The rate of a power with an exponent that varies holds the logarithm of its base."""
+        help = "write a base that is positive: otherwise powers are real for some exponents only, and have no rate"
+        self.bag.error("E0313", "a power of a constant that is not positive varies", part.span, help=(help,))
+        return self.graph.one
 
     def coordinate(self, name: str) -> int:
         return next(i for i, c in enumerate(self.spec.coordinates) if c.name == name)
