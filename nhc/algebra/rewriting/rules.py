@@ -93,7 +93,8 @@ RULES = (
     ),
     Rule(
         "related angles",
-        "sines and cosines of sums, differences and multiples of angles come from those of the angles, if these are needed anyway",
+        "sines and cosines of sums, differences and multiples of angles come from those of the angles, if these are needed anyway; "
+        "those of arcs such as atan x take roots",
         "algebra/rewriting/related.py",
     ),
     Rule(
