@@ -33,7 +33,8 @@ RULES = (
     ),
     Rule(
         "gathered sums",
-        "a mass or speed that many products of a sum share is taken out of the sum",
+        "a mass or speed that many products of a sum share is taken out of the sum; "
+        "so is the direction along which a potential and another force act",
         "algebra/rewriting/gather.py",
     ),
     Rule(
