@@ -15,8 +15,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import gradient, pullback_gradient, tangent
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import Replacement, substitute
+from nhc.algebra.rewriting.along import add_along
 from nhc.algebra.rewriting.gather import gather
 from nhc.mechanics.energies.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.motion import Motion
@@ -162,7 +163,10 @@ class Projector:
         applied = virtual_work(system, *self._applied(), e)
         slopes = self._to_motion.of(tangent(g, [self.kinetic.tau], direction.seeds))[0]
         potential = self._on_places.of(tangent(g, [self._potential], direction.seeds))[0]
-        return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
+        # along a vector of several entries, what both forces have in common are these
+        outer = add_along(g, potential, applied, self._constants) if _is_unit(g, e) else None
+        forces = g.add(g.add(slopes, potential), applied) if outer is None else g.add(slopes, outer)
+        return Row(tuple(mass), g.sub(forces, inertial))
 
     def kinetic_energy(self) -> Node:
         """T on the motion, in the values of its forms."""
@@ -261,3 +265,8 @@ class Projector:
         flat = [x for torque in system.torques for x in torque]
         values = self._to_motion.of([*system.Q, *flat])
         return values[: system.n], values[system.n :]
+
+
+def _is_unit(graph: Graph, e: Sequence[Node]) -> bool:
+    """Whether the vector is that of one velocity."""
+    return [x for x in e if x != graph.zero] == [graph.one]

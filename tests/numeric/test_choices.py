@@ -189,3 +189,33 @@ def test_what_is_left_out_of_a_score_comes_behind_what_is_wanted(enough: int) ->
         every = score(candidates, samples, starts, len(candidates))
         assert len(every) == len(candidates) and score(candidates, samples, starts, enough)[:enough] == every[:enough]
     assert score([], samples, starts, enough) == []
+
+
+BOARD = """nhc: 1
+system: skateboard
+coordinates: [x, y, th, lean]
+parameters: {m: 60, J: 1, I: 0.5, a: 0.4, b: 0.3, h: 0.9, p: 0.8, k: 900}
+define: {X: x + h*sin(lean)*sin(th), Y: y - h*sin(lean)*cos(th), Z: h*cos(lean), f: FRONT, r: -REAR}
+T: m/2*(X'^2 + Y'^2 + Z'^2) + J/2*th'^2 + I/2*lean'^2
+V: m*9.81*Z + k/2*lean^2
+constraints:
+  - -sin(th + f)*x' + cos(th + f)*y' + a*cos(f)*th' = 0
+  - -sin(th + r)*x' + cos(th + r)*y' - b*cos(r)*th' = 0
+"""
+
+
+@pytest.mark.parametrize(("steering", "along"), [("atan(p*sin(lean))", True), ("p*lean", False)])
+def test_axles_that_cannot_stand_across_are_completed_by_the_velocity_along_the_body(
+    steering: str, along: bool
+) -> None:
+    """The row of minors is left where an axle could turn by a quarter, and both wheels would roll sideways."""
+    source = Source("skateboard.yaml", BOARD.replace("FRONT", steering).replace("REAR", steering))
+    made = model(source)
+    assert made.formulation.frame is not None
+    form = made.formulation.frame.forms[made.system.l]
+    g, (x, y, th, _) = made.system.graph, form.coefficients
+    heading = made.system.q[2]
+    assert ((x, y, th) == (g.function("cos", heading), g.function("sin", heading), g.zero)) == along
+    (rhs,) = program(source, Options(only=("rhs",))).functions
+    assert (rhs.adds + rhs.multiplications < 110) == along
+    assert all(a.accelerations and a.reactions for a in certify(made.system, points=1).agreements)

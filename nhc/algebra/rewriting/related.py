@@ -15,6 +15,7 @@ from nhc.algebra.nodes import Rational
 from nhc.algebra.parts import list_terms
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import Pair, add_angles
+from nhc.algebra.rewriting.arcs import open_arcs
 from nhc.algebra.walks import reachable
 
 Angle = tuple[tuple[Node, Rational], ...]
@@ -32,9 +33,10 @@ _DEEPEST = 2  # sums of sums: each adds its rounding
 
 
 def relate_angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
-    """Equal roots in which sines and cosines of sums come from those of the terms, where that is shorter."""
+    """Equal roots in which sines and cosines of sums come from those of the terms, where that is shorter, and of arcs from none."""
     if "related angles" in graph.off:
         return list(roots)
+    roots = open_arcs(graph, roots)
     needed = _list_angles(graph, roots)
     if not 2 <= len(needed) <= _ALL:
         return list(roots)

@@ -33,7 +33,8 @@ RULES = (
     ),
     Rule(
         "gathered sums",
-        "a mass or speed that many products of a sum share is taken out of the sum",
+        "a mass or speed that many products of a sum share is taken out of the sum; "
+        "so is the direction along which a potential and another force act",
         "algebra/rewriting/gather.py",
     ),
     Rule(
@@ -93,7 +94,8 @@ RULES = (
     ),
     Rule(
         "related angles",
-        "sines and cosines of sums, differences and multiples of angles come from those of the angles, if these are needed anyway",
+        "sines and cosines of sums, differences and multiples of angles come from those of the angles, if these are needed anyway; "
+        "those of arcs such as atan x take roots",
         "algebra/rewriting/related.py",
     ),
     Rule(

@@ -17,6 +17,7 @@ from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
+from nhc.mechanics.choosing.headings import along_headings
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
 from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form
@@ -261,7 +262,7 @@ def _pools(system: System) -> list[list[Form]]:
     if adapted is None and held and system.n > _FEW_COORDINATES:
         adapted = stepwise_forms(system)
     if adapted is not None:
-        pools.append([*adapted, *every])
+        pools.append([*along_headings(system, adapted), *every])
     return pools
 
 

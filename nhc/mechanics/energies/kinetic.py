@@ -111,7 +111,17 @@ def _forms_of(system: System, energy: Node) -> list[Node]:
     degree = degrees(g, system.v)
     if degree[energy] == 99:
         return []
-    return list_atoms(g, energy, degree, lambda node: _without_factor(g, node, degree))
+    rates = rates_of_positions(system)
+
+    def strip(node: Node) -> Node:
+        """The rate of a length is a form as it stands, L' = (x x' + y y')/L: exact, which its numerator is not."""
+        bare = _without_factor(g, node, degree)
+        divided = g.op[node] == MUL and any(g.op[x] == POW and g.b[x] < 0 for x in g.kids[node])
+        if not divided or g.op[bare] != ADD or bare in rates:
+            return bare
+        return node if _is_exact(system, _as_form(system, node)) else bare
+
+    return list_atoms(g, energy, degree, strip)
 
 
 def energy_as_squares(system: System) -> Node:
@@ -231,6 +241,11 @@ def _structure(system: System, energy: Node) -> Kinetic:
     slope = tuple(gradient(g, tau, u))
     hessian = tuple(tuple(gradient(g, pi, u)) for pi in slope)
     return Kinetic(system, tuple(atoms), u, tau, slope, hessian)
+
+
+def _as_form(system: System, atom: Node) -> Form:
+    coefficients, constant = linear_form(system.graph, atom, system.v)
+    return Form("", coefficients, constant, value=atom)
 
 
 def _is_exact(system: System, form: Form) -> bool:
