@@ -339,9 +339,7 @@ def simplify(source: Source, tolerance: float, options: Options, show: ShowTrial
     from nhc.study.simplify.search import simplify as search
 
     check_scene_name(decode(source), options.scene)
-    return search(
-        source, options.scene, tolerance, options.formulation, show=show, changes=options.changes or UNCHANGED
-    )
+    return search(source, options.scene, tolerance, options.formulation, show, options.changes or UNCHANGED)
 
 
 def cite(source: Source) -> str:

@@ -230,9 +230,9 @@ def simplify(
     scene: str,
     tolerance: float,
     formulation: str = "",
-    most: int = MOST_RUNS,
     show: Show | None = None,
     changes: Changes = UNCHANGED,
+    most: int = MOST_RUNS,
 ) -> Ladder:
     """The ladder of models of a scene from the full one to the smallest within ``tolerance``.
 
