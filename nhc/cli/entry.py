@@ -111,7 +111,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return Exit.BROKEN_PIPE
     except OSError as error:
         if error.filename is not None:
-            return _report(error)
+            return _report_place(error)
         silence_streams()  # stdout cannot take what is left in its buffer
         say(f"error: cannot write: {describe_os_error(error)}\n  = help: make room, or write elsewhere with `-o`")
         return Exit.USAGE
@@ -149,6 +149,17 @@ def _describe_usage_error(error: click.ClickException, arguments: Sequence[str])
 def _fail(failure: Failure) -> Exit:
     say(str(failure))
     return failure.exit
+
+
+def _report_place(error: OSError) -> Exit:
+    """Say what is wrong with a file or folder that a user named; one of nhc's own is a defect."""
+    from nhc.resources import PACKAGE
+
+    place = os.fsdecode(error.filename)
+    if place.startswith(str(PACKAGE)):
+        return _report(error)
+    say(f"error: cannot reach `{place}`: {describe_os_error(error)}\n  = help: name another file or folder")
+    return Exit.USAGE
 
 
 def _report(error: Exception) -> Exit:

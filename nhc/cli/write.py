@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from nhc.cli.terminal import Exit, Failure, describe_os_error, put, put_text, say
@@ -136,11 +136,15 @@ def write_bytes(path: Path, content: bytes) -> None:
 
 @contextmanager
 def _written_beside(files: Mapping[Path, str]) -> Iterator[dict[Path, Path]]:
-    """Write each text beside its place and yield temporary -> final; what is left of them at the end is removed."""
+    """Write each text beside its place and yield temporary -> final; what is left of them at the end is removed, and new folders
+    without files.
+    """
     temporaries: dict[Path, Path] = {}
+    made = list[Path]()
     try:
         for path, text in files.items():
             final = path.resolve()  # a link stays a link
+            made += [folder for folder in final.parents if not folder.exists()]
             final.parent.mkdir(parents=True, exist_ok=True)
             temporary = final.with_name(f".{final.name}.{os.getpid()}.tmp")
             temporaries[temporary] = final
@@ -150,7 +154,11 @@ def _written_beside(files: Mapping[Path, str]) -> Iterator[dict[Path, Path]]:
         yield temporaries
     finally:
         for temporary in temporaries:
-            temporary.unlink(missing_ok=True)
+            with suppress(OSError):  # a name that is too long
+                temporary.unlink(missing_ok=True)
+        for folder in made:  # the innermost first
+            with suppress(OSError):
+                folder.rmdir()
 
 
 def _replace_all(temporaries: Mapping[Path, Path]) -> None:
@@ -174,9 +182,9 @@ def _read(path: Path) -> str | None:
 
     Of a file larger than any that nhc writes as text this is a part: it differs, and carries no stamp that fits.
     """
-    if is_stream(path):
-        return None
     try:
+        if is_stream(path):
+            return None
         with path.open("rb") as stream:
             return stream.read(_LARGEST).decode(errors="replace")
     except FileNotFoundError:

@@ -17,6 +17,7 @@ from nhc.language.shape import Shapes
 from nhc.language.spec import (
     DEFAULT_TOLERANCE,
     LEAST_PART,
+    LEAST_TIME,
     LEAST_TOLERANCE,
     Initial,
     Need,
@@ -62,7 +63,11 @@ def decode_scenes(
 
 
 def check_time(bag: Bag, time: tuple[Fraction, Fraction], span: Span) -> bool:
-    """Whether start and end are some thousand doubles apart at least; reports where they are not."""
+    """Whether start and end are some thousand doubles apart at least, and squares of steps no zeros; reports where they are not."""
+    if time[1] - time[0] < LEAST_TIME:
+        help = "take a unit of time in which it lasts longer"
+        bag.error("E0313", f"`time` is shorter than {float(LEAST_TIME):g}: steps underflow", span, help=(help,))
+        return False
     if time[1] - time[0] >= LEAST_PART * max(map(abs, time)):
         return True
     help = "doubles hold some 16 digits; begin at 0, and let the forces count from there"

@@ -14,6 +14,8 @@ DEFAULT_TOLERANCE = Fraction(1, 10**8)
 LEAST_TOLERANCE = Fraction(1, 10**15)
 LEAST_PART = Fraction(1, 10**12)
 """Of its times that a scene lasts."""
+LEAST_TIME = Fraction(1, 10**100)
+"""That a scene lasts: squares of steps are doubles, too."""
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
 ROTATION_FRAMES = ("body", "space")
 FIGURES = ("point", "line", "circle", "body")

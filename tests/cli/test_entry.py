@@ -110,6 +110,16 @@ def test_a_number_beyond_doubles_is_the_users(
     assert "error[E0504]: a number of the spec is too large for a double" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [["check", "NAME"], ["new", "NAME"], ["schema", "-o", "NAME"], ["run", "pendulum", "-o", "NAME.csv"], ["emit", "pendulum", "-l", "c", "-o", "NAME"]],
+)  # fmt: skip
+def test_a_name_that_no_file_may_have_is_the_users(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([word.replace("NAME", "a" * 300) for word in arguments]) == Exit.USAGE
+    err = capsys.readouterr().err
+    assert f"`{'a' * 300}" in err and "file name too long" in err and "  = help: name another" in err
+
+
 def test_deep_recursion_is_a_defect_not_a_crash(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _raise(monkeypatch, RecursionError("too deep")) == 70
 

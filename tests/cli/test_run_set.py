@@ -75,6 +75,7 @@ def test_it_runs_as_if_the_spec_said_so(
         (["--time", "inf"], "E0313", "--time:1:1"),
         (["--time", "1/0"], "E0417", "--time:1:1"),
         (["--time", "1e20:1e20+1"], "E0313", "not told apart"),
+        (["--time", "1e-300"], "E0313", "steps underflow"),
     ],
 )
 def test_what_is_wrong_with_a_value_is_shown(

@@ -28,6 +28,14 @@ def test_several_files_go_into_a_folder_and_one_may_be_named(tmp_path: Path) -> 
         write.place_files(two, str(tmp_path / "file"))
 
 
+def test_what_cannot_be_written_leaves_no_folder_behind(tmp_path: Path) -> None:
+    (tmp_path / "old").mkdir()
+    for folder in ("new/inner", "old"):
+        with pytest.raises(Failure, match="cannot write"):
+            write.write_files({tmp_path / folder / "a.h": "", tmp_path / folder / f"{'a' * 300}.c": ""})
+    assert [*tmp_path.rglob("*")] == [tmp_path / "old"]
+
+
 def test_own_files_are_replaced_and_edited_ones_are_not(tmp_path: Path) -> None:
     path = tmp_path / "model.py"
     path.write_text(_emitted("old"))

@@ -137,11 +137,12 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
         return
     poles = [find_pole(system, place) for place in given_states(system)]
     if poles and all(what for what, _, _ in poles):
-        what, span, _ = poles[0]
+        what, span, part = poles[0]
+        held = part is None or system.graph.depends(part, system.graph.mask(system.p))
         real = "keep arguments where functions are real, or give a scene a start where they are"
         seen, advice = (
             ("with the values under `parameters:`", "give the parameters other values")
-            if system.p
+            if system.p and held
             else ("at the states that were tried", real)
         )
         bag.warning(
