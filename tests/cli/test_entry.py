@@ -112,8 +112,14 @@ def test_a_number_beyond_doubles_is_the_users(
 
 @pytest.mark.parametrize(
     "arguments",
-    [["check", "NAME"], ["new", "NAME"], ["schema", "-o", "NAME"], ["run", "pendulum", "-o", "NAME.csv"], ["emit", "pendulum", "-l", "c", "-o", "NAME"]],
-)  # fmt: skip
+    [
+        ["check", "NAME"],
+        ["new", "NAME"],
+        ["schema", "-o", "NAME"],
+        ["run", "pendulum", "-o", "NAME.csv"],
+        ["emit", "pendulum", "-l", "c", "-o", "NAME"],
+    ],
+)
 def test_a_name_that_no_file_may_have_is_the_users(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main([word.replace("NAME", "a" * 300) for word in arguments]) == Exit.USAGE
     err = capsys.readouterr().err
