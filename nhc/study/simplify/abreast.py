@@ -12,7 +12,11 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from typing import TypeVar
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any, TypeVar
+
+if TYPE_CHECKING:
+    from multiprocessing.pool import IMapIterator
 
 Result = TypeVar("Result")
 _work: list[Callable[[str], object]] = []  # of a forked process, which inherits it
@@ -26,7 +30,16 @@ def measure_abreast(work: Callable[[str], Result], texts: Sequence[str]) -> Iter
         return
     # `with` ends the processes, whatever ends the loop
     with multiprocessing.get_context("fork").Pool(count, _begin, (work,)) as pool:
-        yield from pool.imap(_measure, texts)
+        results = pool.imap(_measure, texts)
+        for _ in texts:
+            yield _wait_for(results)
+
+
+def _wait_for(results: IMapIterator[Any]) -> Any:
+    """The next result; an interrupt that comes just before a wait is heard after it, and so no wait is long."""
+    while True:
+        with suppress(multiprocessing.TimeoutError):
+            return results.next(0.2)
 
 
 def _processors() -> int:
@@ -42,5 +55,5 @@ def _begin(work: Callable[[str], object]) -> None:
     _work[:] = [work]
 
 
-def _measure(text: str) -> object:
+def _measure(text: str) -> Any:
     return _work[0](text)
