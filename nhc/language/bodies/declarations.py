@@ -111,9 +111,9 @@ class BodyReader:
             about,
         )
 
-    def name_under(self, table: Table, key: str) -> Text | None:
+    def name_under(self, table: Node, key: str) -> Text | None:
         """The name of a body."""
-        node = table.get(key)
+        node = table.get(key) if isinstance(table, Table) else None
         return self.shapes.text(node, "the name of a body") if node is not None else None
 
     def piece(self, node: Node | None, what: str) -> Piece | None:

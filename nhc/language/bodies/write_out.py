@@ -60,6 +60,10 @@ class _Writer:
             read[name] = self.reader.body(text, node)
         self.declared = frozenset(read)
         known = {name: body for name, body in read.items() if body is not None}
+        for text, node in bodies:
+            parent = self.reader.name_under(node, "parent") if fold(text.value) not in known else None
+            if parent is not None and fold(parent.value) not in self.declared:
+                self._unknown_body(parent)
         gravity = self._gravity()
         self.bodies += self._in_order(known)
         for body in self.bodies:
