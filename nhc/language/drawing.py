@@ -15,6 +15,7 @@ from nhc.language.yaml_tree.reader import is_empty
 Read = Callable[[Node], Syntax | None]
 _IN_PLANE, _ANYWHERE, _IN_SPACE = (2,), (2, 3), (3,)
 _FORMS = {_IN_PLANE: "`[X, Y]`", _ANYWHERE: "`[X, Y]` or `[X, Y, Z]`", _IN_SPACE: "`[X, Y, Z]`"}
+LEAST_CORNERS = 3  # of a body's shape
 _COUNTS = {_IN_PLANE: "two", _ANYWHERE: "two or three", _IN_SPACE: "three"}
 
 
@@ -108,7 +109,7 @@ class _Drawing:
         at, angle, shape = table.get("at"), table.get("angle"), table.get("shape")
         origin = self._point(at, "the place of a body", _IN_PLANE) if at is not None else None
         turn = self.read(angle) if angle is not None else None
-        points = self._list(shape, "the shape of a body", 3, _IN_PLANE) if shape is not None else ()
+        points = self._list(shape, "the shape of a body", LEAST_CORNERS, _IN_PLANE) if shape is not None else ()
         if origin is None or turn is None or not points:
             return None
         return Figure("body", name, key.span, points, at=origin, angle=turn)

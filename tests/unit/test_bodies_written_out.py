@@ -52,6 +52,13 @@ def test_only_what_is_used_is_made() -> None:
     assert "rod_z" in {d.name for d in spec(ROD, "outputs: {height: rod_z}\n").definitions}
 
 
+def test_a_position_that_only_its_differential_uses_is_made() -> None:
+    tip = "points: {tip: {parent: rod, at: [a, 0, 0]}}\n"
+    by_form = "constraints: ['sin(phi)*dtip_x + cos(phi)*dtip_z = 0']\n"
+    by_rates = "constraints: [\"sin(phi)*tip_x' + cos(phi)*tip_z' = 0\"]\n"
+    assert same(spec(ROD, tip, by_form), spec(ROD, tip, by_rates))
+
+
 def test_a_body_in_the_plane_is_written_as_by_hand() -> None:
     made = {
         d.name: unparse(d.value)
@@ -116,6 +123,15 @@ def test_a_box_on_a_body_that_stays_level(height: str, kind: str) -> None:
     drawn = f"draw: [{{parent: rod, body: {{shape: {corners}}}}}]\n"
     (made,) = spec("bodies: {rod: {at: [x, z], turns: [z: phi], mass: m, inertia: I}}\n", drawn).draw
     assert made.kind == kind and made.spatial == (kind == "line")
+
+
+def test_a_shape_on_a_body_may_show_velocities() -> None:
+    """An arrow along the velocity of a point, on the body's axes."""
+    tip = "points: {tip: {parent: rod, at: [a, 0, 0]}}\n"
+    drawn = 'draw: [{parent: rod, line: [[a, 0, 0], [a + tip_v1, 0, tip_v3], ["x\'", 0, zdot]]}]\n'
+    (made,) = spec(ROD, tip, drawn).draw
+    assert unparse(made.points[1][0]) == "x + (a + tip_v1)*rod_x1 + tip_v3*rod_x3"
+    assert unparse(made.points[2][0]) == "x + x'*rod_x1 + z'*rod_x3"
 
 
 def test_a_minus_stands_before_the_whole_of_a_sum() -> None:

@@ -74,10 +74,10 @@ def _shown(piece: Piece) -> str:
 class BodyReader:
     """Reads the entries of ``bodies`` and ``points``; what is wrong with them goes into the bag.
 
-    ``moving`` are names of velocities, which have no place there.
+    ``moving`` are names of velocities, which have no place there; None where velocities are allowed, as in drawings.
     """
 
-    def __init__(self, root: Table, shapes: Shapes, moving: Collection[str]) -> None:
+    def __init__(self, root: Table, shapes: Shapes, moving: Collection[str] | None) -> None:
         self.root, self.shapes, self.bag, self.moving = root, shapes, shapes.bag, moving
 
     def entries(self, key: str, wanted: str, help: str) -> tuple[tuple[Text, Node], ...]:
@@ -111,19 +111,22 @@ class BodyReader:
             about,
         )
 
-    def name_under(self, table: Table, key: str) -> Text | None:
+    def name_under(self, table: Node, key: str) -> Text | None:
         """The name of a body."""
-        node = table.get(key)
+        node = table.get(key) if isinstance(table, Table) else None
         return self.shapes.text(node, "the name of a body") if node is not None else None
 
     def piece(self, node: Node | None, what: str) -> Piece | None:
-        """An expression of positions; None where there is none, or a wrong one."""
+        """An expression, of positions unless velocities are allowed; None where there is none, or a wrong one."""
         text = self.shapes.text(node, f"an expression for {what}") if node is not None else None
         tree = parse_expression(text.value, text.locate, self.bag) if text is not None else None
         if tree is None or text is None:
             return None
+        moving = self.moving
+        if moving is None:
+            return piece_of(text, tree)
         for part in walk(tree):
-            if isinstance(part, Prime) or (isinstance(part, Name) and part.name in self.moving):
+            if isinstance(part, Prime) or (isinstance(part, Name) and part.name in moving):
                 help = "bodies are described by positions; velocities belong in `constraints`, `forces` or `T`"
                 self.bag.error("E0414", f"a velocity in {what}", part.span, help=(help,))
                 return None

@@ -131,7 +131,7 @@ def join(parts: Sequence[str | Piece], binds: int, place: int, minus: bool = Fal
 
 
 def add(terms: Sequence[Piece], place: int) -> Piece:
-    """The sum of the terms that are not 0."""
+    """The sum of the terms that are not 0; a sign between them has the place of the term that it stands before."""
     kept = [term for term in terms if not term.is_zero]
     if not kept:
         return write("0", place)
@@ -140,7 +140,8 @@ def add(terms: Sequence[Piece], place: int) -> Piece:
     parts: list[str | Piece] = [kept[0].shown]
     for term in kept[1:]:
         inner = term.within(ATOM) if term.text[0] == "-" else term
-        parts += [" - " if term.minus else " + ", inner.within(PRODUCT) if term.minus else inner]
+        shown = inner.within(PRODUCT) if term.minus else inner
+        parts += [write(" - " if term.minus else " + ", shown.places[0]), shown]
     return join(parts, SUM, place)
 
 

@@ -25,6 +25,9 @@ from nhc.language.yaml_tree.extend import coordinate_names
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
+_OF_BODIES = ("w1", "w2", "w3", "T")  # what a body brings that holds velocities
+_OF_POINTS = ("vx", "vy", "vz", "v1", "v2", "v3")
+
 
 def write_out(root: Table, bag: Bag, asked: str = "") -> Plain:
     """The spec with definitions and energies in place of ``bodies``, ``points`` and ``gravity``.
@@ -57,6 +60,10 @@ class _Writer:
             read[name] = self.reader.body(text, node)
         self.declared = frozenset(read)
         known = {name: body for name, body in read.items() if body is not None}
+        for text, node in bodies:
+            parent = self.reader.name_under(node, "parent") if fold(text.value) not in known else None
+            if parent is not None and fold(parent.value) not in self.declared:
+                self._unknown_body(parent)
         gravity = self._gravity()
         self.bodies += self._in_order(known)
         for body in self.bodies:
@@ -182,11 +189,12 @@ class _Writer:
         if not isinstance(node, Items):
             return node
         items: list[Node] = []
+        reader = BodyReader(self.root, self.reader.shapes, None)  # a picture may show velocities
         for item in node.items:
             parent = self.reader.name_under(item, "parent") if isinstance(item, Table) else None
             on = fold(parent.value) if parent is not None else ""
             if isinstance(item, Table) and on and on in self.frames:
-                made = put_into_space(item, self.frames[on], self.reader)
+                made = put_into_space(item, self.frames[on], reader)
                 items += [made] if not self.bag.has_errors else []  # what is wrong is said once
             elif not on or on not in self.declared:  # what is wrong with a declared one has been said
                 items.append(item)
@@ -242,8 +250,12 @@ def _constants(root: Table) -> set[str]:
 
 
 def _velocities(root: Table) -> set[str]:
-    """The names of quasi-velocities, of rotations' angular velocities, and of definitions that hold any velocity."""
+    """The names of quasi-velocities, of angular velocities and points' velocities, and of definitions that hold any velocity."""
     found = {DOT, *(f"{name}dot" for name in coordinate_names(root))}
+    for key, ends in (("bodies", _OF_BODIES), ("points", _OF_POINTS)):
+        node = root.get(key)
+        for text, _ in node.entries if isinstance(node, Table) else ():
+            found.update(f"{fold(text.value)}_{end}" for end in ends)
     for key in ("quasi_velocities", "define"):
         node = root.get(key)
         for text, value in node.entries if isinstance(node, Table) else ():
@@ -268,7 +280,7 @@ def _closure(root: Table, start: set[str], takes: Callable[[set[str], set[str]],
 
 
 def _words(nodes: Sequence[Node]) -> Iterator[str]:
-    """Every name in some texts, keys included; ``xdot`` is one of ``x`` as well."""
+    """Every name in some texts, keys included; ``xdot`` and ``dx`` are ones of ``x`` as well."""
     pending = list(nodes)
     while pending:
         node = pending.pop()
@@ -278,6 +290,8 @@ def _words(nodes: Sequence[Node]) -> Iterator[str]:
                     yield name
                     if name.endswith("dot"):
                         yield name[:-3]
+                    if name.startswith("d"):
+                        yield name[1:]
             case Items():
                 pending += node.items
             case Table():

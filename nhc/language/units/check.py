@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from nhc.diagnostics import Bag, Label
+from nhc.diagnostics import Bag, Label, Span
 from nhc.language.expressions.names import ENERGIES, PI, TIME
 from nhc.language.expressions.syntax import (
     Binary,
@@ -63,6 +63,7 @@ class Checker:
         self.bag = bag
         self.loose = False  # in starts, where a number beside a quantity has that one's unit
         self.seen: set[int] = set()  # angles of rotations, each of which stands in several parts of a quaternion
+        self.told: set[tuple[str, Span]] = set()  # sums that do not fit: a place of a body stands in its components
         self.rotations = spec.rotations
         self.moving = {name for rotation in spec.rotations for name in rotation.velocities}
         self.names: dict[str, Quantity] = {TIME: Quantity(SECOND), PI: Quantity(ONE)}
@@ -129,6 +130,9 @@ class Checker:
         if left.dimension != right.dimension:
             word = "added to" if node.op == "+" else "less"
             what = f"{show(left.dimension)} {word} {show(right.dimension)}"
+            if (what, node.operator) in self.told:
+                return _UNKNOWN
+            self.told.add((what, node.operator))
             labels = (Label(node.left.span, show(left.dimension)), Label(node.right.span, show(right.dimension)))
             bare = left.number is not None or right.number is not None
             missing = _lack_beside(left.dimension, right.dimension)
