@@ -8,9 +8,12 @@ from functools import cached_property
 
 import numpy as np
 
+from nhc.algebra.exact.field import Unlucky
 from nhc.algebra.graph import Node
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.dependence import find_dependence
+from nhc.mechanics.flow import flow_of
 from nhc.mechanics.frame import coordinate_frame, form_value
 from nhc.mechanics.properties.conserved import Conserved, find_conserved, generalized_energy, power
 from nhc.mechanics.regular.regularity import choose_dependent
@@ -152,8 +155,18 @@ class Bench:
     def sizes(self) -> Matrix:
         """The size of each component of the state in the scene; see :func:`nhc.study.linearization.units.sizes_of`."""
         found = [np.abs(slopes) for k in range(0, ROWS, ROWS // 8) if (slopes := self._slopes_at(k)) is not None]
-        slopes = np.max(found, axis=0) if found else np.zeros((len(self.job.y),) * 2)
+        slopes = np.where(self._ties, np.max(found, axis=0), 0.0) if found else np.zeros((len(self.job.y),) * 2)
         return sizes_of(np.max(np.abs(self.reference), axis=0), slopes, self.duration, self.equations.system.n)
+
+    @cached_property
+    def _ties(self) -> Matrix:
+        """Which rates depend on which entries, exactly; all of them where that is not decided."""
+        size = len(self.job.y)
+        try:
+            rates = find_dependence(flow_of(self.equations), ()).rates
+        except Unlucky:
+            return np.ones((size, size), dtype=bool)
+        return np.array([[k in entries for k in range(size)] for entries in rates])
 
     def jacobian_at(self, row: int) -> Matrix | None:
         """That at a row of the reference; None where it has no value, as a drag v*sqrt(v^2) has no slope at rest."""
