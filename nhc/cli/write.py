@@ -130,7 +130,8 @@ def write_bytes(path: Path, content: bytes) -> None:
     except OSError as error:
         raise Failure(f"cannot write `{path}`: {describe_os_error(error)}", ["nothing was written"]) from error
     finally:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):  # what should be its folder is a file
+            temporary.unlink(missing_ok=True)
     say(f"wrote {path}")
 
 

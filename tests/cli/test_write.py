@@ -36,6 +36,12 @@ def test_what_cannot_be_written_leaves_no_folder_behind(tmp_path: Path) -> None:
     assert [*tmp_path.rglob("*")] == [tmp_path / "old"]
 
 
+def test_a_file_in_place_of_a_folder_is_named_as_the_user_named_it(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(Failure, match=r"cannot write `[^`]*/file/a\.csv`: "):
+        write.write_bytes(tmp_path / "file/a.csv", b"")
+
+
 def test_own_files_are_replaced_and_edited_ones_are_not(tmp_path: Path) -> None:
     path = tmp_path / "model.py"
     path.write_text(_emitted("old"))
