@@ -126,6 +126,14 @@ def test_a_name_that_no_file_may_have_is_the_users(arguments: list[str], capsys:
     assert f"`{'a' * 300}" in err and "file name too long" in err and "  = help: name another" in err
 
 
+@pytest.mark.parametrize(("module", "package"), [("yaml", "pyyaml"), ("sympy.core", "sympy"), ("scipy", "numpy scipy")])
+def test_a_package_that_was_taken_away_is_named(
+    module: str, package: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert _raise(monkeypatch, ModuleNotFoundError(f"No module named '{module}'", name=module)) == Exit.USAGE
+    assert f"`python -m pip install {package}`" in capsys.readouterr().err
+
+
 def test_deep_recursion_is_a_defect_not_a_crash(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _raise(monkeypatch, RecursionError("too deep")) == 70
 
@@ -226,29 +234,6 @@ def test_a_closed_pipe_is_silent(arguments: list[str]) -> None:
     finally:
         os.close(writer)
     assert (done.returncode, done.stderr) == (141, "")
-
-
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is full")
-@pytest.mark.parametrize("where", [">&-", "> /dev/full"])
-def test_a_result_does_not_wait_for_room_for_messages(where: str, tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "nhc", "run", "pendulum", "--python", "--points", "2", "--scene", "small"]
-    for words, code, lines in ((command, 0, 3), ([*command, "--set", "no=1"], 1, 0)):
-        text = f"{shlex.join(words)} 2{where}"
-        done = subprocess.run(["sh", "-c", text], stdout=subprocess.PIPE, text=True, check=False, timeout=60)
-        assert (done.returncode, len(done.stdout.splitlines())) == (code, lines)
-
-
-def test_a_long_text_is_never_cut_short_in_silence() -> None:
-    """A raw stdout, as ``PYTHONUNBUFFERED`` makes it, takes a part of a text and drops the rest."""
-    program = "from nhc.cli.terminal import put, set_up_streams; set_up_streams(); put('a' * 10**7)"
-    environment = {**os.environ, "PYTHONUNBUFFERED": "1"}
-    command = [sys.executable, "-c", program]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment) as process:
-        assert process.stdout is not None
-        assert process.stderr is not None
-        assert process.stdout.read(1) == b"a"
-        process.stdout.close()
-        assert b"BrokenPipeError" in process.stderr.read()
 
 
 class Terminal(io.StringIO):
