@@ -34,8 +34,16 @@ LANGUAGES = ("c", "python")
 KINDS = (".svg", ".html", ".json", ".md")
 
 
+def _listed(value: str | None, what: str) -> list[str]:
+    """What stands between the commas; an option that is given names something."""
+    found = [part.strip() for part in (value or "").split(",") if part.strip()]
+    if value is not None and not found:
+        raise click.BadParameter(f"it names no {what}; leave it out, or write `a,b`")
+    return found
+
+
 def _names(value: str | None, known: tuple[str, ...], what: str) -> tuple[str, ...]:
-    names = tuple(dict.fromkeys(name.strip() for name in (value or "").split(",") if name.strip()))
+    names = tuple(dict.fromkeys(_listed(value, what)))
     for name in names:
         if name not in known:
             raise click.BadParameter(f"no {what} `{name}`; it can be {', '.join(known)}")
@@ -56,15 +64,13 @@ def _languages(context: click.Context, parameter: click.Parameter, value: str | 
 
 def _tolerances(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[float, ...]:
     found = []
-    for text in (value or "").split(","):
-        if not text.strip():
-            continue
+    for text in _listed(value, "tolerance"):
         try:
             number = float(text)
         except ValueError:
-            raise click.BadParameter(f"`{text.strip()}` is no number") from None
+            raise click.BadParameter(f"`{text}` is no number") from None
         if not FINEST_TOLERANCE <= number < 1:
-            raise click.BadParameter(f"`{text.strip()}` is no tolerance: from {FINEST_TOLERANCE!r} to less than 1")
+            raise click.BadParameter(f"`{text}` is no tolerance: from {FINEST_TOLERANCE!r} to less than 1")
         found.append(number)
     return tuple(dict.fromkeys(found))
 

@@ -35,9 +35,12 @@ VERBS = {
 }
 
 
-# What some verbs need besides, module -> what a package index calls it.  The packages are named and not an extra of nhc's, for on
-# the index another project has this name.
-OPTIONAL = {"numpy": "numpy scipy", "scipy": "numpy scipy", "sksundae": "scikit-sundae"}
+# What verbs need besides, module -> what a package index calls it.  The packages are named and not an extra of nhc's, for on the
+# index another project has this name.  The first line always comes with nhc, but may have been taken away.
+PACKAGES = {
+    **{"jinja2": "jinja2", "markupsafe": "markupsafe", "mpmath": "mpmath", "sympy": "sympy", "yaml": "pyyaml"},
+    **{"numpy": "numpy scipy", "scipy": "numpy scipy", "sksundae": "scikit-sundae"},
+}
 
 # Nodes and statements are many and live long: looking for cycles finds none of them.
 RARE_COLLECTION = (50_000, 20, 100)
@@ -126,7 +129,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Failure as failure:
         return _fail(failure)
     except ModuleNotFoundError as error:
-        package = OPTIONAL.get((error.name or "").partition(".")[0])
+        package = PACKAGES.get((error.name or "").partition(".")[0])
         if package is None:
             return _report(error)
         say(f"error: this needs {error.name}, which is not installed")

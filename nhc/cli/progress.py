@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import time
 
-from nhc.cli.terminal import say, terminal_width
+from nhc.cli.terminal import is_terminal, say, terminal_width
 
 QUIET = 30.0
 """Seconds after which a command that is not on a terminal says for the first time that it is at work."""
@@ -50,7 +50,7 @@ class Progress:
     def __init__(self, start: float, end: float, what: str = "t") -> None:
         self.start, self.end, self.what = start, end, what
         self.clock = Clock()
-        self.wanted = sys.stderr.isatty()
+        self.wanted = is_terminal(sys.stderr)
         self.shown = False
 
     def show(self, t: float) -> None:

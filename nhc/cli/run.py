@@ -45,7 +45,7 @@ LONG, SLOW = 200_000, 5_000
 
 def _positive(context: click.Context, parameter: click.Parameter, value: float | None) -> float:
     if value is not None and not (value > 0 and math.isfinite(value)):
-        raise click.BadParameter("it must be positive")
+        raise click.BadParameter("it must be positive and finite")
     return value or 0.0
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.cli.progress import Clock, show_line
-from nhc.cli.terminal import Exit, Failure, put, put_json, put_text, say, terminal_width
+from nhc.cli.terminal import Exit, Failure, is_terminal, put, put_json, put_text, say, terminal_width
 from nhc.language import Source
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ def _show() -> Callable[[int, str], None]:
 
     def show(runs: int, about: str) -> None:
         show_line(f"{runs}: without {about}")
-        if not sys.stderr.isatty() and clock.strikes():
+        if not is_terminal(sys.stderr) and clock.strikes():
             say(f"after {clock.passed:.0f} s {runs} models are measured")
 
     return show

@@ -62,7 +62,7 @@ def put_text(text: str, hanging: int | None = None) -> None:
 
 def terminal_width(stream: TextIO | None) -> int:
     """The columns of a terminal; 0 for what is none."""
-    return shutil.get_terminal_size().columns if stream is not None and stream.isatty() else 0
+    return shutil.get_terminal_size().columns if is_terminal(stream) else 0
 
 
 def narrow_width(stream: TextIO | None, usual: int) -> int:
@@ -78,19 +78,37 @@ def put_json(schema: str, data: dict[str, Any]) -> None:
 
 def say(text: str) -> None:
     """Write a message to stderr, if there is one; a terminal gets lines that fit."""
-    if sys.stderr is not None:
-        width = terminal_width(sys.stderr)
-        text = fit(text, width) if width else text
+    if sys.stderr is None:
+        return
+    width = terminal_width(sys.stderr)
+    text = fit(text, width) if width else text
+    try:
         sys.stderr.write(text if text.endswith("\n") else text + "\n")
+    except BrokenPipeError:
+        raise
+    except OSError:  # messages that find no room do not keep a result back
+        sys.stderr = None
 
 
-def wants_colour(stream: TextIO) -> bool:
+def is_terminal(stream: TextIO | None) -> bool:
+    """Say whether ``stream`` is a terminal; one that is closed is none."""
+    return stream is not None and stream.isatty()
+
+
+def wants_colour(stream: TextIO | None) -> bool:
     """Say whether ``stream`` is a terminal that takes colour (NO_COLOR set and not empty, or a dumb terminal: no)."""
-    return stream.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+    return is_terminal(stream) and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
 
 def set_up_streams() -> None:
-    """Make both streams UTF-8 with plain line feeds: emitted text is the same bytes on a pipe as in a file."""
+    """Make both streams UTF-8 with plain line feeds: emitted text is the same bytes on a pipe as in a file.
+
+    Under ``PYTHONUNBUFFERED`` Python drops without an error what a full disk or a reader who left does not take of a long
+    text; a buffer in front of the file writes all of it, or fails.
+    """
+    if isinstance(sys.stdout, io.TextIOWrapper) and isinstance(sys.stdout.buffer, io.RawIOBase):
+        whole = io.BufferedWriter(io.FileIO(sys.stdout.fileno(), "w", closefd=False))
+        sys.stdout = io.TextIOWrapper(whole, line_buffering=sys.stdout.isatty())
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(encoding="utf-8", newline="\n", errors="backslashreplace")

@@ -110,16 +110,24 @@ def write_files(files: Mapping[Path, str]) -> None:
         for path in streams:
             path.write_bytes(changed[path].encode())
     except OSError as error:
-        where = error.filename or ", ".join(map(str, changed))  # a full disk names no file
+        own = {str(_temporary(path.resolve())): path for path in changed}  # a user knows nothing of it
+        where = own.get(str(error.filename), error.filename) or ", ".join(
+            map(str, changed)
+        )  # a full disk names no file
         raise Failure(f"cannot write `{where}`: {describe_os_error(error)}", ["nothing was written"]) from error
     for path in files:
         say(f"{'wrote' if path in changed else 'unchanged'} {path}")
 
 
+def _temporary(final: Path) -> Path:
+    """What is written beside a file before it takes its place."""
+    return final.with_name(f".{final.name}.{os.getpid()}.tmp")
+
+
 def write_bytes(path: Path, content: bytes) -> None:
     """Write one file, text or not, by renaming a finished temporary one, and say so on stderr."""
     final = path.resolve()
-    temporary = final.with_name(f".{final.name}.{os.getpid()}.tmp")
+    temporary = _temporary(final)
     try:
         if is_stream(path):
             path.write_bytes(content)
@@ -130,7 +138,8 @@ def write_bytes(path: Path, content: bytes) -> None:
     except OSError as error:
         raise Failure(f"cannot write `{path}`: {describe_os_error(error)}", ["nothing was written"]) from error
     finally:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):  # what should be its folder is a file
+            temporary.unlink(missing_ok=True)
     say(f"wrote {path}")
 
 
@@ -146,7 +155,7 @@ def _written_beside(files: Mapping[Path, str]) -> Iterator[dict[Path, Path]]:
             final = path.resolve()  # a link stays a link
             made += [folder for folder in final.parents if not folder.exists()]
             final.parent.mkdir(parents=True, exist_ok=True)
-            temporary = final.with_name(f".{final.name}.{os.getpid()}.tmp")
+            temporary = _temporary(final)
             temporaries[temporary] = final
             temporary.write_bytes(text.encode())
             if final.exists():

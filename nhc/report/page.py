@@ -6,6 +6,7 @@ import json
 import math
 import re
 from html import escape
+from itertools import accumulate
 
 from nhc.algebra.evaluate import evaluate
 from nhc.emit.environment import create_environment
@@ -13,7 +14,7 @@ from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.conserved import power_terms
 from nhc.report.drawing import describe_drawing, shorten, thin_rows
 from nhc.report.marks import draw_document, mark_code
-from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, time_axis
+from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, make_room, time_axis
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Trajectory, energy_change
 from nhc.version import __version__
@@ -40,7 +41,7 @@ def list_charts(found: Trajectory) -> list[Chart]:
         title = f"{found.job.program.system}: {found.job.scene.name}" if not charts else ""
         shown = "" if unit == "1" else unit
         y = Axis(f"{label} [{shown}]" if shown else label, unit=shown)
-        charts.append(Chart(title, time_axis(found.job.system.spec.time_unit), y, series, WIDTH, PANEL))
+        charts.append(make_room(Chart(title, time_axis(found.job.system.spec.time_unit), y, series, WIDTH, PANEL)))
     return charts
 
 
@@ -80,7 +81,7 @@ def list_check_charts(found: Trajectory) -> list[Chart]:
         if all(math.isnan(y) for s in series for y in s.y):
             continue  # exactly zero: the table says so
         t = time_axis(found.job.system.spec.time_unit)
-        charts.append(Chart(title, t, Axis(axis, log=True), tuple(series), WIDTH, PANEL))
+        charts.append(make_room(Chart(title, t, Axis(axis, log=True), tuple(series), WIDTH, PANEL)))
     return charts
 
 
@@ -89,9 +90,12 @@ def make_picture(found: Trajectory) -> str:
     charts = list_charts(found)
     if len(charts) == 1:
         return draw(charts[0])
-    height = PANEL * len(charts)
-    panels = [f'<g transform="translate(0 {PANEL * k})">\n{draw_inside(chart)}\n</g>' for k, chart in enumerate(charts)]
-    return draw_document(WIDTH, height, panels)
+    tops = [0, *accumulate(chart.height for chart in charts)]
+    panels = [
+        f'<g transform="translate(0 {top})">\n{draw_inside(chart)}\n</g>'
+        for top, chart in zip(tops, charts, strict=False)
+    ]
+    return draw_document(WIDTH, tops[-1], panels)
 
 
 def make_page(found: Trajectory) -> str:

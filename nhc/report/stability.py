@@ -8,7 +8,7 @@ from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.marks import mark_code
-from nhc.report.svg import Axis, Chart, Series, draw, time_axis
+from nhc.report.svg import Axis, Chart, Series, draw, make_room, time_axis
 from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.stability.laboratory import Laboratory
 from nhc.study.stability.table import sections, time_of, with_unit
@@ -56,7 +56,7 @@ def list_charts(lab: Laboratory) -> list[Chart]:
 
 
 def _chart(title: str, x: Axis, y: Axis, series: tuple[Series, ...]) -> Chart:
-    return Chart(title, x, y, series, WIDTH, PANEL)
+    return make_room(Chart(title, x, y, series, WIDTH, PANEL))
 
 
 def _envelope(times: Sequence[float], values: Sequence[float]) -> tuple[list[float], list[float]]:

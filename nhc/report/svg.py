@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nhc.records import record
 from nhc.report.marks import draw_axes, draw_document, draw_line, draw_text
@@ -14,6 +15,7 @@ COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#0
 DASHES = ("", "7 3", "2 2", "9 3 2 3", "12 4")  # colours are not all that tells lines apart: on paper they may be grey
 MOST = 2000  # points of a line; more do not show
 LEFT, RIGHT, TOP, BOTTOM, ROW = 68, 24, 30, 46, 17
+LEAST = 200  # height of a plot, whatever its legend takes
 
 
 @record
@@ -65,6 +67,12 @@ class Frame:
     def point(self, x: float, y: float) -> tuple[float, float]:
         """Pixels from the picture's upper left corner."""
         return self.left + self.x.place(x), self.top + self.y.length - self.y.place(y)
+
+
+def make_room(chart: Chart) -> Chart:
+    """The chart, higher where its legend would leave too little of the plot."""
+    least = LEAST + TOP + BOTTOM + ROW * len(legend_rows(chart))
+    return replace(chart, height=max(chart.height, least))
 
 
 def draw(chart: Chart) -> str:
@@ -166,7 +174,10 @@ def legend_rows(chart: Chart) -> list[list[tuple[int, str, float]]]:
     for k, series in enumerate(chart.series):
         if not series.label:  # its colour is explained elsewhere
             continue
-        width = 44 + 6.6 * len(series.label)
+        letters = len(series.label)
+        width = max(
+            44 + 6.6 * letters, 36 + 7.2 * letters
+        )  # a long name may have more wide letters than it makes up for
         if rows[-1] and at + width > chart.width - RIGHT:
             rows.append([])
             at = float(LEFT)

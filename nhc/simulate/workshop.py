@@ -20,7 +20,7 @@ from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
-from nhc.simulate.task import TOO_MANY, Outcome, Task
+from nhc.simulate.task import STOPPED, TOO_MANY, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 
 Model = CompiledModel | InterpretedModel | NaturalModel
@@ -93,7 +93,11 @@ class Workshop:
             if outcome.kind != TOO_MANY or task.most <= most:
                 made.most = max(most - outcome.steps - outcome.rejected, 0)
                 return outcome
-            self._optimise(made)
+            try:
+                self._optimise(made)
+            except KeyboardInterrupt:  # the compiler is at work for seconds: what the hasty model has reached is kept
+                outcome.kind = STOPPED
+                return outcome
         return self._run(made, task)
 
     def _run(self, made: _Made, task: Task) -> Outcome:

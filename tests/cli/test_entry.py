@@ -126,6 +126,14 @@ def test_a_name_that_no_file_may_have_is_the_users(arguments: list[str], capsys:
     assert f"`{'a' * 300}" in err and "file name too long" in err and "  = help: name another" in err
 
 
+@pytest.mark.parametrize(("module", "package"), [("yaml", "pyyaml"), ("sympy.core", "sympy"), ("scipy", "numpy scipy")])
+def test_a_package_that_was_taken_away_is_named(
+    module: str, package: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert _raise(monkeypatch, ModuleNotFoundError(f"No module named '{module}'", name=module)) == Exit.USAGE
+    assert f"`python -m pip install {package}`" in capsys.readouterr().err
+
+
 def test_deep_recursion_is_a_defect_not_a_crash(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _raise(monkeypatch, RecursionError("too deep")) == 70
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from pathlib import Path
 
@@ -34,6 +35,26 @@ def test_what_cannot_be_written_leaves_no_folder_behind(tmp_path: Path) -> None:
         with pytest.raises(Failure, match="file name too long"):
             write.write_files({tmp_path / folder / "a.h": "", tmp_path / folder / f"{'a' * 300}.c": ""})
     assert [*tmp_path.rglob("*")] == [tmp_path / "old"]
+
+
+def test_a_file_that_cannot_be_written_is_named_as_the_user_named_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In a folder that takes no files, what cannot be made is the temporary file."""
+
+    def refuse(path: Path, content: bytes) -> int:
+        raise PermissionError(errno.EACCES, "Permission denied", str(path))
+
+    monkeypatch.setattr(Path, "write_bytes", refuse)
+    with pytest.raises(Failure) as failure:
+        write.write_files({tmp_path / "a.h": "", tmp_path / "a.c": ""})
+    assert failure.value.message == f"cannot write `{tmp_path / 'a.h'}`: permission denied"
+
+
+def test_a_file_in_place_of_a_folder_is_named_as_the_user_named_it(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(Failure, match=r"cannot write `[^`]*/file/a\.csv`: "):
+        write.write_bytes(tmp_path / "file/a.csv", b"")
 
 
 def test_own_files_are_replaced_and_edited_ones_are_not(tmp_path: Path) -> None:

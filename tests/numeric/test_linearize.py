@@ -10,6 +10,7 @@ import cmath
 import json
 import math
 import re
+import warnings
 from functools import cache
 from pathlib import Path
 
@@ -735,6 +736,13 @@ def test_the_command_line_gives_the_same_in_full(capsys: pytest.CaptureFixture[s
     assert [complex(x["real"], x["imag"]) for x in tree["eigenvalues"]] == eigenvalues(made)
     assert tree["crossings"][0]["value"] == pytest.approx(2.557342370508877, abs=1e-12)
     assert [point["value"] for point in tree["sweep"]] == [1.0, 4.0]
+
+
+def test_values_without_a_size_are_no_warning_of_numpy(capsys: pytest.CaptureFixture[str]) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert main(["linearize", "rolling_disk", "--sweep", "w_n=1:1e308:3"]) == 3
+    assert "error: at 5e+307: the iteration stops" in capsys.readouterr().err
 
 
 def test_without_numpy_the_packages_are_named(

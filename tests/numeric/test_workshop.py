@@ -14,7 +14,7 @@ from nhc.simulate.c.compiled import CompiledModel
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, list_times, run
-from nhc.simulate.task import DONE, TOO_MANY, Task
+from nhc.simulate.task import DONE, STOPPED, TOO_MANY, Task
 from nhc.simulate.workshop import Workshop, load
 from tests.support import spec_path
 
@@ -118,3 +118,15 @@ def test_both_models_agree(optimised_models: None) -> None:
     assert (hasty.steps, hasty.rejected) == (optimised.steps, optimised.rejected)
     for a, b in zip(hasty.states, optimised.states, strict=True):
         assert a == pytest.approx(b, rel=1e-11, abs=1e-11)
+
+
+def test_an_interrupt_of_the_compiler_keeps_what_the_hasty_model_has_reached(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupt(self: Workshop, made: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(workshop, "_find_haste", lambda job, method: 20)
+    monkeypatch.setattr(Workshop, "_optimise", interrupt)
+    found = run(job_of("dop853"), Settings("dop853"), lambda t: None)
+    assert (found.ended, found.outcome.kind) == ("stopped", STOPPED)
+    assert found.times[0] < found.outcome.t < found.job.time[1]
+    assert found.rows and len(found.rows) == len(found.times)

@@ -122,7 +122,7 @@ def test_every_system_has_its_sheets(name: str) -> None:
     text = print_derivation(made)
     assert max(len(line) for line in text.splitlines()[4:]) <= 100
     data = derivation_json(made)
-    assert data["nhc_derivation"] == 1
+    assert (data["schema"], data["nhc_derivation"]) == ("nhc.derivation/1", 1)
     assert [sheet["key"] for sheet in data["sheets"]] == keys
     assert json.loads(json.dumps(data)) == data
 

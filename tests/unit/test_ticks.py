@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import re
 from fractions import Fraction
+from itertools import pairwise
 
 import pytest
 
 from nhc.report.drawing import shorten
-from nhc.report.svg import LEFT, Axis, Chart, Series, draw
+from nhc.report.svg import LEAST, LEFT, Axis, Chart, Series, draw, find_frame, legend_rows, make_room
 from nhc.report.ticks import Scale, linear_scale, log_scale
 
 LENGTH = 600.0
@@ -95,3 +96,17 @@ def test_the_last_time_is_not_cut(end: float) -> None:
         r'<text x="([0-9.]+)" y="[0-9.]+" text-anchor="middle" fill="#222222">(-?[0-9.]+)</text>', draw(chart)
     )
     assert places and all(float(x) + 3.75 * len(text) <= chart.width for x, text in places)
+
+
+def test_a_long_legend_leaves_the_plot_its_room() -> None:
+    names = [f"a_long_name_of_a_coordinate_number_{k}" if k % 2 else f"q{k}" for k in range(40)]
+    series = tuple(Series(name, (0.0, 1.0), (0.0, 1.0 + k)) for k, name in enumerate(names))
+    chart = make_room(Chart("", Axis("t"), Axis("value"), series, 760, 340))
+    rows = legend_rows(chart)
+    assert find_frame(chart, len(rows)).y.length >= LEAST
+    assert make_room(chart) == chart
+    for row in rows:
+        for (_, text, left), (_, _, right) in pairwise(row):
+            assert left + 31 + 7.1 * len(text) < right, "a name reaches the line of the next one"
+    few = Chart("", Axis("t"), Axis("value"), series[:3], 760, 340)
+    assert make_room(few) == few

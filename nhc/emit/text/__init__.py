@@ -10,6 +10,7 @@ from nhc.emit.text.math import print_mark
 from nhc.emit.text.program import print_program
 from nhc.emit.text.sheets import WIDTH, TextSheets
 from nhc.program.sheets.model import Derivation, Formula, Item, Prose, Sheet, Statement, Table
+from nhc.version import __version__
 
 __all__ = ["derivation_json", "print_derivation", "print_equations", "print_form", "print_program"]
 
@@ -42,9 +43,11 @@ def _print_some(derivation: Derivation, keys: tuple[str, ...]) -> str:
 
 
 def derivation_json(derivation: Derivation) -> dict[str, Any]:
-    """The sheets as data, expressions in the spelling of the spec language; ``nhc_derivation`` is the version."""
+    """The sheets as data, expressions in the spelling of the spec language; ``nhc_derivation`` is the version too."""
     printer = TextSheets(derivation)
     return {
+        "schema": "nhc.derivation/1",
+        "nhc": __version__,
         "nhc_derivation": 1,
         "system": derivation.system.name,
         "formulation": derivation.formulation,

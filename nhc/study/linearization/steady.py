@@ -94,6 +94,7 @@ def _first_turn(model: SteadyModel, turns: Sequence[Turn], y: Vector) -> Vector:
     return np.asarray(np.linalg.lstsq(along.T, model.field([float(x) for x in y])[0][rest], rcond=None)[0])
 
 
+@np.errstate(over="ignore", invalid="ignore")  # a trial far away may have no finite size: it is no better
 def _iterate(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold]) -> Steady:
     """``y`` is the state, with the speed of each turn after it."""
     value, slopes, scale = equations(model, turns, y, holds)

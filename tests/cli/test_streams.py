@@ -1,0 +1,34 @@
+"""Stdout and stderr that are closed, full or raw."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is full")
+@pytest.mark.parametrize("where", [">&-", "> /dev/full"])
+def test_a_result_does_not_wait_for_room_for_messages(where: str) -> None:
+    command = [sys.executable, "-m", "nhc", "run", "pendulum", "--python", "--points", "2", "--scene", "small"]
+    for words, code, lines in ((command, 0, 3), ([*command, "--set", "no=1"], 1, 0)):
+        text = f"{shlex.join(words)} 2{where}"
+        done = subprocess.run(["sh", "-c", text], stdout=subprocess.PIPE, text=True, check=False, timeout=60)
+        assert (done.returncode, len(done.stdout.splitlines())) == (code, lines)
+
+
+def test_a_long_text_is_never_cut_short_in_silence() -> None:
+    """A raw stdout, as ``PYTHONUNBUFFERED`` makes it, takes a part of a text and drops the rest."""
+    program = "from nhc.cli.terminal import put, set_up_streams; set_up_streams(); put('a' * 10**7)"
+    environment = {**os.environ, "PYTHONUNBUFFERED": "1"}
+    command = [sys.executable, "-c", program]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        assert process.stdout.read(1) == b"a"
+        process.stdout.close()
+        assert b"BrokenPipeError" in process.stderr.read()
