@@ -111,9 +111,8 @@ def write_files(files: Mapping[Path, str]) -> None:
             path.write_bytes(changed[path].encode())
     except OSError as error:
         own = {str(_temporary(path.resolve())): path for path in changed}  # a user knows nothing of it
-        where = own.get(str(error.filename), error.filename) or ", ".join(
-            map(str, changed)
-        )  # a full disk names no file
+        named = own.get(str(error.filename), error.filename)
+        where = named or ", ".join(map(str, changed))  # a full disk names no file
         raise Failure(f"cannot write `{where}`: {describe_os_error(error)}", ["nothing was written"]) from error
     for path in files:
         say(f"{'wrote' if path in changed else 'unchanged'} {path}")

@@ -175,9 +175,8 @@ def legend_rows(chart: Chart) -> list[list[tuple[int, str, float]]]:
         if not series.label:  # its colour is explained elsewhere
             continue
         letters = len(series.label)
-        width = max(
-            44 + 6.6 * letters, 36 + 7.2 * letters
-        )  # a long name may have more wide letters than it makes up for
+        # a long name may have more wide letters than its narrow ones make up for
+        width = max(44 + 6.6 * letters, 36 + 7.2 * letters)
         if rows[-1] and at + width > chart.width - RIGHT:
             rows.append([])
             at = float(LEFT)
