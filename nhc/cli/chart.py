@@ -146,7 +146,7 @@ def command(
     With `--against FINEST` it compares models instead: the error of each spec against the finest one, and its cost.  Without
     `-o` it prints Markdown.
     """
-    target = _check_target(output, 1 if against else len(specs), as_json)
+    target = _check_target(output, 1 if against else len(specs), as_json, force)
     if against and (formulations or languages):
         raise click.UsageError(
             "`--against` compares models, each as nhc runs it: leave `--formulations` and `--langs` out"
@@ -172,7 +172,7 @@ def command(
     return Exit.DONE
 
 
-def _check_target(output: str | None, count: int, as_json: bool) -> Path | None:
+def _check_target(output: str | None, count: int, as_json: bool, force: bool) -> Path | None:
     """The file or folder to write to; None for stdout."""
     if as_json and output is not None:
         raise click.UsageError("`--json` prints to stdout; name a .json file after `-o` instead")
@@ -180,13 +180,17 @@ def _check_target(output: str | None, count: int, as_json: bool) -> Path | None:
         raise click.UsageError("`--json` takes one SPEC; name a folder after `-o`")
     if output is None or output == "-":
         return None
+    from nhc.cli.write import check_place, refuse_existing
+
     path = Path(output)
     if path.suffix in KINDS and not path.is_dir():
         if count > 1:
             raise click.UsageError("several specs need a folder after `-o`")
+        refuse_existing(output, force)
         return path
     if path.suffix or path.is_file():
         raise click.UsageError(f"`{output}` should be a folder, or end in {', '.join(KINDS)}")
+    check_place(path / f"chart{KINDS[0]}")
     return path
 
 

@@ -11,7 +11,7 @@ from nhc.cli.options import json_option, spec_argument, verb
 from nhc.cli.reading import MIB, read_bounded
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, put_json, put_text, say
-from nhc.cli.write import deliver
+from nhc.cli.write import check_place, deliver
 
 if TYPE_CHECKING:
     from nhc.mechanics.certificates.certificate import Certificate, Rejection
@@ -64,6 +64,8 @@ def command(
         raise click.UsageError("`--check-certificate` excludes `--certificate` and `--json`")
     if as_json and certificate == "-":
         raise click.UsageError("`--json` and `--certificate -` cannot both go to stdout")
+    if certificate not in (None, "-"):
+        check_place(certificate)
     source = open_spec(spec)
     from nhc import pipeline
     from nhc.mechanics.certificates.file import is_sound, to_data, write

@@ -52,11 +52,14 @@ def approximate(
 ) -> int:
     """Measure, print the ladder (to stderr where the spec goes to stdout), and write what is asked for."""
     from nhc import pipeline
-    from nhc.cli.write import refuse_to_overwrite, write_files
+    from nhc.cli.write import check_place, refuse_to_overwrite, write_files
     from nhc.report.ladder import ladder_data, print_ladder, reduced_spec
     from nhc.report.ladder_picture import draw_ladder, make_ladder_page
     from nhc.study.simplify.measure import NotMeasured
 
+    for name in (output, chart):
+        if name not in (None, "-"):
+            check_place(name)
     try:
         ladder = pipeline.simplify(source, tolerance, options, _show())
     except NotMeasured as error:

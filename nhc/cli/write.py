@@ -42,8 +42,21 @@ def is_stream(path: Path) -> bool:
     return path.exists() and not (path.is_file() or path.is_dir())
 
 
+def check_place(output: str | Path) -> None:
+    """Raise ``Failure`` where no file can be put: before a run, whose result it would be a pity to lose."""
+    path = Path(output)
+    if is_stream(path):
+        return
+    folder = next(place for place in path.absolute().parents if place.exists())
+    if not folder.is_dir():
+        raise Failure(f"cannot write `{output}`: `{folder}` is no folder", ["name another place"])
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise Failure(f"cannot write `{output}`: permission denied", ["name another place"])
+
+
 def refuse_existing(output: str, force: bool) -> None:
-    """Raise ``Failure`` where there is a file already: before a run, whose result it would be a pity to lose."""
+    """Raise ``Failure`` where there is a file already, or none can be put: before a run, as :func:`check_place`."""
+    check_place(output)
     path = Path(output)
     if path.exists() and not (force or is_stream(path)):
         raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)

@@ -57,6 +57,30 @@ def test_a_file_in_place_of_a_folder_is_named_as_the_user_named_it(tmp_path: Pat
         write.write_bytes(tmp_path / "file/a.csv", b"")
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["run", "pendulum", "-o", "PLACE/a.csv"],
+        ["chart", "pendulum", "-o", "PLACE/a.svg"],
+        ["chart", "pendulum", "-o", "PLACE/a"],
+        ["reduce", "pendulum", "--scene", "small", "--tol", "1e-3", "-o", "PLACE/a.yaml"],
+        ["compare", "pendulum", "--certificate", "PLACE/a.json"],
+        ["stability", "pendulum", "-o", "PLACE/a.html"],
+    ],
+)
+def test_a_place_that_takes_no_file_is_refused_before_the_work(
+    arguments: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("nhc.pipeline.decode", lambda source: pytest.fail("the work is begun"))
+    (tmp_path / "file").write_text("")
+    assert main([word.replace("PLACE", str(tmp_path / "file")) for word in arguments]) == Exit.USAGE
+    assert f"`{tmp_path / 'file'}` is no folder" in capsys.readouterr().err
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    assert main([word.replace("PLACE", str(tmp_path / "new")) for word in arguments]) == Exit.USAGE
+    assert "permission denied" in capsys.readouterr().err
+    assert not (tmp_path / "new").exists()
+
+
 def test_own_files_are_replaced_and_edited_ones_are_not(tmp_path: Path) -> None:
     path = tmp_path / "model.py"
     path.write_text(_emitted("old"))
