@@ -13,6 +13,7 @@ import re
 import warnings
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -25,6 +26,7 @@ from nhc.language import decode, read
 from nhc.mechanics.about import scene_about
 from nhc.mechanics.values import constant_value
 from nhc.pipeline import Options, linearize, model
+from nhc.study.linearization import linearize as linearize_module
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import eigenvalues, verdict
@@ -1030,3 +1032,37 @@ def test_a_tape_remembers_and_tells_zeros_apart() -> None:
         assert tape({y: 0.0, x: -1.0})[0] == math.pi and tape({y: -0.0, x: -1.0})[0] == -math.pi
     tape({y: 1.0, x: 1.0})[0] = 5.0
     assert tape({y: 1.0, x: 1.0})[0] == math.pi / 4
+
+
+SNAKE = """nhc: 1
+system: snake
+coordinates: [x, y, a, b, c]
+parameters: {l: 1.5, k: 0}
+define: {X: x - l*cos(b), Y: y - l*sin(b), U1: X - l*cos(b) - cos(c), U2: Y - l*sin(b) - sin(c)}
+T: x'^2 + y'^2 + a'^2/3 + X'^2 + Y'^2 + b'^2/5 + U1'^2 + U2'^2 + c'^2
+V: k*((a - b)^2 + (b - c)^2)
+constraints: ["-sin(a)*x' + cos(a)*y' = 0", "-sin(b)*X' + cos(b)*Y' = 0", "-sin(c)*U1' + cos(c)*U2' = 0"]
+scenes: {rest: {initial: {a: 0.4, b: 0.1, c: 0.5}, time: [0, 1]}}
+"""
+
+
+def test_where_every_position_is_an_equilibrium_no_neighbours_are_sought(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All positions of three skates without forces; with springs only those in a row, which take the search."""
+    searched = []
+    whole = linearize_module.find_steady
+
+    def search(*arguments: Any) -> Any:
+        searched.append(arguments)
+        return whole(*arguments)
+
+    monkeypatch.setattr(linearize_module, "find_steady", search)
+    free, spring = (
+        linearize(Source("snake.yaml", SNAKE), Request("rest", settings), Options()).linearisation
+        for settings in ((), ("k=1", "a=0.1", "c=0.1"))
+    )
+    assert (free.family, free.zeros, spring.family) == (2, 2, 1)
+    assert {about.p for about, *_ in searched} == {(1.5, 1.0)}
+    searched.clear()
+    monkeypatch.setattr(linearize_module, "_rests_anywhere", lambda *_: False)
+    again = linearize(Source("snake.yaml", SNAKE), Request("rest"), Options()).linearisation
+    assert (again.family, again.zeros) == (2, 2) and len(searched) > 0

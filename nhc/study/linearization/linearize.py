@@ -13,6 +13,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from nhc.algebra.exact.modular import Unlucky, are_zero
+from nhc.algebra.rebuilding import substitute
 from nhc.records import record
 from nhc.study.linearization.field import RANK, SteadyModel
 from nhc.study.linearization.found import Steady
@@ -200,6 +202,8 @@ def _family(model: SteadyModel, steady: Steady, made: _Local, null: Matrix) -> i
     the search from beside it comes back, or goes to another root.  At special points there are more of them than nearby.
     """
     smallest = zeros = len(null)
+    if zeros and _rests_anywhere(model, steady, null):
+        return zeros
     y, rest = np.array(made.model.inside(steady.y)), list(model.rest)
     scale = _NEARBY * (1.0 + float(np.max(np.abs(y), initial=0.0)))
     away = replace(model, turning=None, symmetries=(steady.turns,))
@@ -227,6 +231,20 @@ def _family(model: SteadyModel, steady: Steady, made: _Local, null: Matrix) -> i
         if np.linalg.matrix_rank(moves, tol=_MOVED) == zeros:
             break
     return min(smallest, int(np.linalg.matrix_rank(moves, tol=_MOVED))) if zeros else 0
+
+
+def _rests_anywhere(model: SteadyModel, steady: Steady, null: Matrix) -> bool:
+    """Whether every position is an equilibrium, exactly, and the null directions are those: of a snake without forces at rest."""
+    flow, g, n = model.flow, model.flow.graph, model.flow.system.n
+    moved = null[:, [place for place, i in enumerate(model.rest) if i >= n]]
+    if any(steady.y[n:]) or np.max(np.abs(moved), initial=0.0) > RANK:
+        return False
+    absent = [node for node, value in zip(flow.system.p, model.p, strict=True) if value == 0.0]
+    still = dict.fromkeys((*flow.y[n:], *absent), g.zero)
+    try:
+        return all(are_zero(g, substitute(g, [*flow.velocities, *flow.right], still, named=False)))
+    except (Unlucky, ArithmeticError):  # it divides by a parameter that is 0
+        return False
 
 
 def _directions(count: int) -> Matrix:
