@@ -44,6 +44,9 @@ QUICK = shutil.which("clang") or COMPILER
 UNOPTIMISED = ("-O0", "-ffp-contract=off")
 
 
+needs_full = pytest.mark.skipif(sys.platform != "linux", reason="/dev/full, which takes nothing, is Linux's")
+
+
 def seldom(*values: Any) -> Any:
     """A case of a parametrised test that is one of many and takes long."""
     return pytest.param(*values, marks=pytest.mark.slow)

@@ -16,6 +16,7 @@ from nhc.cli.options import (
     scene_set_option,
     scene_time_option,
     specs_argument,
+    split_names,
     verb,
 )
 from nhc.cli.progress import show_part
@@ -34,37 +35,23 @@ LANGUAGES = ("c", "python")
 KINDS = (".svg", ".html", ".json", ".md")
 
 
-def _listed(value: str | None, what: str) -> list[str]:
-    """What stands between the commas; an option that is given names something."""
-    found = [part.strip() for part in (value or "").split(",") if part.strip()]
-    if value is not None and not found:
-        raise click.BadParameter(f"it names no {what}; leave it out, or write `a,b`")
-    return found
+Reader = Callable[[click.Context, click.Parameter, str | None], tuple[str, ...]]
 
 
-def _names(value: str | None, known: tuple[str, ...], what: str) -> tuple[str, ...]:
-    names = tuple(dict.fromkeys(_listed(value, what)))
-    for name in names:
-        if name not in known:
-            raise click.BadParameter(f"no {what} `{name}`; it can be {', '.join(known)}")
-    return names
+def _names_of(known: tuple[str, ...], what: str) -> Reader:
+    def read(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+        names = tuple(dict.fromkeys(split_names(context, parameter, value)))
+        for name in names:
+            if name not in known:
+                raise click.BadParameter(f"no {what} `{name}`; it can be {', '.join(known)}")
+        return names
 
-
-def _formulations(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
-    return _names(value, FORMULATIONS, "formulation")
-
-
-def _methods(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
-    return _names(value, METHODS, "method")
-
-
-def _languages(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
-    return _names(value, LANGUAGES, "language")
+    return read
 
 
 def _tolerances(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[float, ...]:
     found = []
-    for text in _listed(value, "tolerance"):
+    for text in split_names(context, parameter, value):
         try:
             number = float(text)
         except ValueError:
@@ -88,17 +75,21 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
 @click.option(
     "--formulations",
     metavar="F,...",
-    callback=_formulations,
+    callback=_names_of(FORMULATIONS, "formulation"),
     help="The formulations to compare; default: all that apply.",
 )
 @click.option(
     "--methods",
     metavar="M,...",
-    callback=_methods,
+    callback=_names_of(METHODS, "method"),
     help="The integrators; default: dop853, dopri5, rk4, radau5, gauss6, and leapfrog, dla, perlmutter, energy where they apply.",
 )
 @click.option(
-    "--langs", "languages", metavar="L,...", callback=_languages, help="The languages to compare; default: c,python."
+    "--langs",
+    "languages",
+    metavar="L,...",
+    callback=_names_of(LANGUAGES, "language"),
+    help="The languages to compare; default: c,python.",
 )
 @click.option(
     "--tolerances",
@@ -190,7 +181,7 @@ def _check_target(output: str | None, count: int, as_json: bool, force: bool) ->
         return path
     if path.suffix or path.is_file():
         raise click.UsageError(f"`{output}` should be a folder, or end in {', '.join(KINDS)}")
-    check_place(path / f"chart{KINDS[0]}")
+    check_place(path, inside=True)
     return path
 
 

@@ -42,12 +42,12 @@ def is_stream(path: Path) -> bool:
     return path.exists() and not (path.is_file() or path.is_dir())
 
 
-def check_place(output: str | Path) -> None:
-    """Raise ``Failure`` where no file can be put: before a run, whose result it would be a pity to lose."""
-    path = Path(output)
+def check_place(output: str | Path, *, inside: bool = False) -> None:
+    """Raise ``Failure`` where no file can be put, ``inside`` a folder of that name: before work that it would be a pity to lose."""
+    path = Path(output).absolute()
     if is_stream(path):
         return
-    folder = next(place for place in path.absolute().parents if place.exists())
+    folder = next(place for place in ((path, *path.parents) if inside else path.parents) if place.exists())
     if not folder.is_dir():
         raise Failure(f"cannot write `{output}`: `{folder}` is no folder", ["name another place"])
     if not os.access(folder, os.W_OK | os.X_OK):

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from nhc.diagnostics import quote
+from nhc.diagnostics import Bag, quote
 from nhc.language.expressions.syntax import Syntax
 from nhc.language.keys import CIRCLE_KEYS, DRAW_KEYS, DRAWN_BODY_KEYS
 from nhc.language.shape import Shapes
 from nhc.language.spec import FIGURES, Figure, Place
-from nhc.language.yaml_tree.nodes import Node, Table, Text
+from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
 Read = Callable[[Node], Syntax | None]
 _IN_PLANE, _ANYWHERE, _IN_SPACE = (2,), (2, 3), (3,)
 _FORMS = {_IN_PLANE: "`[X, Y]`", _ANYWHERE: "`[X, Y]` or `[X, Y, Z]`", _IN_SPACE: "`[X, Y, Z]`"}
 LEAST_CORNERS = 3  # of a body's shape
+_POINTS = "write `[[x1, y1], [x2, y2], ...]`"
 _COUNTS = {_IN_PLANE: "two", _ANYWHERE: "two or three", _IN_SPACE: "three"}
 
 
@@ -27,6 +28,14 @@ def decode_drawing(node: Node | None, shapes: Shapes, read: Read) -> tuple[Figur
     decoder = _Drawing(shapes, read)
     found = [decoder.figure(item) for item in items.items] if items is not None else []
     return tuple(figure for figure in found if figure is not None)
+
+
+def has_corners(bag: Bag, items: Items, what: str = "the shape of a body", least: int = LEAST_CORNERS) -> bool:
+    """Whether a list has so many points; reports where it has not."""
+    if len(items.items) >= least:
+        return True
+    bag.error("E0301", f"{what} needs {least} points or more, found {len(items.items)}", items.span, help=(_POINTS,))
+    return False
 
 
 class _Drawing:
@@ -119,12 +128,10 @@ class _Drawing:
 
     def _list(self, node: Node, what: str, least: int, lengths: tuple[int, ...]) -> tuple[Place, ...]:
         """At least so many points, all with equally many expressions; empty where something is wrong."""
-        items = self.shapes.items(node, f"a list of points for {what}", "write `[[x1, y1], [x2, y2], ...]`")
+        items = self.shapes.items(node, f"a list of points for {what}", _POINTS)
         if items is None:
             return ()
-        if len(items.items) < least:
-            message = f"{what} needs {least} points or more, found {len(items.items)}"
-            self.bag.error("E0301", message, items.span, help=("write `[[x1, y1], [x2, y2], ...]`",))
+        if not has_corners(self.bag, items, what, least):
             return ()
         points = self._points(items.items, f"a point of {what}", lengths)
         for place, item in zip(points, items.items, strict=False):

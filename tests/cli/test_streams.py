@@ -6,13 +6,13 @@ import os
 import shlex
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
+from tests.support import needs_full
 
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is full")
-@pytest.mark.parametrize("where", [">&-", "> /dev/full"])
+
+@pytest.mark.parametrize("where", [">&-", pytest.param("> /dev/full", marks=needs_full)])
 def test_a_result_does_not_wait_for_room_for_messages(where: str) -> None:
     command = [sys.executable, "-m", "nhc", "run", "pendulum", "--python", "--points", "2", "--scene", "small"]
     for words, code, lines in ((command, 0, 3), ([*command, "--set", "no=1"], 1, 0)):

@@ -11,7 +11,7 @@ from nhc.language import decode, read
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
 from tests.numeric.test_driver_stop import drive
-from tests.support import spec_path
+from tests.support import needs_full, spec_path
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_a_wanted_quantity_of_the_state_costs_no_function(tmp_path: Path) -> Non
     assert "_needed" not in (tmp_path / "chaplygin_sleigh_main.c").read_text()
 
 
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+@needs_full
 def test_output_that_cannot_be_written_is_said(tmp_path: Path) -> None:
     drive(read(str(spec_path("pendulum"))), tmp_path)
     with Path("/dev/full").open("w") as full:

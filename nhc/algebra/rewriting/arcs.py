@@ -1,21 +1,26 @@
 """Sines and cosines of arcs: what is algebraic in x takes no call, where an arc of x stands alone or in a sum.
 
 cos(atan x) is 1/sqrt(1 + x^2), and sin(y + atan x) is (sin y + x cos y)/sqrt(1 + x^2): an axle that a leaning board steers by
-atan(k sin(lean)), a connecting rod that leans by asin(k sin(crank)).  An arc stays where its tangent may be infinite at an ordinary
-state, as that of atan(y/x) is at x = 0, where it is a quarter turn.
+atan(k sin(lean)), a connecting rod that leans by asin(k sin(crank)).  An arc stays where its tangent, or the square of that, may be
+infinite at ordinary values: atan(y/x) is a quarter turn at x = 0, atan(v/eps) a step at eps = 0, and exp(x)^2 is no double from
+x = 355 on.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.graph import NEG, POW, Graph, Node
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
 from nhc.algebra.parts import list_terms
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import Pair, add_angles
 from nhc.algebra.walks import reachable
 
 _ARCS = ("asin", "acos", "atan")
+_TAME = frozenset(
+    (NUM, SYM, PI, ADD, MUL, NEG, "sin", "cos", "tanh", "sqrt", "abs", "sign", "min", "max", "atan2", *_ARCS)
+)
+"""Operations whose results are no larger than polynomials of what they take."""
 
 
 def open_arcs(graph: Graph, roots: Sequence[Node]) -> list[Node]:
@@ -56,11 +61,9 @@ def _pair_of(graph: Graph, term: Node, new: dict[Node, Node]) -> Pair | None:
 
 
 def _is_finite(graph: Graph, x: Node) -> bool:
-    """Whether denominators in it are parameters, or cosines, which are no number's zero."""
-    return not any(
-        graph.op[node] == POW
-        and graph.b[node] < 0
-        and graph.deps[node] & ~graph.parameters
-        and graph.op[graph.a[node]] != "cos"
+    """Whether it grows like a polynomial of symbols, over no other denominators than cosines, which are no number's zero."""
+    op, a, b = graph.op, graph.a, graph.b
+    return all(
+        op[node] in _TAME or (op[node] == POW and (b[node] > 0 or op[a[node]] == "cos"))
         for node in reachable(graph, [x])
     )

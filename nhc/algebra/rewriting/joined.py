@@ -74,12 +74,13 @@ def make_product(graph: Graph, monomial: Monomial, coefficient: Rational = 1) ->
 def join_terms(graph: Graph, p: Polynomial) -> Polynomial:
     """The polynomial with pairs of terms as one, as often as there are any."""
     left, waiting = dict(p), list(p)
+    skeletons = {monomial: _skeleton(graph, monomial) for monomial in p}
     alike: dict[_Skeleton, set[Monomial]] = {}
-    for monomial in p:
-        alike.setdefault(_skeleton(graph, monomial), set()).add(monomial)
+    for monomial, skeleton in skeletons.items():
+        alike.setdefault(skeleton, set()).add(monomial)
     while waiting:
         first = waiting.pop(0)
-        others = alike[_skeleton(graph, first)] - {first} if first in left else set()
+        others = alike[skeletons[first]] - {first} if first in left else set()
         for second, rest, made in _partners(graph, first, others) if others else ():
             size, other = left[first], left.get(second)
             if other is None or abs(other) != abs(size):
@@ -90,7 +91,8 @@ def join_terms(graph: Graph, p: Polynomial) -> Polynomial:
             left[monomial] = left.get(monomial, 0) + size * k
             if left[monomial] == 0:
                 del left[monomial]
-            alike.setdefault(_skeleton(graph, monomial), set()).add(monomial)
+            skeletons[monomial] = _skeleton(graph, monomial)
+            alike.setdefault(skeletons[monomial], set()).add(monomial)
             waiting.append(monomial)
             break
     return left

@@ -7,7 +7,7 @@ from nhc.language.bodies import pieces
 from nhc.language.bodies.declarations import BodyReader
 from nhc.language.bodies.kinematics import Frame
 from nhc.language.bodies.pieces import Piece, Triple, each, write
-from nhc.language.drawing import LEAST_CORNERS
+from nhc.language.drawing import has_corners
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 
 
@@ -59,9 +59,7 @@ def _body(key: Text, table: Table, frame: Frame, reader: BodyReader) -> tuple[Te
             reader.bag.error("E0303", f"`{text.value}` beside `parent`", text.span, help=(help,))
     if not isinstance(shape, Items) or not shape.items:
         return key, table
-    if len(shape.items) < LEAST_CORNERS:
-        message = f"the shape of a body needs {LEAST_CORNERS} points or more, found {len(shape.items)}"
-        reader.bag.error("E0301", message, shape.span, help=("write `[[x1, y1], [x2, y2], ...]`",))
+    if not has_corners(reader.bag, shape):
         return key, table
     read = [(reader.vector(node, frame.place, "a place"), node.span) for node in shape.items]
     corners = [(vector, span) for vector, span in read if vector is not None]

@@ -52,9 +52,7 @@ class Kinetic:
     def form(self, k: int) -> Form:
         """Atom k with its coefficients."""
         if k not in self._forms:
-            g, atom = self.system.graph, self.atoms[k]
-            coefficients, constant = linear_form(g, atom, self.system.v)
-            self._forms[k] = Form(f"u{k + 1}", coefficients, constant, place=g.labels.get(atom, ""), value=atom)
+            self._forms[k] = _as_form(self.system, self.atoms[k], f"u{k + 1}")
         return self._forms[k]
 
     def is_exact(self, k: int) -> bool:
@@ -243,9 +241,10 @@ def _structure(system: System, energy: Node) -> Kinetic:
     return Kinetic(system, tuple(atoms), u, tau, slope, hessian)
 
 
-def _as_form(system: System, atom: Node) -> Form:
-    coefficients, constant = linear_form(system.graph, atom, system.v)
-    return Form("", coefficients, constant, value=atom)
+def _as_form(system: System, atom: Node, name: str = "") -> Form:
+    g = system.graph
+    coefficients, constant = linear_form(g, atom, system.v)
+    return Form(name, coefficients, constant, place=g.labels.get(atom, ""), value=atom)
 
 
 def _is_exact(system: System, form: Form) -> bool:
