@@ -76,6 +76,7 @@ TITLES: dict[str, str] = {
     "E0424": "force on what has no linear velocity",
     "W0425": "quasi-velocities that lose digits",
     "W0426": "coordinate without inertia",
+    "W0427": "inertia that no body has",
     "E0501": "file would be overwritten",
     "E0502": "unknown stage",
     "E0503": "no such scene",

@@ -57,7 +57,7 @@ class Body:
 
     Expressions are texts of the language; ``on`` is empty in space, ``at`` and ``centre`` where they are the origin, ``turns``
     are pairs of an axis and an angle, ``rotation`` names what turns it in their place; ``inertia`` are pairs of an entry
-    ("xx", or "" for what counts about every axis) and its text.
+    ("xx", or "" for what counts about every axis) and its text, ``place`` is where it stands.
     """
 
     name: str
@@ -69,6 +69,7 @@ class Body:
     centre: tuple[str, ...]
     inertia: tuple[tuple[str, str], ...]
     about: str
+    place: Span
 
 
 @record

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from nhc.diagnostics import nearest
+from nhc.diagnostics import Span, nearest
 from nhc.language.advice import meant_body_key
 from nhc.language.bodies.kinematics import AXES, Inertia, Turn, Turning
 from nhc.language.bodies.pieces import Piece, Triple, each, piece_of, write
@@ -27,7 +27,7 @@ _ENTRIES = tuple(key.name for key in INERTIA_KEYS)
 
 @record
 class Body:
-    """``mass`` and ``inertia`` are None where the body has none, ``parent`` in space."""
+    """``mass`` and ``inertia`` are None where the body has none, ``parent`` in space; ``weighed`` is where ``inertia`` stands."""
 
     name: Text
     parent: Text | None
@@ -37,6 +37,7 @@ class Body:
     centre: Triple
     inertia: Inertia | None
     about: str
+    weighed: Span
 
     @property
     def on(self) -> str:
@@ -64,6 +65,7 @@ class Body:
             centre=tuple(map(_shown, self.centre)) if any(not x.is_zero for x in self.centre) else (),
             inertia=entries,
             about=self.about,
+            place=self.weighed,
         )
 
 
@@ -96,7 +98,8 @@ class BodyReader:
         about = self.shapes.line(table.get("about"))
         here = name.span.start
         at, turns = self.vector(table.get("at"), here), self._turns(table, name)
-        centre, inertia = self.vector(table.get("centre"), here), self._inertia(table.get("inertia"), name)
+        centre, heavy = self.vector(table.get("centre"), here), table.get("inertia")
+        inertia = self._inertia(heavy, name)
         mass = self.piece(table.get("mass"), "a mass")
         if at is None or turns is None or centre is None:
             return None
@@ -109,6 +112,7 @@ class BodyReader:
             centre,
             inertia,
             about,
+            heavy.span if heavy is not None else name.span,
         )
 
     def name_under(self, table: Node, key: str) -> Text | None:

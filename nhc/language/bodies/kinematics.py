@@ -80,18 +80,22 @@ class Frame:
 class Ledger:
     """The definitions that are made, by name, in an order in which each uses earlier ones or those of the spec.
 
-    ``constant`` are the names of what never changes, ``velocities`` those of velocities, also where nothing but the time moves
-    what they belong to, ``twice`` the first that a body or point would bring once more.
+    ``constant`` are the names of what never changes, ``declared`` what the spec declares without bodies, ``velocities`` the
+    names of velocities, also where nothing but the time moves what they belong to, ``twice`` the first that a body or point
+    would bring once more.
     """
 
     constant: set[str]
+    declared: frozenset[str]
     velocities: set[str] = fresh(factory=set)
     made: dict[str, tuple[Piece, Span]] = fresh(factory=dict)
     twice: dict[Span, str] = fresh(factory=dict)
 
     def name(self, name: str, piece: Piece, span: Span) -> Piece:
         """Define a name; return what stands for it: itself, or a number or name that it would only repeat."""
-        if piece.text == name and not piece.minus:  # a rotation and its body have one name, and mean the same by it
+        if (
+            piece.text == name and not piece.minus and name in self.declared
+        ):  # a rotation and its body have one name, and mean the same by it
             return piece
         if name in self.made:
             self.twice.setdefault(span, name)

@@ -19,9 +19,9 @@ from nhc.language.bodies.plain import Plain
 from nhc.language.expressions.names import DOT, PI, fold
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.keys import BODILY, POINT_KEYS
-from nhc.language.rotation import foretell_rotations
+from nhc.language.rotation import entry_names, foretell_rotations
 from nhc.language.shape import Shapes
-from nhc.language.yaml_tree.extend import coordinate_names
+from nhc.language.yaml_tree.extend import declared_names
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
 
@@ -43,7 +43,7 @@ class _Writer:
     def __init__(self, root: Table, bag: Bag, asked: str) -> None:
         self.root, self.bag, self.asked = root, bag, asked
         self.reader = BodyReader(root, Shapes(bag), _velocities(root))
-        self.ledger = Ledger(_constants(root))
+        self.ledger = Ledger(_constants(root), _declared(root))
         self.declared: frozenset[str] = frozenset()
         self.frames: dict[str, Frame] = {"": kinematics.space()}
         self.bodies: list[Body] = []
@@ -239,19 +239,22 @@ class _Writer:
         return [(text, node if text.value == key else value) for text, value in entries]
 
 
+def _declared(root: Table) -> frozenset[str]:
+    """The names that stand for something without the bodies."""
+    found = set[str]().union(*(declared_names(root, key) for key in ("coordinates", "parameters", "define")))
+    for name, (velocities, _) in foretell_rotations(root.get("rotation")).items():
+        found.update(velocities, entry_names(name))
+    return frozenset(found)
+
+
 def _constants(root: Table) -> set[str]:
     """The names of parameters and pi, and of definitions that are made of these."""
-    node, found = root.get("parameters"), {PI}
-    if isinstance(node, Table):
-        found |= {fold(text.value) for text, _ in node.entries}
-    elif isinstance(node, Items):
-        found |= {fold(item.value) for item in node.items if isinstance(item, Text)}
-    return _closure(root, found, lambda words, known: words <= known)
+    return _closure(root, {PI, *declared_names(root, "parameters")}, lambda words, known: words <= known)
 
 
 def _velocities(root: Table) -> set[str]:
     """The names of quasi-velocities, of angular velocities and points' velocities, and of definitions that hold any velocity."""
-    found = {DOT, *(f"{name}dot" for name in coordinate_names(root))}
+    found = {DOT, *(f"{name}dot" for name in declared_names(root, "coordinates"))}
     for key, ends in (("bodies", _OF_BODIES), ("points", _OF_POINTS)):
         node = root.get(key)
         for text, _ in node.entries if isinstance(node, Table) else ():

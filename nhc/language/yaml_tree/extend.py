@@ -130,14 +130,17 @@ def _spell(name: str, rates: frozenset[str]) -> str:
 
 def coordinate_names(*tables: Table) -> frozenset[str]:
     """The coordinates that specs declare, as a list or as a mapping."""
-    names: set[str] = set()
-    for table in tables:
-        node = table.get("coordinates")
-        if isinstance(node, Table):
-            names.update(fold(text.value) for text, _ in node.entries)
-        elif isinstance(node, Items):
-            names.update(fold(item.value) for item in node.items if isinstance(item, Text))
-    return frozenset(names)
+    return frozenset[str]().union(*(declared_names(table, "coordinates") for table in tables))
+
+
+def declared_names(table: Table, key: str) -> frozenset[str]:
+    """The names under a key of a spec, which has a list or a mapping."""
+    node = table.get(key)
+    if isinstance(node, Table):
+        return frozenset(fold(text.value) for text, _ in node.entries)
+    return frozenset(
+        fold(item.value) for item in (node.items if isinstance(node, Items) else ()) if isinstance(item, Text)
+    )
 
 
 def _shift(node: Node, by: int) -> Node:

@@ -23,6 +23,7 @@ from nhc.mechanics.properties.named import named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
 from nhc.mechanics.regular.determined import warn_of_bare
+from nhc.mechanics.regular.inertia import warn_of_inertia
 from nhc.mechanics.regular.regularity import Choice, choose_dependent
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
@@ -61,6 +62,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     facts.say("degrees", {"n": n, "l": lower}, text)
     _kinetic(system, facts, explain)
     warn_of_bare(system, bag)
+    warn_of_inertia(system, bag)
     integrals: tuple[PositionIntegral, ...] = ()
     torn = list_torn(system)
     if lower:
