@@ -93,10 +93,8 @@ class Ledger:
 
     def name(self, name: str, piece: Piece, span: Span) -> Piece:
         """Define a name; return what stands for it: itself, or a number or name that it would only repeat."""
-        if (
-            piece.text == name and not piece.minus and name in self.declared
-        ):  # a rotation and its body have one name, and mean the same by it
-            return piece
+        if piece.text == name and not piece.minus and name in self.declared:
+            return piece  # a rotation and its body have one name, and mean the same by it
         if name in self.made:
             self.twice.setdefault(span, name)
         self.made[name] = piece, span
