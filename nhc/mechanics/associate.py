@@ -176,10 +176,10 @@ class Projector:
         """lambda_alpha with the rates' symbols, all by one reverse sweep of the virtual power over the constraints' forms.
 
         Of the rates, the forms' own come by one forward sweep, or ``by_columns``, vector by vector, which may be shorter of few.
-        None where there are rotations, or where forms on moving axes have a term domega of their own.
+        None where forms on moving axes have a term domega of their own; not for systems with rotations.
         """
         g, system = self.system.graph, self.system
-        if self._gyro or system.rotations or (self._moved and self._own):
+        if self._gyro or (self._moved and self._own):
             return None
         rates = self._changes(by_columns)
         momenta = [g.add(a, b) for a, b in zip(self.pi_drift, self._momenta(rates), strict=True)]

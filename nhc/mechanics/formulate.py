@@ -19,6 +19,7 @@ from nhc.mechanics.frame import coordinate_frame, form_value, total_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.move import move
 from nhc.mechanics.moving.moved import Moved
+from nhc.mechanics.moving.on_body import move_on_bodies
 from nhc.mechanics.regular.determined import check_determined
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
@@ -163,9 +164,8 @@ def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) 
     frame = formulation.frame
     if frame is None and not system.constraints:
         return _without_constraints(system, formulation, kinetic)
-    # axes of a rotation group are at hand already
-    may = frame is not None and not system.rotations and "moving axes" not in system.graph.off
-    moved = move(system, kinetic, frame) if may and frame is not None else None
+    rule, way = ("body axes", move_on_bodies) if system.rotations else ("moving axes", move)
+    moved = way(system, kinetic, frame) if frame is not None and rule not in system.graph.off else None
     if moved is None:
         return _route(system, formulation, kinetic)
     there = _route(system, formulation, kinetic, moved)
@@ -205,9 +205,9 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
         return tuple(_polish(system.graph, made))
 
     def sweeps() -> tuple[tuple[Node, ...], ...]:
-        if frame is None or not system.l:
+        if frame is None or not system.l or system.rotations:
             return ()
-        spread = moved.spread() if moved is not None else projector.spread(frame)
+        spread = moved.spread() if moved is not None and moved.spread is not None else projector.spread(frame)
         ways = (False, True) if system.n * system.l <= _FEW_ROWS else (False,)
         found = [projector.work_on_constraints(spread, by_columns=way) for way in ways]
         return tuple(way for way in found if way is not None)

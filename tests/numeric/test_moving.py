@@ -23,6 +23,7 @@ from nhc.mechanics.energies.kinetic import kinetic_structure
 from nhc.mechanics.formulate import _route, equations_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.moving.move import move
+from nhc.mechanics.moving.on_body import move_on_bodies
 from nhc.mechanics.moving.vectors import Reader
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.rotations.turning import moving
@@ -52,7 +53,8 @@ def assert_same(system: System) -> int:
         frame = formulation.frame
         if frame is None and formulation.name == "lagrange":
             frame = coordinate_frame(system, ())
-        moved = None if frame is None else move(system, kinetic, frame)
+        way = move_on_bodies if system.rotations else move
+        moved = None if frame is None else way(system, kinetic, frame)
         if moved is None:
             continue
         moved_count += 1

@@ -41,6 +41,7 @@ WHOLE = {
     "Cramer's rule": "bicycle",
     "completed squares": "written_out_top",
     "moving axes": "trailers3",
+    "body axes": "chaplygin_ball_quaternion",
     "leaning joints": "bicycle",
     "trees": "pendulum5",
     "detours": "smooth_tippe_top",

@@ -53,6 +53,11 @@ RULES = (
         "mechanics/moving/move.py",
     ),
     Rule(
+        "body axes",
+        "what constraints make of the velocities of a body with a rotation is read on its own axes: one row of the matrix is left",
+        "mechanics/moving/on_body.py",
+    ),
+    Rule(
         "leaning joints",
         "a turn and the constant lean of the joint behind it, in the same plane, become one turn by the sum of both angles",
         "mechanics/moving/askew.py",

@@ -117,7 +117,7 @@ def _forms_of(system: System, energy: Node) -> list[Node]:
         divided = g.op[node] == MUL and any(g.op[x] == POW and g.b[x] < 0 for x in g.kids[node])
         if not divided or g.op[bare] != ADD or bare in rates:
             return bare
-        return node if _is_exact(system, _as_form(system, node)) else bare
+        return node if is_exact_rate(system, node) else bare
 
     return list_atoms(g, energy, degree, strip)
 
@@ -245,6 +245,11 @@ def _as_form(system: System, atom: Node, name: str = "") -> Form:
     g = system.graph
     coefficients, constant = linear_form(g, atom, system.v)
     return Form(name, coefficients, constant, place=g.labels.get(atom, ""), value=atom)
+
+
+def is_exact_rate(system: System, node: Node) -> bool:
+    """Whether an expression that is affine in the velocities is the rate of something."""
+    return _is_exact(system, _as_form(system, node))
 
 
 def _is_exact(system: System, form: Form) -> bool:

@@ -47,10 +47,10 @@ class Moved:
 
     ``u`` and ``drift`` are the forms on the motion and their rates with the kept velocities' rates left out; ``weights`` are
     those along the frame's free vectors, ``weigh()`` gives those along the constraints' vectors, ``spread()`` what they are
-    taken from.  The drift of an ``inertial`` form is a component of an acceleration; ``loads`` are what U gives to each form,
-    ``potential`` what is left of U, in symbols for the ``places`` of points.  A form that is ``carried`` needs no term domega
-    of its own.  ``settled``: every vector that stands on no other has forms of the frame for its components, so that no other
-    axes can be better.
+    taken from, None where there are rotations.  The drift of an ``inertial`` form is a component of an acceleration; ``loads``
+    are what U gives to each form, ``potential`` what is left of U, in symbols for the ``places`` of points.  A form that is
+    ``carried`` needs no term domega of its own.  ``settled``: every vector that stands on no other has forms of the frame for
+    its components, so that no other axes can be better.
     """
 
     frame: Frame
@@ -60,7 +60,7 @@ class Moved:
     drift: tuple[Node, ...]
     weights: tuple[Weights, ...]
     weigh: Callable[[], tuple[Weights, ...]]
-    spread: Callable[[], Spread]
+    spread: Callable[[], Spread] | None
     carried: tuple[bool, ...]
     inertial: tuple[bool, ...]
     loads: tuple[Node, ...]

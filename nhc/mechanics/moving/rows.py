@@ -8,6 +8,7 @@ from itertools import permutations
 
 from nhc.algebra.graph import NEG, SYM, Graph, Node
 from nhc.algebra.parts import list_terms
+from nhc.algebra.rebuilding import substitute
 from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.vectors import Chained
@@ -22,22 +23,31 @@ def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
     Forms that are not exact, such as components on a body's own axes, are no components on axes that stand still.
     """
     g = system.graph
-    forms = g.mask(kinetic.u)
-    by_factor: dict[Node, list[int]] = {}
-    for k, (u, pi, row) in enumerate(zip(kinetic.u, kinetic.slope, kinetic.hessian, strict=True)):
-        factor = row[k]
-        alone = all(x == g.zero for j, x in enumerate(row) if j != k)
-        square = alone and factor != g.zero and not g.depends(factor, forms) and pi == g.mul(factor, u)
-        if square and kinetic.is_exact(k):
-            by_factor.setdefault(factor, []).append(k)
     coordinates = g.mask(system.q)
     groups: list[tuple[int, ...]] = []
-    written = _list_symbols(g, kinetic.tau)
+    by_factor: dict[Node, list[int]] = {}
+    for k in lone_squares(g, kinetic):
+        if kinetic.is_exact(k):
+            by_factor.setdefault(kinetic.hessian[k][k], []).append(k)
     for members in by_factor.values():
-        members.sort(key=lambda k: written[kinetic.u[k]])
         reach = {k: g.deps[kinetic.atoms[k]] & coordinates for k in members}
         groups += _pair(members, reach)
     return sorted(groups, key=sorted)
+
+
+def lone_squares(graph: Graph, kinetic: Kinetic) -> list[int]:
+    """Velocity forms that stand in T as h/2 u^2 and nowhere else, in the order in which T has them."""
+    g, forms = graph, graph.mask(kinetic.u)
+    found = []
+    for k, (u, pi, row) in enumerate(zip(kinetic.u, kinetic.slope, kinetic.hessian, strict=True)):
+        factor = row[k]
+        alone = all(x == g.zero for j, x in enumerate(row) if j != k)
+        if not alone or factor == g.zero or g.depends(factor, forms):
+            continue
+        if pi == g.mul(factor, u) or substitute(g, [pi], {u: g.zero}, named=False)[0] == g.zero:
+            found.append(k)
+    written = _list_symbols(g, kinetic.tau)
+    return sorted(found, key=lambda k: written[kinetic.u[k]])
 
 
 def _list_symbols(graph: Graph, root: Node) -> dict[Node, int]:

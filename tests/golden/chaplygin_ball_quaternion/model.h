@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:6cfbf57eec8dda17)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:549e33d1f1bd2489)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -35,15 +35,15 @@
  * out[2] = K_z [kg*m^2/s]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 52 +-, 113 *, 4 /, 0 calls
+ * rhs: 46 +-, 94 *, 4 /, 0 calls
  * velocities: 23 +-, 47 *, 1 /, 0 calls
- * accelerations: 84 +-, 179 *, 4 /, 0 calls
+ * accelerations: 78 +-, 158 *, 4 /, 0 calls
  * state: 12 +-, 23 *, 1 /, 0 calls
  * residuals: 29 +-, 50 *, 1 /, 0 calls
  * positions: 4 +-, 4 *, 0 /, 0 calls
- * reactions: 48 +-, 108 *, 4 /, 0 calls
- * energy: 19 +-, 41 *, 1 /, 0 calls
- * jacobian: 212 +-, 519 *, 4 /, 0 calls
+ * reactions: 37 +-, 85 *, 4 /, 0 calls
+ * energy: 15 +-, 37 *, 1 /, 0 calls
+ * jacobian: 153 +-, 350 *, 4 /, 0 calls
  * outputs: 26 +-, 44 *, 1 /, 0 calls
  *
  * Calls: t is the time; y has CHAPLYGIN_BALL_QUATERNION_NY entries, p has CHAPLYGIN_BALL_QUATERNION_NP;
