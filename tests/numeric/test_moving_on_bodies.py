@@ -1,4 +1,4 @@
-"""Bodies that a rotation turns and that roll: on their own axes the equations have the same values, exactly, and fewer operations."""
+"""Bodies that a rotation turns and that roll: on their own axes the equations have the same values, exactly, in fewer operations."""
 
 from __future__ import annotations
 

@@ -17,13 +17,13 @@ from nhc.mechanics.formulations.chaplygin import mark_letters
 from nhc.mechanics.frame import coordinate_frame, describe_added
 from nhc.mechanics.properties.coframe import never_vanishes, warn_of_quasi_velocities
 from nhc.mechanics.properties.conserved import Integral, find_conserved
+from nhc.mechanics.properties.inertia import warn_of_inertia
 from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals
 from nhc.mechanics.properties.named import named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
 from nhc.mechanics.regular.determined import warn_of_bare
-from nhc.mechanics.regular.inertia import warn_of_inertia
 from nhc.mechanics.regular.regularity import Choice, choose_dependent
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
