@@ -1,4 +1,4 @@
-"""Bodies that a rotation turns and that roll: on their own axes the equations have the same values, exactly, in fewer operations."""
+"""Rolling bodies with a rotation: on their own axes the equations have the same values, exactly, in fewer operations."""
 
 from __future__ import annotations
 
