@@ -129,6 +129,10 @@ class NodeStore:
             node = self._cache[key] = self._append(op, a, b, deps, kids)
         return node
 
+    def raw(self, op: str, a: int, b: int) -> Node:
+        """The node of an operation as it stands: no rule is applied, and nothing is to be calculated with it any more."""
+        return self._make(op, a, b, self.deps[a] | (self.deps[b] if op in _DYADIC else 0))
+
     # --- questions ----------------------------------------------------------------------------------------
 
     def pass_label(self, node: Node, made: Node) -> None:

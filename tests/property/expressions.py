@@ -68,7 +68,7 @@ def build_raw(g: Graph, tree: Tree) -> Node:
         return build(g, tree)
     if kind == "pow":
         inner = build_raw(g, rest[0])
-        return g._make(POW, inner, rest[1], g.deps[inner])
+        return g.raw(POW, inner, rest[1])
     if kind == "-":
         return build_raw(g, ("+", rest[0], ("neg", rest[1])))
     if kind == "/":

@@ -52,6 +52,7 @@ WHOLE = {
     "equal values": "trailers3",
     "shared powers": "atoms3",
     "shared reciprocals": "snake3",
+    "folded numbers": "chaplygin_ball_quaternion",
 }
 
 

@@ -118,6 +118,11 @@ RULES = (
         "several quotients by d become products with 1/d, which is computed once, in advance if d consists of parameters",
         "program/lowering/lower.py",
     ),
+    Rule(
+        "folded numbers",
+        "2 (x y) becomes x' y where all that is used of x is x' = 2 x: so the 2 of a rotation's entries goes into 2/|q|^2",
+        "algebra/rewriting/numbers.py",
+    ),
 )
 NAMES = frozenset(rule.name for rule in RULES)
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.factors import find_factors
+from nhc.algebra.rewriting.numbers import fold_numbers
 from nhc.algebra.rewriting.pieces import shorten_pieces
 from nhc.algebra.rewriting.related import relate_angles
 from nhc.algebra.rewriting.sharing import share_parts
@@ -25,6 +26,7 @@ def rewrite(planner: PlannerBase, plan: FunctionPlan) -> FunctionPlan:
         made = share_values(g, made)
         if plan.name == "rhs" and planner.equations.tree is None:  # a recursion along a tree has none
             made = find_factors(g, made)
-        return share_parts(g, made, constants)
+        made = share_parts(g, made, constants)
+        return fold_numbers(g, made) if plan.name == "rhs" else made
 
     return map_nodes(plan, change)
