@@ -14,7 +14,18 @@ from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.conserved import power_terms
 from nhc.report.drawing import describe_drawing, shorten, thin_rows
 from nhc.report.marks import draw_document, mark_code
-from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, make_room, time_axis
+from nhc.report.svg import (
+    Axis,
+    Chart,
+    Series,
+    describe,
+    draw,
+    draw_inside,
+    find_frame,
+    legend_rows,
+    make_room,
+    time_axis,
+)
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Trajectory, energy_change
 from nhc.version import __version__
@@ -95,7 +106,7 @@ def make_picture(found: Trajectory) -> str:
         f'<g transform="translate(0 {top})">\n{draw_inside(chart)}\n</g>'
         for top, chart in zip(tops, charts, strict=False)
     ]
-    return draw_document(WIDTH, tops[-1], panels)
+    return draw_document(WIDTH, tops[-1], panels, "; ".join(map(describe, charts)))
 
 
 def make_page(found: Trajectory) -> str:
