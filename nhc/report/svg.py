@@ -20,12 +20,13 @@ LEAST = 200  # height of a plot, whatever its legend takes
 
 @record
 class Series:
-    """A line, or ``dots`` alone."""
+    """A line, or ``dots`` alone; ``marked``: a line with a dot at each value, between which nothing is known."""
 
     label: str
     x: Sequence[float]
     y: Sequence[float]
     dots: bool = False
+    marked: bool = False
 
 
 @record
@@ -157,7 +158,7 @@ def _draw_series(series: Series, frame: Frame, index: int) -> list[str]:
             parts.append(
                 f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6" stroke-linejoin="round"{style}/>'
             )
-        else:
+        if len(run) == 1 or series.dots or series.marked:
             parts += [f'<circle cx="{x:.2f}" cy="{y:.2f}" r="2.8" fill="{colour}"/>' for x, y in run]
     return parts
 

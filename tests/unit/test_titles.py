@@ -22,3 +22,10 @@ def test_a_title_is_no_wider_than_its_picture(letters: int) -> None:
 def test_a_picture_is_described() -> None:
     chart = Chart("a & b", Axis("t [s]"), Axis("value [m]"), (Series("x", [0, 1], [0, 1]), Series("y", [0, 1], [1, 0])))
     assert 'role="img" aria-label="a &amp; b: value [m] over t [s] (x, y)"' in draw(chart)
+
+
+def test_few_values_are_marked_and_many_are_a_line() -> None:
+    axis = Axis("t")
+    for marked in (True, False):
+        chart = Chart("", axis, axis, (Series("x", [0, 1, 2], [0, 1, 4], marked=marked),))
+        assert draw(chart).count("<circle") == (3 if marked else 0)
