@@ -8,6 +8,7 @@ from collections.abc import Callable
 Place = Callable[[float, float], tuple[float, float]]
 _WIDTH, _HEIGHT, _LEFT, _BOTTOM, _TOP, _RIGHT = 640, 400, 90, 50, 20, 120
 _LINE = 15  # between names, in the units of the drawing
+_ABOUT = "Time of a derivation over the number of trailers or links, both logarithmic, beside a line of linear growth"
 _STYLES = ("#1b6ca8", "#c8553d")
 
 
@@ -23,8 +24,14 @@ def draw_scaling(times: dict[str, dict[int, float]]) -> str:
         y = _HEIGHT - _BOTTOM - (math.log10(milliseconds) - low) / (high - low) * (_HEIGHT - _BOTTOM - _TOP)
         return round(x, 1), round(y, 1)
 
-    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {_HEIGHT}" font-family="sans-serif" font-size="13">'
+    size = f'viewBox="0 0 {_WIDTH} {_HEIGHT}" width="{_WIDTH}" height="{_HEIGHT}"'
+    look = f'role="img" aria-label="{_ABOUT}" font-family="sans-serif" font-size="13"'
+    head = f'<svg xmlns="http://www.w3.org/2000/svg" {size} {look}>'
     lines = [head, f'<rect width="{_WIDTH}" height="{_HEIGHT}" fill="#ffffff"/>']
+    middle = (_HEIGHT - _BOTTOM + _TOP) / 2
+    lines.append(
+        f'<text x="16" y="{middle}" text-anchor="middle" transform="rotate(-90 16 {middle})">time of a derivation</text>'
+    )
     for power in range(low, high + 1):
         x, y = place(sizes[0], 10.0**power)
         lines.append(f'<line x1="{x}" y1="{y}" x2="{_WIDTH - _RIGHT}" y2="{y}" stroke="#dddddd"/>')

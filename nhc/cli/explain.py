@@ -54,8 +54,8 @@ def command(subject: str | None) -> int:
 
 
 def _put_lines(text: str) -> None:
-    """Sentences are broken to the terminal's width, code is not."""
+    """Sentences and formulas are broken to the terminal's width, code is not."""
     fenced = False
     for line in text.rstrip("\n").split("\n"):
         fenced ^= line.startswith("```")
-        (put if fenced or not line.strip() or line.startswith("    ") else put_text)(line)
+        (put if fenced or not line.strip() else put_text)(line)

@@ -109,8 +109,9 @@ formulation_option = click.option(
     "--formulation",
     "-f",
     type=click.Choice(FORMULATIONS),
+    metavar="F",  # the names in brackets would be one line of 87 letters
     default=None,
-    help="How the equations are formed; default: as the spec says, else auto.",
+    help=f"How the equations are formed: {', '.join(FORMULATIONS)}; default: as the spec says, else auto.",
 )
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON with a versioned schema.")
 explain_option = click.option(

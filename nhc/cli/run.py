@@ -81,8 +81,9 @@ def _expression(context: click.Context, parameter: click.Parameter, value: str |
     "--method",
     "-m",
     type=click.Choice((*METHODS, "auto")),
+    metavar="M",
     default="auto",
-    help="The integrator; default: auto, which is explicit until the scene becomes stiff.",
+    help=f"The integrator: {', '.join(METHODS)}, or auto, the default, which is explicit until the scene becomes stiff.",
 )
 @click.option("--tol", "tolerance", type=float, callback=_positive, help="Relative accuracy; default: the scene's.")
 @click.option(
@@ -262,12 +263,13 @@ def _report(found: Trajectory, target: Path | None) -> int:
     if found.ended == "stopped":
         return Exit.INTERRUPTED
     scene, method = found.job.scene.name, found.method
-    advice = [f"the state there: {state}", "nothing was written"]
+    notes = [f"the state there: {state}", "nothing was written"]
     rank = rank_left(found.job, found.outcome)
     if rank is not None:
-        advice.append(f"the smallest singular value of the constraints there: {rank:.3g}")
-    advice += _advise(found, rank is not None and rank < LOST)
-    raise Failure(f"the scene `{scene}` fails {where} ({method}): {found.reason}", advice, exit=Exit.NUMERICAL)
+        notes.append(f"the smallest singular value of the constraints there: {rank:.3g}")
+    advice = _advise(found, rank is not None and rank < LOST)
+    failure = f"the scene `{scene}` fails {where} ({method}): {found.reason}"
+    raise Failure(failure, advice, exit=Exit.NUMERICAL, notes=notes)
 
 
 def _advise(found: Trajectory, lost: bool) -> list[str]:

@@ -33,18 +33,25 @@ class Exit(IntEnum):
 
 
 class Failure(Exception):
-    """A verb cannot go on, for a reason outside the text of a spec: a file is not there, or must not be replaced."""
+    """A verb cannot go on, for a reason outside the text of a spec: a file is not there, or must not be replaced.
 
-    def __init__(self, message: str, help: Sequence[str], code: str = "", exit: Exit = Exit.USAGE) -> None:
+    ``notes`` say what is the case, ``help`` what to do.
+    """
+
+    def __init__(
+        self, message: str, help: Sequence[str], code: str = "", exit: Exit = Exit.USAGE, notes: Sequence[str] = ()
+    ) -> None:
         super().__init__(message)
         self.message = message
         self.help = tuple(help)
+        self.notes = tuple(notes)
         self.code = code
         self.exit = exit
 
     def __str__(self) -> str:
         head = f"error[{self.code}]" if self.code else "error"
-        return "\n".join([f"{head}: {self.message}", *(f"  = help: {line}" for line in self.help)])
+        lines = [f"{head}: {self.message}", *(f"  = note: {line}" for line in self.notes)]
+        return "\n".join([*lines, *(f"  = help: {line}" for line in self.help)])
 
 
 def put(text: str) -> None:

@@ -126,7 +126,9 @@ def write_files(files: Mapping[Path, str]) -> None:
         own = {str(_temporary(path.resolve())): path for path in changed}  # a user knows nothing of it
         named = own.get(str(error.filename), error.filename)
         where = named or ", ".join(map(str, changed))  # a full disk names no file
-        raise Failure(f"cannot write `{where}`: {describe_os_error(error)}", ["nothing was written"]) from error
+        raise Failure(
+            f"cannot write `{where}`: {describe_os_error(error)}", [], notes=["nothing was written"]
+        ) from error
     for path in files:
         say(f"{'wrote' if path in changed else 'unchanged'} {path}")
 
@@ -148,7 +150,9 @@ def write_bytes(path: Path, content: bytes) -> None:
             temporary.write_bytes(content)
             os.replace(temporary, final)
     except OSError as error:
-        raise Failure(f"cannot write `{path}`: {describe_os_error(error)}", ["nothing was written"]) from error
+        raise Failure(
+            f"cannot write `{path}`: {describe_os_error(error)}", [], notes=["nothing was written"]
+        ) from error
     finally:
         with suppress(OSError):  # what should be its folder is a file
             temporary.unlink(missing_ok=True)

@@ -19,11 +19,11 @@ _SOURCES = {
         "G. Hamel, Die Lagrange-Eulerschen Gleichungen der Mechanik, Z. Math. Phys. 50 (1904) 1-57",
     ),
     "chaplygin": (
-        "S. A. Chaplygin, On a motion of a heavy body of revolution on a horizontal plane (1897), "
+        "S. A. Čaplygin (Chaplygin), On a motion of a heavy body of revolution on a horizontal plane (1897), "
         "reprinted in Regular and Chaotic Dynamics 7 (2002) 119-130",
     ),
     "voronec": (
-        "P. V. Voronec, On the equations of motion of nonholonomic systems, Matematicheskii Sbornik 22 (1901) 659-686",
+        "P. V. Voronec (Voronets), On the equations of motion of nonholonomic systems, Matematicheskii Sbornik 22 (1901) 659-686",
     ),
 }
 _BOOK = "Ju. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, AMS, Providence, 1972"

@@ -4,7 +4,17 @@ from __future__ import annotations
 
 import math
 
-from nhc.report.marks import HEADING, draw_box, draw_cross, draw_document, draw_foot, draw_line, draw_marker, draw_text
+from nhc.report.marks import (
+    draw_box,
+    draw_cross,
+    draw_document,
+    draw_foot,
+    draw_line,
+    draw_marker,
+    draw_text,
+    draw_title,
+    fit_size,
+)
 from nhc.report.panel import ROUNDING, Panel, Style, draw_panel, style_of
 from nhc.report.ticks import log_scale
 from nhc.study.chart.case import RESOLVED, Result, Study
@@ -44,7 +54,7 @@ def draw_study(study: Study) -> str:
     parts += foot
     total = below + 20
     title = f"{study.system}, scene {study.scene}: work against precision"
-    return draw_document(WIDTH, total, [draw_text(WIDTH / 2, 26, title, "middle", HEADING), *parts])
+    return draw_document(WIDTH, total, [draw_title(WIDTH / 2, 26, title, WIDTH - 20), *parts], title)
 
 
 def _small_panels(top: float, floor: float, energy_floor: float) -> tuple[Panel, ...]:
@@ -146,25 +156,30 @@ def _draw_strip(panel: Panel, study: Study, style: Style) -> list[str]:
     left = panel.left + panel.width + 14
     width = WIDTH - left - 14
     space = min(19.0, (panel.height - 12) / len(failed))
-    size = f' font-size="{min(12.0, max(5.0, space - 3)):.1f}"'
+    rows = [
+        (*_name_failed(series, len(results), counts[series]), series, results[0]) for series, results in failed.items()
+    ]
+    letters = max(len(name) + len(share) for name, share, _, _ in rows) + 2
+    size = f' font-size="{fit_size(letters, width - 44, min(12.0, max(5.0, space - 3))):.1f}"'
     parts = [
         draw_text(left, panel.top - 9, "failed runs", more=BOLD),
         draw_box(left, panel.top, width, panel.height, "#fafafa", "#bbbbbb"),
     ]
-    for row, (series, results) in enumerate(failed.items()):
-        formulation, method, language = series
+    for row, (name, share, series, (k, result)) in enumerate(rows):
         y = panel.top + 6 + space * (row + 0.5)
-        k, result = results[0]
-        colour = style.colour(method)
+        colour = style.colour(series[1])
         parts.append(f'<g class="{style.classes(result)}">')
         parts.append(draw_cross(left + 12, y, min(4.0, space / 3), colour, f' class="point" data-k="{k}"'))
-        parts.append(draw_marker(style.shape(formulation), left + 27, y, min(SMALLEST, space / 3), colour))
-        text = f"{method}, {LANGUAGE_NAMES.get(language, language)}"
-        parts.append(draw_text(left + 38, y + 4, text, more=size))
-        share = "all" if len(results) == counts[series] else f"{len(results)}/{counts[series]}"
+        parts.append(draw_marker(style.shape(series[0]), left + 27, y, min(SMALLEST, space / 3), colour))
+        parts.append(draw_text(left + 38, y + 4, name, more=size))
         parts.append(draw_text(left + width - 6, y + 4, share, "end", size))
         parts.append("</g>")
     return parts
+
+
+def _name_failed(series: tuple[str, str, str], failed: int, count: int) -> tuple[str, str]:
+    _, method, language = series
+    return f"{method}, {LANGUAGE_NAMES.get(language, language)}", "all" if failed == count else f"{failed}/{count}"
 
 
 def _draw_costs(study: Study, top: float) -> tuple[list[str], float]:

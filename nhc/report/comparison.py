@@ -5,7 +5,16 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from nhc.report.marks import HEADING, draw_cross, draw_document, draw_foot, draw_line, draw_marker, draw_text
+from nhc.report.marks import (
+    draw_cross,
+    draw_document,
+    draw_foot,
+    draw_line,
+    draw_marker,
+    draw_text,
+    draw_title,
+    fit_size,
+)
 from nhc.report.panel import Panel, Style, draw_panel, style_of
 from nhc.report.svg import Axis, Chart, Series, dash_of, draw_inside, time_axis
 from nhc.study.chart.case import RESOLVED, Result
@@ -39,7 +48,7 @@ def draw_comparison(made: Comparison) -> str:
     parts += [*curves, *foot]
     total = below + 8
     title = f"scene {made.scene}: models against {made.finest}"
-    return draw_document(WIDTH, total, [draw_text(WIDTH / 2, 26, title, "middle", HEADING), *parts])
+    return draw_document(WIDTH, total, [draw_title(WIDTH / 2, 26, title, WIDTH - 20), *parts], title)
 
 
 def swap_names(made: Comparison) -> tuple[Result, ...]:
@@ -68,7 +77,8 @@ def _draw_models(made: Comparison, style: Style, top: float) -> tuple[list[str],
         )
         dash = dash_of(style.methods.index(rung.name))
         parts.append(draw_line(LEFT, at - 4, LEFT + 30, at - 4, colour, f' stroke-width="2.5"{dash}'))
-        parts.append(draw_text(LEFT + 38, at, rung.name))
+        size = fit_size(len(rung.name), 258, 12)
+        parts.append(draw_text(LEFT + 38, at, rung.name, more=f' font-size="{size:.3g}"'))
         parts += [draw_text(x, at, text) for x, text in zip(columns[1:], cells, strict=True)]
         parts.append(draw_text(worst, at, error if math.isfinite(rung.error) else "-"))
         at += 19

@@ -9,7 +9,16 @@ from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.ladder import list_rungs, note_longer, print_how, reduced_spec
-from nhc.report.marks import draw_axes, draw_document, draw_foot, draw_line, draw_marker, draw_text, mark_code
+from nhc.report.marks import (
+    draw_axes,
+    draw_document,
+    draw_foot,
+    draw_line,
+    draw_marker,
+    draw_text,
+    draw_title,
+    mark_code,
+)
 from nhc.report.ticks import linear_scale, log_scale
 from nhc.study.chart.words import duration
 from nhc.study.simplify.ladder import Ladder, Rung
@@ -26,14 +35,14 @@ BOLD = ' font-weight="bold"'
 def draw_ladder(ladder: Ladder) -> str:
     """Operations and time of a run against the error, each model with its number; below them what the numbers stand for."""
     title = f"{ladder.system}, scene {ladder.scene}: size of the model against its error"
-    parts = [draw_text(WIDTH / 2, 26, title, "middle", ' font-size="17" font-weight="bold"')]
+    parts = [draw_title(WIDTH / 2, 26, title, WIDTH - 20)]
     parts += _draw_plot(ladder, LEFT, "operations of the right-hand side", lambda r: float(r.size.operations))
     unit, name = _unit(max(rung.price.run for rung in ladder.rungs))
     parts += _draw_plot(ladder, SECOND, f"processor time of one run [{name}]", lambda r: r.price.run / unit)
     lines, bottom = _draw_list(ladder, TOP + PLOT_HEIGHT + 66)
     total = bottom + 26
     parts += lines
-    return draw_document(WIDTH, total, parts)
+    return draw_document(WIDTH, total, parts, title)
 
 
 def _unit(seconds: float) -> tuple[float, str]:

@@ -9,8 +9,8 @@ from textwrap import wrap
 
 from nhc.report.ticks import Scale
 
-HEADING = ' font-size="17" font-weight="bold"'
 _FOOT, _APART, _WIDE = 10.5, 17, 0.56  # size of small lines, from one to the next, width of a letter in sizes
+_BROAD, _LEAST = 0.64, 8.0  # width of a bold letter in sizes; the smallest size of a title
 SHAPES = ("circle", "square", "up", "diamond", "down", "hexagon")
 _POINTS = {
     "square": ((-1, -1), (1, -1), (1, 1), (-1, 1)),
@@ -53,18 +53,33 @@ def draw_text(x: float, y: float, text: str, anchor: str = "start", more: str = 
     return f'<text x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}" fill="{colour}"{more}>{escape(text)}</text>'
 
 
+def fit_size(letters: int, width: float, size: float) -> float:
+    """The size, or the smaller one at which a line of so many letters is no wider than ``width``."""
+    return min(size, width / (_WIDE * max(letters, 1)))
+
+
+def draw_title(x: float, y: float, text: str, width: float, size: float = 17.0) -> str:
+    """A bold title about x; one that is wider is set smaller, and of one that is wider still the middle is left out."""
+    size = max(_LEAST, min(size, width / (_BROAD * max(len(text), 1))))
+    most = int(width / (_BROAD * size))
+    if len(text) > most:
+        half = (most - 1) // 2
+        text = f"{text[:half]}\u2026{text[-half:]}"
+    return draw_text(x, y, text, "middle", f' font-size="{size:.3g}" font-weight="bold"')
+
+
 def draw_box(x: float, y: float, width: float, height: float, fill: str, stroke: str = "none", more: str = "") -> str:
     """A rectangle."""
     place = f'x="{x:.2f}" y="{y:.2f}" width="{width:.2f}" height="{height:.2f}"'
     return f'<rect {place} fill="{fill}" stroke="{stroke}"{more}/>'
 
 
-def draw_document(width: float, height: float, parts: Iterable[str]) -> str:
-    """A whole SVG document on white."""
+def draw_document(width: float, height: float, parts: Iterable[str], about: str) -> str:
+    """A whole SVG document on white; ``about`` is read out to those who do not see it."""
     size = f"{width:.0f}", f"{height:.0f}"
     head = (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{size[0]}" height="{size[1]}" viewBox="0 0 {size[0]} {size[1]}" '
-        'font-family="sans-serif" font-size="12">'
+        f'font-family="sans-serif" font-size="12" role="img" aria-label="{escape(about)}">'
     )
     return "\n".join([head, '<rect width="100%" height="100%" fill="#ffffff"/>', *parts, "</svg>\n"])
 

@@ -14,7 +14,18 @@ from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.conserved import power_terms
 from nhc.report.drawing import describe_drawing, shorten, thin_rows
 from nhc.report.marks import draw_document, mark_code
-from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, make_room, time_axis
+from nhc.report.svg import (
+    Axis,
+    Chart,
+    Series,
+    describe,
+    draw,
+    draw_inside,
+    find_frame,
+    legend_rows,
+    make_room,
+    time_axis,
+)
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Trajectory, energy_change
 from nhc.version import __version__
@@ -25,6 +36,7 @@ LONGEST = 32  # letters of names beside an axis
 FLAT = 30.0  # times as large as another quantity, which would seem to be zero in the same panel
 MOST_STARTED = 24  # coordinates and velocities of the start that are named
 ROUNDING = 1e-15  # of a velocity that follows from the constraints, relative to the largest
+FEW = 24  # rows, each of which is marked: a line alone would claim what is between them
 MOST_READ = 2000  # rows that the page carries as numbers
 
 
@@ -37,7 +49,10 @@ def list_charts(found: Trajectory) -> list[Chart]:
     for unit, indices in [(unit, part) for unit, all_ in units.items() for part in _by_size(found, all_)]:
         names = ", ".join(found.headings[k] for k in indices)
         label = names if len(names) <= LONGEST else "value"
-        series = tuple(Series(found.headings[k], found.times, [row[k] for row in found.rows]) for k in indices)
+        few = len(found.times) <= FEW
+        series = tuple(
+            Series(found.headings[k], found.times, [row[k] for row in found.rows], marked=few) for k in indices
+        )
         title = f"{found.job.program.system}: {found.job.scene.name}" if not charts else ""
         shown = "" if unit == "1" else unit
         y = Axis(f"{label} [{shown}]" if shown else label, unit=shown)
@@ -95,7 +110,7 @@ def make_picture(found: Trajectory) -> str:
         f'<g transform="translate(0 {top})">\n{draw_inside(chart)}\n</g>'
         for top, chart in zip(tops, charts, strict=False)
     ]
-    return draw_document(WIDTH, tops[-1], panels)
+    return draw_document(WIDTH, tops[-1], panels, "; ".join(map(describe, charts)))
 
 
 def make_page(found: Trajectory) -> str:

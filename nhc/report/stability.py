@@ -9,6 +9,7 @@ from html import escape
 from nhc.emit.environment import create_environment
 from nhc.report.marks import mark_code
 from nhc.report.svg import Axis, Chart, Series, draw, make_room, time_axis
+from nhc.simulate.prepare import Job
 from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.stability.laboratory import Laboratory
 from nhc.study.stability.table import sections, time_of, with_unit
@@ -127,14 +128,26 @@ def make_page(lab: Laboratory) -> str:
     """The page."""
     bench = lab.bench
     parts = [
-        (escape(part.title), [tuple(map(mark_code, (row.what, row.value, row.remark))) for row in part.rows])
+        (escape(part.title), [tuple(map(_set_cell, (row.what, row.value, row.remark))) for row in part.rows])
         for part in sections(lab)
     ]
     context = {
         "title": escape(f"{bench.equations.system.name}: stability of {bench.job.scene.name}"),
-        "about": escape(bench.job.scene.about or bench.job.program.about),
+        "about": mark_code(_describe(bench.job)),
         "sections": parts,
         "charts": [draw(chart) for chart in list_charts(lab)],
         "version": __version__,
     }
     return create_environment().get_template("html/stability.html.jinja").render(context)
+
+
+def _describe(job: Job) -> str:
+    """What the system is and what happens in the scene, as far as the spec says so."""
+    system, scene = job.program.about, job.scene.about
+    told = f"The scene `{job.scene.name}`: {scene}" if scene else ""
+    return f"{system.rstrip('.')}. {told}" if system and told else system or told
+
+
+def _set_cell(text: str) -> str:
+    """As HTML; a number is not parted from its percent sign."""
+    return mark_code(text).replace(" %", "&nbsp;%")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.records import record
-from nhc.report.marks import draw_axes, draw_document, draw_line, draw_text
+from nhc.report.marks import draw_axes, draw_document, draw_line, draw_text, draw_title, fit_size
 from nhc.report.ticks import Scale, linear_scale, log_scale
 
 # Okabe and Ito: told apart by most eyes
@@ -20,12 +20,13 @@ LEAST = 200  # height of a plot, whatever its legend takes
 
 @record
 class Series:
-    """A line, or ``dots`` alone."""
+    """A line, or ``dots`` alone; ``marked``: a line with a dot at each value, between which nothing is known."""
 
     label: str
     x: Sequence[float]
     y: Sequence[float]
     dots: bool = False
+    marked: bool = False
 
 
 @record
@@ -77,14 +78,21 @@ def make_room(chart: Chart) -> Chart:
 
 def draw(chart: Chart) -> str:
     """A whole SVG document."""
-    return draw_document(chart.width, chart.height, [draw_inside(chart)])
+    return draw_document(chart.width, chart.height, [draw_inside(chart)], describe(chart))
+
+
+def describe(chart: Chart) -> str:
+    """The chart in words: its title, what it shows over what, and the names of its lines where no label has them."""
+    names = [series.label for series in chart.series if series.label and series.label not in chart.y.label]
+    shown = f"{chart.y.label} over {chart.x.label}" + (f" ({', '.join(names)})" if names else "")
+    return f"{chart.title}: {shown}" if chart.title else shown
 
 
 def draw_inside(chart: Chart) -> str:
     """The SVG elements of a chart, without the enclosing ``svg`` element, to be placed in a larger picture."""
     legend = legend_rows(chart)
     frame = find_frame(chart, len(legend))
-    parts = [draw_text(chart.width / 2, 18, chart.title, "middle", ' font-size="14" font-weight="bold"')]
+    parts = [draw_title(chart.width / 2, 18, chart.title, chart.width - 16, 14)]
     parts += _draw_axes(chart, frame)
     for k, series in enumerate(chart.series):
         parts += _draw_series(series, frame, k)
@@ -150,7 +158,7 @@ def _draw_series(series: Series, frame: Frame, index: int) -> list[str]:
             parts.append(
                 f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6" stroke-linejoin="round"{style}/>'
             )
-        else:
+        if len(run) == 1 or series.dots or series.marked:
             parts += [f'<circle cx="{x:.2f}" cy="{y:.2f}" r="2.8" fill="{colour}"/>' for x, y in run]
     return parts
 
@@ -194,5 +202,6 @@ def _draw_legend(chart: Chart, rows: list[list[tuple[int, str, float]]]) -> list
                 parts.append(f'<circle cx="{x + 13:.2f}" cy="{y - 4:.2f}" r="2.8" fill="{colour_of(k)}"/>')
             else:
                 parts.append(draw_line(x, y - 4, x + 26, y - 4, colour_of(k), f' stroke-width="2"{dash_of(k)}'))
-            parts.append(draw_text(x + 31, y, text))
+            size = fit_size(len(text), chart.width - x - 40, 12.0)
+            parts.append(draw_text(x + 31, y, text, more="" if size == 12.0 else f' font-size="{size:.1f}"'))
     return parts

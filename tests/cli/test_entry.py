@@ -319,6 +319,13 @@ def test_examples_of_a_help_text_are_taken_by_its_verb(verb: str) -> None:
         command.make_context(verb, arguments)  # refuses what the verb does not take
 
 
+@pytest.mark.parametrize("verb", VERBS)
+def test_help_fits_a_terminal(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
+    main([verb, "-h"])
+    text = capsys.readouterr().out.partition("Examples:")[0]  # commands are not broken
+    assert [line for line in text.splitlines() if len(line) > 80] == []
+
+
 def test_help_of_dump_lists_the_stages() -> None:
     (dump,) = [parameter for parameter in command_of("derive").params if parameter.name == "dump"]
     assert isinstance(dump, click.Option)

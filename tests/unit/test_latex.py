@@ -86,6 +86,9 @@ def test_text_of_the_user_is_escaped() -> None:
         r"50\% of \{a\_b\} \& \$x\textasciicircum{}2\$ \#1 \textasciitilde{} \textbackslash{}input"
     )
     assert escape("Čaplygin, é, θ") == r"\v{C}aplygin, \'{e}, $\theta$"
+    assert escape("“a” – ‘b’ — ∂") == (
+        r"\textquotedblleft{}a\textquotedblright{} \textendash{} \textquoteleft{}b\textquoteright{} \textemdash{} $\partial$"
+    )
     assert escape("3 m² ± 1 µm, ½, 90°, a → b, x₁") == (
         r"3 m$^{2}$ $\pm$ 1 $\mu$m, 1/2, 90$^{\circ}$, a $\to$ b, x$_{1}$"
     )

@@ -3,7 +3,7 @@
 The graph makes two nodes one where they are written alike.  Sums over bodies, eliminations and derivatives also arrive at one value
 by different ways: ``a*(b*c)`` and ``(a*b)*c``, ``x - (y + z)`` and ``(x - y) - z``, the mixed slopes of a potential.  Every node is
 given its value at two random points of prime fields (as in global value numbering, Alpern, Wegman and Zadeck 1988, with values in
-place of names: Gulwani and Necula 2003); what is equal at both, or opposite, is computed once.
+place of names: Gulwani and Necula 2004); what is equal at both, or opposite, is computed once.
 
 Roots, absolute values and signs are arbitrary functions of their arguments' values here, so that no branch of theirs is taken for
 granted.  What takes the place of another node divides by nothing, and takes no root or logarithm, that the other one does not; a

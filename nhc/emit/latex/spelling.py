@@ -28,10 +28,12 @@ _SYMBOLS = {
     '"': r"\textquotedbl{}", "`": r"\textasciigrave{}",
 }  # fmt: skip
 _LETTERS = {"\u00df": r"\ss{}", "\u00f8": r"\o{}", "\u00d8": r"\O{}", "\u0142": r"\l{}", "\u0141": r"\L{}",
-            "\u00e6": r"\ae{}", "\u00c6": r"\AE{}"}  # fmt: skip
+            "\u00e6": r"\ae{}", "\u00c6": r"\AE{}", "\u0131": r"\i{}",
+            "\u2013": r"\textendash{}", "\u2014": r"\textemdash{}", "\u2018": r"\textquoteleft{}",
+            "\u2019": r"\textquoteright{}", "\u201c": r"\textquotedblleft{}", "\u201d": r"\textquotedblright{}"}  # fmt: skip
 _MATH = {"\u00b5": r"\mu", "\u00b1": r"\pm", "\u00d7": r"\times", "\u00b7": r"\cdot", "\u22c5": r"\cdot", "\u2264": r"\leq",
          "\u2265": r"\geq", "\u2260": r"\neq", "\u2248": r"\approx", "\u2192": r"\to", "\u221e": r"\infty", "\u00b0": r"^{\circ}",
-         "\u2032": r"{}'", "\u2033": r"{}''", "\u2212": "-", "\u2126": r"\Omega"}  # fmt: skip
+         "\u2032": r"{}'", "\u2033": r"{}''", "\u2212": "-", "\u2126": r"\Omega", "\u2202": r"\partial"}  # fmt: skip
 _ACCENTS = {"\u0300": r"\`", "\u0301": r"\'", "\u0302": r"\^", "\u0303": r"\~", "\u0304": r"\=", "\u0306": r"\u",
             "\u0307": r"\.", "\u0308": r'\"', "\u030a": r"\r", "\u030b": r"\H", "\u030c": r"\v", "\u0327": r"\c",
             "\u0328": r"\k"}  # fmt: skip

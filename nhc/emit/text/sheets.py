@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Sequence
+from itertools import zip_longest
 
 from nhc.emit.layout import Piece, fill
 from nhc.emit.prose import clean
@@ -14,6 +15,7 @@ from nhc.program.sheets.model import Derivation, Formula, Item, Prose, Sheet, St
 
 WIDTH = 100
 _INDENT, _HANGING = "  ", "      "
+_NARROWEST = 16  # columns of a table's widest cells, at least
 
 
 class TextSheets:
@@ -90,10 +92,16 @@ class TextSheets:
     def _table(self, table: Table) -> list[str]:
         rows = [[clean(cell) if isinstance(cell, str) else print_mark(cell) for cell in row] for row in table.rows]
         widths = [max(len(row[k]) for row in rows) for k in range(len(table.head))]
+        widest = max(range(len(widths)), key=widths.__getitem__)
+        room = self.width - sum(width + 2 for k, width in enumerate(widths) if k != widest) - len(_INDENT)
+        widths[widest] = min(widths[widest], max(room, _NARROWEST))
         lines = []
         for row in rows:
-            cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
-            lines.append((_INDENT + "  ".join(cells)).rstrip())
+            words = textwrap.wrap(row[widest], widths[widest], break_long_words=False, break_on_hyphens=False)
+            columns = [words if k == widest else [cell] for k, cell in enumerate(row)]
+            for parts in zip_longest(*columns, fillvalue=""):
+                cells = [part.ljust(width) for part, width in zip(parts, widths, strict=True)]
+                lines.append((_INDENT + "  ".join(cells)).rstrip())
         return lines
 
     def _statements(self, statements: Iterable[Statement]) -> list[str]:

@@ -88,7 +88,10 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
         return sheet
     reduced = _reduced(desk)
     sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.value(reduced.T_star)))
-    sheet.say("The momenta of the dependent velocities are those of the full $T$, on the constraints:")
+    if len(reduced.alpha) == 1:
+        sheet.say("The momentum of the dependent velocity is that of the full $T$, on the constraint:")
+    else:
+        sheet.say("The momenta of the dependent velocities are those of the full $T$, on the constraints:")
     for alpha, p in zip(reduced.alpha, reduced.p_alpha, strict=True):
         sheet.add(Draft(desk.name(desk.own("p", system.q_names[alpha])), desk.value(p)))
     return sheet

@@ -29,23 +29,34 @@ def _solved_constraints(desk: Desk, frame: Frame) -> DraftSheet:
     assert choice is not None
     free = [i for i in range(system.n) if i not in choice.dependent]
     names = ", ".join(f"`{system.q_names[i]}'`" for i in choice.dependent)
-    sheet.say(f"The constraints are solved for the dependent velocities {names}:")
+    one = len(choice.dependent) == 1
+    solved = (
+        "The constraint is solved for the dependent velocity"
+        if one
+        else "The constraints are solved for the dependent velocities"
+    )
+    sheet.say(f"{solved} {names}:")
     rates = [desk.coordinate(i, 1) for i in free]
     for alpha in choice.dependent:
         coefficients = [e[alpha] for e in frame.free_vectors]
         right = desk.linear(coefficients, rates, frame.drift[alpha])
         sheet.add(Draft(desk.name(desk.coordinate(alpha, 1)), right, equation="I.1.2"))
     if choice.determinant is None:
-        sheet.say(
-            "The choice is regular where the block of their coefficients is; its determinant is too long to show."
+        block = (
+            "its coefficient does not vanish, which" if one else "the block of their coefficients is; its determinant"
         )
+        sheet.say(f"The choice is regular where {block} is too long to show.")
     elif desk.graph.value(choice.determinant) is not None:
-        sheet.say("The determinant of their coefficients is a constant: the choice is regular everywhere.")
+        sheet.say(f"{_name_determinant(one)} is a constant: the choice is regular everywhere.")
     else:
         note = "never zero for these parameters and ranges" if choice.regular else "where it vanishes, choose others"
-        sheet.say("The choice is regular where the determinant of their coefficients does not vanish:")
+        sheet.say(f"The choice is regular where {_name_determinant(one).lower()} does not vanish:")
         sheet.add(Draft(desk.name(desk.own("Delta")), desk.value(choice.determinant), note=note))
     return sheet
+
+
+def _name_determinant(one: bool) -> str:
+    return "Its coefficient" if one else "The determinant of their coefficients"
 
 
 def _coframe_sheet(desk: Desk, frame: Frame) -> DraftSheet:

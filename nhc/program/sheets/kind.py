@@ -22,7 +22,7 @@ def kind_sheet(desk: Desk) -> DraftSheet | None:
     system = desk.system
     sheet = DraftSheet("kind", "What kind of system this is")
     if system.n > _FEW and system.n * _operations(system) > _BUDGET:
-        sheet.say("`nhc check --explain` classifies this system; that takes longer than to derive its equations.")
+        sheet.say("`nhc check --explain` classifies this system; that takes longer than deriving its equations.")
         return sheet
     # the search makes nodes (and names for them) of its own: it gets a graph of its own
     fresh = resolve(system.spec)

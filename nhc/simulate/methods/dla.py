@@ -1,6 +1,6 @@
 """DLA: the discrete Lagrange-d'Alembert principle with the midpoint Lagrangian and the midpoint constraint, order 2.
 
-J. Cortes and S. Martinez, Non-holonomic integrators, Nonlinearity 14 (2001) 1365-1392.  With q1 the next position,
+J. Cortés and S. Martínez, Non-holonomic integrators, Nonlinearity 14 (2001) 1365-1392.  With q1 the next position,
 m the midpoint and v = (q1 - q0)/h: the momenta h/2 dL/dq(m, v) -+ dL/dv(m, v) of neighbouring steps differ by
 A(q)^T lambda, and A(m) v = 0.
 """
@@ -28,7 +28,7 @@ class LagrangeDAlembert:
 
     name = "dla"
     order = 2
-    citation = "Cortes and Martinez, Nonlinearity 14 (2001) 1365"
+    citation = "Cortés and Martínez, Nonlinearity 14 (2001) 1365"
     constant_mass = False
 
     def start(self, system: Natural, q: Vector, v: Vector, h: float) -> Point:

@@ -1,7 +1,7 @@
 """DOP853: order 8 with error estimates of orders 5 and 3 and an interpolant of order 7.
 
 P. J. Prince and J. R. Dormand, High order embedded Runge-Kutta formulae, J. Comput. Appl. Math. 7 (1981) 67-75;
-coefficients, estimates and interpolant of E. Hairer, S. P. Norsett and G. Wanner, Solving Ordinary Differential
+coefficients, estimates and interpolant of E. Hairer, S. P. Nørsett and G. Wanner, Solving Ordinary Differential
 Equations I, 2nd ed. (1993), sec. II.5, II.6, II.10.
 """
 
@@ -13,7 +13,7 @@ from nhc.simulate.methods.tableau import Explicit
 METHOD = Explicit(
     name="dop853",
     order=8,
-    citation="Prince and Dormand, J. Comput. Appl. Math. 7 (1981) 67; Hairer, Norsett and Wanner (1993), sec. II.10",
+    citation="Prince and Dormand, J. Comput. Appl. Math. 7 (1981) 67; Hairer, Nørsett and Wanner (1993), sec. II.10",
     nodes=(
         0.0,
         0.05260015195876773,

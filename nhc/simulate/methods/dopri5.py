@@ -1,7 +1,7 @@
 """DOPRI5: order 5 with an embedded estimate of order 4 and an interpolant of order 4.
 
 J. R. Dormand and P. J. Prince, A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6 (1980) 19-26;
-the interpolant is that of E. Hairer, S. P. Norsett and G. Wanner, Solving Ordinary Differential Equations I, 2nd
+the interpolant is that of E. Hairer, S. P. Nørsett and G. Wanner, Solving Ordinary Differential Equations I, 2nd
 ed. (1993), sec. II.6.
 """
 

@@ -1,6 +1,6 @@
 """ENERGY: keeps the energy to rounding, by Gonzalez's discrete gradient with the constraints at the midpoint, order 2.
 
-E. Celledoni, M. Farre Puiggali, E. H. Hoiseth and D. Martin de Diego, Energy-preserving integrators applied to
+E. Celledoni, M. Farré Puiggalí, E. H. Høiseth and D. Martín de Diego, Energy-preserving integrators applied to
 nonholonomic systems, J. Nonlinear Sci. 29 (2019) 1523-1562; O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467.  With
 g the discrete gradient of H(q, p): q1 - q0 = h g_p, p1 - p0 = h (A(m)^T lambda - g_q), A(m) g_p = 0.  The
 constraints hold in the mean of a step only.
@@ -16,7 +16,7 @@ class EnergyPreserving:
 
     name = "energy"
     order = 2
-    citation = "Celledoni, Farre Puiggali, Hoiseth and Martin de Diego, J. Nonlinear Sci. 29 (2019) 1523"
+    citation = "Celledoni, Farré Puiggalí, Høiseth and Martín de Diego, J. Nonlinear Sci. 29 (2019) 1523"
     constant_mass = False
 
     def start(self, system: Natural, q: Vector, v: Vector, h: float) -> Point:

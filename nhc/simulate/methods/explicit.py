@@ -35,7 +35,7 @@ def again(s: Step, method: Explicit) -> float:
     ]
     if len(norms) == 1:
         return s.h * s.h * norms[0]
-    mixed = norms[0] + 0.01 * norms[1]  # Hairer, Norsett and Wanner (1993), eq. (II.10.17)
+    mixed = norms[0] + 0.01 * norms[1]  # Hairer, Nørsett and Wanner (1993), eq. (II.10.17)
     return (s.h * norms[0]) ** 2 / mixed if mixed > 0.0 else mixed  # a NaN stays one
 
 

@@ -1,6 +1,6 @@
 """LEAPFROG: the nonholonomic leapfrog, the geometric nonholonomic integrator of the trapezoidal Lagrangian, order 2.
 
-S. Ferraro, D. Iglesias and D. Martin de Diego, Momentum and energy preserving integrators for nonholonomic
+S. Ferraro, D. Iglesias and D. Martín de Diego, Momentum and energy preserving integrators for nonholonomic
 dynamics, Nonlinearity 21 (2008) 1911-1928.  At each position the momentum that arrives is reflected: its part along
 the constraints goes on, its part along the reactions turns round.  So the mean of both is on the constraints.
 """
@@ -27,7 +27,7 @@ class Leapfrog:
 
     name = "leapfrog"
     order = 2
-    citation = "Ferraro, Iglesias and Martin de Diego, Nonlinearity 21 (2008) 1911"
+    citation = "Ferraro, Iglesias and Martín de Diego, Nonlinearity 21 (2008) 1911"
     constant_mass = False
 
     def start(self, system: Natural, q: Vector, v: Vector, h: float) -> Point:

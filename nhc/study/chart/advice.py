@@ -107,7 +107,7 @@ def _reasons(study: Study, best: Result, target: float) -> list[str]:
         return fastest(chosen, target, floor)
 
     twins = [cost.formulation for cost in study.costs if cost.twin == case.formulation]
-    reasons = [f"{' and '.join(twins)} {'have' if len(twins) > 1 else 'has'} the same code"] if twins else []
+    reasons = [f"{_list_words(twins)} {'have' if len(twins) > 1 else 'has'} the same code"] if twins else []
     method = rival((True, False, True))
     if method is not None:
         work = f"{method.calls} right-hand sides" if method.calls != best.calls else "as many right-hand sides"
@@ -153,3 +153,8 @@ def _times(a: Result, b: Result) -> str:
     if ratio < EQUAL:
         return "as long"
     return f"{ratio:.0f} times as long" if ratio >= 9.95 else f"{ratio:.1f} times as long"
+
+
+def _list_words(words: list[str]) -> str:
+    """As ``a, b and c``."""
+    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)

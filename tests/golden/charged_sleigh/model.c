@@ -1,6 +1,6 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:c5d86c83147bdd3b)
- * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:98412644bcc54437)
+ * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec

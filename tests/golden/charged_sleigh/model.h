@@ -1,6 +1,6 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:d359568f2f3ed377)
- * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:fc9859ad28a79216)
+ * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec

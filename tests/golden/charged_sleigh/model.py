@@ -1,7 +1,7 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:754fea8b1902c03a).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:8c1db47f10d337c1).
 
-Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
-    depends on x and y.
+Čaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends
+    on x and y.
 Source: charged_sleigh.yaml
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
