@@ -47,7 +47,23 @@ constraints:
   - sun: Rs*s' + Rp*p' - (Rs + Rp)*c' = 0
   - ring: Rr*r' - Rp*p' - (Rs + Rp)*c' = 0
 """
-MOST = {CAR: 92, CABLES: 78, GEAR: 54}
+NESTED = """nhc: 1
+system: nested
+coordinates: [x, y, z, u]
+parameters: {m: 1, k: 3, c: 0.2, e: 0.4}
+define:
+  d: x*y + z^2 - e*sin(t)
+  h: d - u
+  same: x*y + z^2 - e*sin(t)
+  back: u - d
+  place: x
+T: m/2*(x'^2 + y'^2 + z'^2 + u'^2)
+V: k/2*d^2 + k*h^4/4 + sin(x)
+forces: {d: -c*d' + cos(t), h: -c*h'*h^2, same: -c*same', back: t, x: -c*x' - x, place: 3, z: z'*u}
+constraints: ["z' - y*x' - e*t = 0", "(1 + t)*u' - x*y' + z = 0"]
+"""
+"""Positions that are made of others, that have two names, and that are coordinates."""
+MOST = {CAR: 92, CABLES: 78, GEAR: 54, NESTED: 112}
 """Operations of the right-hand side."""
 
 
