@@ -223,9 +223,9 @@ class Expander:
 
 
 def is_length(graph: Graph, node: Node) -> bool:
-    """Whether the node is a sum of parameters alone."""
+    """Whether the node is a sum in which nothing stands but parameters and the time."""
     deps = graph.deps[node]
-    return graph.op[node] == ADD and deps != 0 and not deps & ~graph.parameters
+    return graph.op[node] == ADD and deps != 0 and not deps & ~graph.still
 
 
 def _sum(p: Packed, q: Packed) -> Packed:

@@ -59,6 +59,7 @@ class NodeStore:
         self.symbols: list[Symbol] = []
         self.moving = 0  # the mask of the symbols that are no parameters, coordinates or the time
         self.parameters = 0  # the mask of the parameters
+        self.still = 0  # the mask of the parameters and the time
         self.labels: dict[Node, str] = {}  # names that the user gave, printed as such
         self.rate_of: dict[Node, Node] = {}  # what a node is the rate of, where the user differentiated it
         self.memory: dict[str, Any] = {}  # what passes know of these nodes, under the passes' names
@@ -101,6 +102,8 @@ class NodeStore:
                 self.moving |= bit
             elif kind == "parameter":
                 self.parameters |= bit
+            if kind in ("parameter", "time"):
+                self.still |= bit
             node = self._append(SYM, len(self.symbols) - 1, 0, bit, ())
             self._symbol_nodes.append(node)
             self._symbol_index[name, kind] = node

@@ -229,7 +229,7 @@ def _shorter(graph: Graph, node: Node, limit: int) -> Node:
         if node not in open_.opened:
             return forms[0]
     except TooLarge:
-        if not any(is_length(graph, inner) for inner in reachable(graph, [node], graph.parameters)):
+        if not any(is_length(graph, inner) for inner in reachable(graph, [node], graph.still)):
             raise
     with suppress(TooLarge):
         forms.append(to_node(graph, _expander(graph, limit, True).expand([node])[0]))

@@ -19,9 +19,11 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import Replacement, substitute
 from nhc.algebra.rewriting.along import add_along
 from nhc.algebra.rewriting.gather import gather
+from nhc.algebra.walks import count
 from nhc.mechanics.energies.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.moved import Moved, Spread, Weights
+from nhc.mechanics.pulls import Joined
 from nhc.mechanics.rotations.turning import Direction, moving, virtual_work
 from nhc.mechanics.rotations.turns import Vector, cross
 from nhc.mechanics.system import System
@@ -160,13 +162,31 @@ class Projector:
                 force_terms.append((self.pi[k], turn))
         force_terms += self._turning_terms(known.spins if known else ())
         inertial = self._gather(force_terms)
-        applied = virtual_work(system, *self._applied(), e)
         slopes = self._to_motion.of(tangent(g, [self.kinetic.tau], direction.seeds))[0]
+        forces = g.add(slopes, self._joined.work(direction)) if self._joined else self._work(direction, slopes)
+        return Row(tuple(mass), g.sub(forces, inertial))
+
+    def _work(self, direction: Direction, slopes: Node) -> Node:
+        """Along a vector, that of the potential, of the other forces, and of T's own slopes."""
+        g, e = self.system.graph, direction.x
+        applied = virtual_work(self.system, *self._applied(), e)
         potential = self._on_places.of(tangent(g, [self._potential], direction.seeds))[0]
         # along a vector of several entries, what both forces have in common are these
         outer = add_along(g, potential, applied, self._constants) if _is_unit(g, e) else None
-        forces = g.add(g.add(slopes, potential), applied) if outer is None else g.add(slopes, outer)
-        return Row(tuple(mass), g.sub(forces, inertial))
+        return g.add(g.add(slopes, potential), applied) if outer is None else g.add(slopes, outer)
+
+    @cached_property
+    def _joined(self) -> Joined | None:
+        """The forces by what they act on, where all rows together are shorter with them."""
+        g, system = self.system.graph, self.system
+        if self._moved or system.pulls is None or g.zero == system.U or "gathered sums" in g.off:
+            return None
+        joined = Joined(system, system.pulls, self._to_motion.of)
+        directions = [Direction(system, e) for e in self.motion.vectors]
+        if not joined.meets:
+            return None
+        together, apart = [joined.work(d) for d in directions], [self._work(d, g.zero) for d in directions]
+        return joined if count(g, together) < count(g, apart) else None
 
     def kinetic_energy(self) -> Node:
         """T on the motion, in the values of its forms."""

@@ -84,6 +84,20 @@ class Form:
 
 
 @record
+class Pulls:
+    """Forces without potential by what they are given on, where these are positions: coordinates and defined positions.
+
+    A spring and a damper between two points pull along one direction: with the potential's slope by the same position they are
+    added before they are multiplied by what moves it.
+    """
+
+    forces: tuple[tuple[Node, Node], ...]
+    """(position, force); coordinates come last."""
+    rest: tuple[Node, ...]
+    """What of Q_i is not in these."""
+
+
+@record
 class System:
     """T, U and Q over q, q', p and t, with l constraint forms (I.1.1) and the spec's quasi-velocities (I.2.1)."""
 
@@ -104,6 +118,8 @@ class System:
     rotations: tuple[Rotation, ...] = ()
     torques: tuple[tuple[Node, Node, Node], ...] = ()
     """Of ``forces``, by the angular velocity of each rotation; ``Q`` holds them by coordinate."""
+    pulls: Pulls | None = None
+    """``Q`` in another way; None where there are rotations, or Q is not the spec's own."""
 
     @property
     def n(self) -> int:

@@ -204,7 +204,7 @@ def _with_values(system: System, values: Mapping[Node, Node]) -> System:
         _refuse_values(system.spec, [system.symbol_name(symbol) for symbol in values])
         raise
     done = tuple((x, y, z) for x, y, z in torques)
-    return replace(system, T=T, U=U, Q=tuple(Q), torques=done, constraints=constraints)
+    return replace(system, T=T, U=U, Q=tuple(Q), torques=done, constraints=constraints, pulls=None)
 
 
 def _form_with(g: Graph, form: Form, values: Mapping[Node, Node]) -> Form:

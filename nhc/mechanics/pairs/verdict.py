@@ -123,7 +123,7 @@ def _is_driven(system: System) -> bool:
 def _undriven(system: System) -> System:
     zero = system.graph.zero
     still = ((zero, zero, zero),) * len(system.torques)
-    return replace(system, U=zero, Q=(zero,) * system.n, torques=still)
+    return replace(system, U=zero, Q=(zero,) * system.n, torques=still, pulls=None)
 
 
 def _suspects(points: PairPoints) -> tuple[tuple[str, ...], tuple[str, ...]]:

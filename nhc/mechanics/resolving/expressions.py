@@ -17,6 +17,7 @@ from nhc.language import Spec
 from nhc.language.expressions.numbers import DOUBLES
 from nhc.language.expressions.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.language.spec import Rotation
+from nhc.mechanics.resolving.phases import Phases, known_pair, list_phases, split_turn
 from nhc.mechanics.rotations import rotation as mechanics
 from nhc.mechanics.system import Form
 
@@ -27,7 +28,8 @@ _LARGEST_EXPONENT = 2**53
 class Resolver:
     """Builds nodes for one spec; ``names`` grows as definitions are read."""
 
-    def __init__(self, spec: Spec, graph: Graph | None = None) -> None:
+    def __init__(self, spec: Spec, graph: Graph | None = None, phases: Phases | None = None) -> None:
+        self._phases = phases
         self.spec, self.graph, self.bag = spec, graph if graph is not None else Graph(), Bag(spec.origin)
         g = self.graph
         self.t = g.symbol("t", "time")
@@ -101,13 +103,27 @@ class Resolver:
             return self._refuse_number(part)
 
     def _call(self, part: Call, operands: Sequence[Node]) -> Node:
+        g = self.graph
         try:
-            made = self.graph.function(part.function, *operands)
+            pair = self._turned(operands[0]) if part.function in ("sin", "cos", "tan") else None
+            if pair is None:
+                made = g.function(part.function, *operands)
+            else:
+                made = g.div(*pair) if part.function == "tan" else pair[part.function == "cos"]
         except ZeroDivisionError:  # tan is a quotient, and the only one
             help = "take an angle that is no odd quarter turn: the cosine is zero there"
             self.bag.error("E0417", f"`{part.function}` divides by zero here", part.span, help=(help,))
-            return self.graph.zero
-        return made if self.graph.deps[made] else self._check_constant(part, made)
+            return g.zero
+        return made if g.deps[made] else self._check_constant(part, made)
+
+    def _turned(self, angle: Node) -> tuple[Node, Node] | None:
+        """Sine and cosine of an angle with a known part of a turn in it, from those of fewer angles."""
+        base, turns = split_turn(self.graph, angle)
+        if not turns:
+            return None
+        if self._phases is None:
+            self._phases = _read_phases(self.spec)
+        return known_pair(self.graph, base, turns, self._phases)
 
     def _refuse_number(self, part: Syntax, what: str = "too long to be written exactly") -> Node:
         self.bag.error("E0210", f"this constant is {what}", part.span, help=(DOUBLES,))
@@ -203,6 +219,20 @@ class Resolver:
         g = self.graph
         value = g.add(g.dot(coefficients, self.v), constant)
         return Form(name, coefficients, constant, self.place(span), value=value)
+
+
+def _read_phases(spec: Spec) -> Phases:
+    """The phases of all angles of a spec, by a first reading of what moves it; mistakes are for the second one."""
+    build = Resolver(spec, phases={})
+    define_names(build)
+    trees = [spec.kinetic, *(force.value for force in spec.forces)]
+    trees += [spec.potential] if spec.potential is not None else []
+    trees += [side for row in spec.constraints for side in (row.left, row.right)]
+    trees += [side for held in spec.holonomic for side in (held.left, held.right)]
+    for tree in trees:
+        build.node(tree)
+    g = build.graph
+    return list_phases(g, [g.a[node] for node in range(len(g.op)) if g.op[node] in ("sin", "cos")])
 
 
 def define_names(build: Resolver) -> None:

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import Graph, Node
 from nhc.language.spec import Definition
 from nhc.mechanics.resolving.expressions import Resolver, tangent_slopes
 from nhc.mechanics.rotations.turning import spread
-from nhc.mechanics.system import Form
+from nhc.mechanics.system import Form, Pulls
 
 
 def resolve_forces(
     build: Resolver, quasi: Sequence[Form]
-) -> tuple[tuple[Node, ...], tuple[tuple[Node, Node, Node], ...]]:
-    """(Q_i, torques of the rotations): a force does the work of the rate of what it is given on.
+) -> tuple[tuple[Node, ...], tuple[tuple[Node, Node, Node], ...], Pulls | None]:
+    """(Q_i, torques of the rotations, Q_i by positions): a force does the work of the rate of what it is given on.
 
     On a coordinate it is Q_i itself, on a component of an angular velocity its torque.  On another velocity w, or on a
     position whose rate is w, it is Q_i = F dw/dq_i', with the torques F dw/domega_k.
@@ -26,25 +26,39 @@ def resolve_forces(
     known = {c.name for c in spec.coordinates} | {w for rotation in spec.rotations for w in rotation.velocities}
     forms = {form.name: form for form in quasi}
     pushes = [(given[name], form) for name, form in forms.items() if name in given]
+    pulls = list[tuple[Node, Node]]()
+    own, others = Q, list(pushes)
     for force in spec.forces:
         if force.name in known:
             continue
         form = forms.get(force.name)
         if form is None:
-            form = _moved(build, force)
+            form, place = _moved(build, force)
             pushes.append((given[force.name], form))
+            if place is None:
+                others.append(pushes[-1])
+            else:
+                pulls.append((place, given[force.name]))
         arms = spread(g, build.v, turned, form.value) if turned and form.value is not None else None
         if arms is not None:
             torques = [
                 g.add(m, g.mul(given[force.name], a)) for m, a in zip(torques, arms[0][len(build.v) :], strict=True)
             ]
+    pulls += [(q, force) for q, force in zip(build.q, own, strict=True) if force != g.zero]
+    joined = Pulls(tuple(pulls), _push(g, [g.zero] * len(Q), others)) if pulls and not turned else None
+    triples = tuple((torques[k], torques[k + 1], torques[k + 2]) for k in range(0, len(torques), 3))
+    return _push(g, own, pushes), triples, joined
+
+
+def _push(graph: Graph, Q: Sequence[Node], pushes: Sequence[tuple[Node, Form]]) -> tuple[Node, ...]:
+    """Q_i with the forces on the velocities."""
     for push, form in pushes:
-        Q = [g.add(q, g.mul(push, a)) for q, a in zip(Q, form.coefficients, strict=True)]
-    return tuple(Q), tuple((torques[k], torques[k + 1], torques[k + 2]) for k in range(0, len(torques), 3))
+        Q = [graph.add(q, graph.mul(push, a)) for q, a in zip(Q, form.coefficients, strict=True)]
+    return tuple(Q)
 
 
-def _moved(build: Resolver, force: Definition) -> Form:
-    """The velocity that a force on a defined position or velocity does its work with.
+def _moved(build: Resolver, force: Definition) -> tuple[Form, Node | None]:
+    """The velocity that a force on a defined position or velocity does its work with, and the position.
 
     What holds no velocities is a position, but for a velocity of a body that nothing but the time moves this way.
     """
@@ -55,4 +69,4 @@ def _moved(build: Resolver, force: Definition) -> Form:
     if not any(tangent_slopes(g, rate, build.v)):
         help = ("name a position that depends on the coordinates, or a velocity that depends on theirs",)
         build.bag.error("E0424", f"`{force.name}` does not move: a force on it does no work", force.span, help=help)
-    return form
+    return form, None if moves else node

@@ -34,7 +34,7 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
         build.form(entry.name, build.names[entry.name], entry.value.span, "E0412", "the quasi-velocity")
         for entry in spec.quasi_velocities
     )
-    Q, torques = resolve_forces(build, quasi)
+    Q, torques, pulls = resolve_forces(build, quasi)
     energies = {"T": T, "U": U, "V": build.graph.neg(U), "energy": build.graph.sub(T, U)}
     visible = {**energies, **build.names}
     outputs = tuple((entry.name, build.node(entry.value, visible)) for entry in spec.outputs)
@@ -56,6 +56,7 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
         places=_places(build),
         rotations=build.rotations,
         torques=torques,
+        pulls=pulls,
     )
     check_rank(build.bag, build.spec, system)
     if not build.bag.has_errors:

@@ -16,7 +16,7 @@ from nhc.algebra.calculus import gradient, pullback_gradient, tangent
 from nhc.algebra.graph import NEG, Graph, Node
 from nhc.algebra.parts import split_parameters, tidy
 from nhc.algebra.rebuilding import substitute
-from nhc.algebra.walks import reachable
+from nhc.algebra.walks import count, reachable
 from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.rotations.turning import moving
@@ -162,6 +162,11 @@ def _forces(
         return None
     applied = Covector(tuple(0 if k in sweeps.quaternions else x for k, x in enumerate(system.Q)), system.torques)
     total = sweeps.slopes_of(potential).put(g, places).plus(g, applied)
+    if system.pulls is not None:
+        joined = sweeps.slopes([(potential, g.one), *system.pulls.forces]).put(g, places)
+        joined = joined.plus(g, Covector(system.pulls.rest, system.torques))
+        if count(g, joined.forces) < count(g, total.forces):
+            total = joined
     total = sweeps.slopes_of(kinetic.tau).plus(g, total).put(g, to_motion)
     return sweeps.pairs(total.plus(g, turned, -1))
 

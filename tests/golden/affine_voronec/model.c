@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:85b2e2c71000e3cf)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:17dc1fd986aa4e85)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -246,30 +246,31 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     const double z25 = 0.3 * z24;
     const double z26 = z * x_dot;
     const double z27 = x * z22;
-    const double z28 = z2 * x_dot * x_dot;
-    const double z29 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + (0.4 - 0.8 * (s_t * s_t)
+    const double z28 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + (0.4 - 0.8 * (s_t * s_t)
         + (0.3 + 0.5 * y_dot) * (z26 + z27));
-    const double z30 = 0.3 * (z7 * z29) - (0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 * s_t))));
-    const double z31 = z22 * (0.1 * t - z23 + z2 * (z25 - (2.0 * z26 - z27))) - (x_dot * (0.1 + 0.2 * (z1 *
-        c_t)) + (z * z6 * (3.0 - z28) + z30));
-    const double z32 = c_z * y_dot * y_dot;
+    const double z29 = 0.3 * (z7 * z28) - (0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 * s_t))));
+    const double z30 = z22 * (0.1 * t - z23 + z2 * (z25 - (2.0 * z26 - z27))) - (x_dot * (0.1 + 0.2 * (z1 *
+        c_t)) + z29);
+    const double z31 = c_z * y_dot * y_dot;
+    const double z32 = z * x_dot * x_dot;
     const double z33 = x_dot * z24;
     const double z34 = x + t * x_dot;
-    const double z35 = z4 - 0.05 * z22;
-    const double z36 = x_dot * (z23 + z2 * (2.0 * z27 - z25)) + (z11 * z29 + 0.2 * (z10 * c_t * z22));
-    const double z37 = z2 * (0.5 * z32 - 0.3 * z33) - (0.1 * z34 - (z35 - (0.3 * y_dot - 0.2 * z9) - z36));
-    const double z38 = z31 + z6 * z37;
-    const double z39 = z2 * (0.25 * z32 - 0.15 * z33) - (0.05 * z34 - (0.1 * z9 + 0.5 * z35 - 0.5 * z36));
+    const double z35 = 3.0 * z - (z4 - 0.05 * z22);
+    const double z36 = x_dot * (z23 + z2 * (2.0 * z27 - z25)) + (z11 * z28 + 0.2 * (z10 * c_t * z22));
+    const double z37 = z2 * (0.5 * z31 + (z32 - 0.3 * z33)) - (0.1 * z34 - (0.2 * z9 - (0.3 * y_dot + z35) -
+        z36));
+    const double z38 = z30 + z6 * z37;
+    const double z39 = z2 * (0.25 * z31 + (0.5 * z32 - 0.15 * z33)) - (0.05 * z34 - (0.1 * z9 - 0.5 * z35 -
+        0.5 * z36));
     const double z40 = 0.15 * z21 - (0.6 * z22 - (2.0 * y_2 - 0.4 * (x_dot * c_t) + 0.5 * (z17 * z38)));
-    const double z41 = y_dot * (0.2 * (z18 * c_t) + (0.2 + z7 * z22)) + (z * z14 * (1.5 - 0.5 * z28) + z40);
-    const double z42 = (z14 * z39 - z41) / z20;
+    const double z41 = (z14 * z39 - (y_dot * (0.2 * (z18 * c_t) + (0.2 + z7 * z22)) + z40)) / z20;
     /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z22; /* z' */
     /* (I.4.9) 11:4 */
-    dydt[3] = z16 * z38 + 0.5 * (z17 * z42); /* x'' */
-    dydt[4] = -z42; /* y'' */
+    dydt[3] = z16 * z38 + 0.5 * (z17 * z41); /* x'' */
+    dydt[4] = -z41; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(-z20) > 1e-13 * z19)) {
         /* the mass matrix is singular */
@@ -369,27 +370,26 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
         z25)) + 0.3 * z28);
     const double z31 = 0.5 * z29 + z30;
     const double z32 = x_dot * z25;
-    const double z33 = 0.3 * (z2 * z32 - 0.2 * (x_dot * z26)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
-        z2)));
-    const double z34 = z33 - z10 * z31;
-    const double z35 = z4 - 0.05 * z22;
-    const double z36 = z * z6;
-    const double z37 = x_dot * x_dot;
-    const double z38 = c_z * y_dot * y_dot;
-    const double z39 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z37 * z36) + z6 * z38)) - 0.3 * (z6 * z32);
-    const double z40 = 0.5 * (2.0 * x + 6.0 * z36) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z39);
-    const double z41 = z23 - (z27 - 0.3 * (z7 * z31) + z6 * z34) + (0.1 * x_dot - z6 * z35 + z40);
-    const double z42 = 0.3 * z22;
-    const double z43 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z13 * z20) - z42) - 0.5 * (z13 * z34);
-    const double z44 = z * z13;
-    const double z45 = 0.1 * (z8 * z13) + z2 * (0.5 * (z37 * z44 + 0.5 * (z13 * z38)) - 0.15 * (z13 * z32));
-    const double z46 = 0.2 * y_dot - z42 - 0.5 * (z13 * z35) + (0.5 * (4.0 * y_2 + 3.0 * z44) - z45);
-    const double z47 = (y_dot * (0.2 * (z17 * c_t) + c_z * z24) + z43 + z46 - 0.5 * (z16 * z41)) / z19;
-    const double z48 = z15 * z41 + 0.5 * (z16 * z47);
+    const double z33 = (2.0 * (z2 * (x * x_dot)) + 0.2 * (z9 * c_t)) * z22 - 0.3 * (z2 * z32 - 0.2 * (x_dot *
+        z26));
+    const double z34 = z33 + z10 * z31;
+    const double z35 = 3.0 * z - (z4 - 0.05 * z22);
+    const double z36 = z * x_dot * x_dot;
+    const double z37 = c_z * y_dot * y_dot;
+    const double z38 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z6 * z36) + z6 * z37)) - 0.3 * (z6 * z32);
+    const double z39 = x + 0.1 * x_dot + z6 * z35 - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z38);
+    const double z40 = z23 - (z27 - 0.3 * (z7 * z31) - z6 * z34) + z39;
+    const double z41 = 0.3 * z22;
+    const double z42 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z13 * z20) - z41) + 0.5 * (z13 * z34);
+    const double z43 = 0.1 * (z8 * z13) + z2 * (0.5 * (z13 * z36 + 0.5 * (z13 * z37)) - 0.15 * (z13 * z32));
+    const double z44 = y_dot * (0.2 * (z17 * c_t) + c_z * z24) + z42 + (2.0 * y_2 + (0.2 * y_dot - z41) + 0.5
+        * (z13 * z35) - z43);
+    const double z45 = (z44 - 0.5 * (z16 * z40)) / z19;
+    const double z46 = z15 * z40 + 0.5 * (z16 * z45);
     /* (I.4.9) */
-    qddot[0] = -z48; /* x'' */
-    qddot[1] = z47; /* y'' */
-    qddot[2] = z30 - (z6 * z48 - 0.5 * (z29 + z13 * z47)); /* z'' */
+    qddot[0] = -z46; /* x'' */
+    qddot[1] = z45; /* y'' */
+    qddot[2] = z30 - (z6 * z46 - 0.5 * (z29 + z13 * z45)); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z19) > 1e-13 * z18)) {
         /* the mass matrix is singular */
@@ -499,38 +499,37 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z20 = z16 - 0.25 * (z17 * z19);
     const double z21 = y_dot * z14;
     const double z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
-    const double z23 = z4 - 0.05 * z22;
-    const double z24 = z * z6;
-    const double z25 = x_dot * x_dot;
-    const double z26 = c_z * y_dot * y_dot;
-    const double z27 = s_z * z22;
-    const double z28 = x_dot * z27;
-    const double z29 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z25 * z24) + z6 * z26)) - 0.3 * (z6 * z28);
-    const double z30 = 0.5 * (2.0 * x + 6.0 * z24) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z29);
-    const double z31 = x + t * x_dot;
-    const double z32 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z31) + (0.3 * (y_dot * z6) - 0.1 * (t *
+    const double z23 = 3.0 * z - (z4 - 0.05 * z22);
+    const double z24 = z * x_dot * x_dot;
+    const double z25 = c_z * y_dot * y_dot;
+    const double z26 = s_z * z22;
+    const double z27 = x_dot * z26;
+    const double z28 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z6 * z24) + z6 * z25)) - 0.3 * (z6 * z27);
+    const double z29 = x + 0.1 * x_dot + z6 * z23 - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z28);
+    const double z30 = x + t * x_dot;
+    const double z31 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z30) + (0.3 * (y_dot * z6) - 0.1 * (t *
         z22));
-    const double z33 = z * x_dot + x * z22;
-    const double z34 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z27)) + 0.5 * (y_dot * z33);
-    const double z35 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z33 + z34);
-    const double z36 = z2 * z22;
-    const double z37 = c_z * c_t;
-    const double z38 = 0.3 * (z36 * z27 - 0.2 * (z22 * z37)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z36));
-    const double z39 = 0.3 * (z2 * z28 - 0.2 * (x_dot * z37)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
-        z2)));
-    const double z40 = z10 * z35 - z39;
-    const double z41 = 0.1 * x_dot - z6 * z23 + z30 + (z32 + (0.3 * (z7 * z35) - z38 + z6 * z40));
-    const double z42 = 0.3 * z22;
-    const double z43 = z * z14;
-    const double z44 = 0.1 * (z8 * z14) + z2 * (0.5 * (z25 * z43 + 0.5 * (z14 * z26)) - 0.15 * (z14 * z28));
-    const double z45 = 0.2 * y_dot - z42 - 0.5 * (z14 * z23) + (0.5 * (4.0 * y_2 + 3.0 * z43) - z44);
-    const double z46 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z14 * z31) - z42) + 0.5 * (z14 * z40);
-    const double z47 = (z45 + (y_dot * (0.2 * (z13 * c_t) + c_z * z36) + z46) - 0.5 * (z19 * z41)) / z20;
-    const double z48 = 3.0 * z - (0.2 * z8 + z2 * (0.5 * (2.0 * (z * z25) + z26) - 0.3 * z28));
-    const double z49 = z11 * (z18 * z41 - 0.5 * (z19 * z47)) + 0.5 * (z15 * z47) + (z23 - z48 - (0.3 * y_dot
-        + 0.1 * z31 + z40));
+    const double z32 = z * x_dot + x * z22;
+    const double z33 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z26)) + 0.5 * (y_dot * z32);
+    const double z34 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z32 + z33);
+    const double z35 = z2 * z22;
+    const double z36 = c_z * c_t;
+    const double z37 = 0.3 * (z35 * z26 - 0.2 * (z22 * z36)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z35));
+    const double z38 = (2.0 * (z2 * (x * x_dot)) + 0.2 * (z9 * c_t)) * z22 - 0.3 * (z2 * z27 - 0.2 * (x_dot *
+        z36));
+    const double z39 = z10 * z34 + z38;
+    const double z40 = z29 + (z31 + (0.3 * (z7 * z34) - z37 + z6 * z39));
+    const double z41 = 0.3 * z22;
+    const double z42 = 0.1 * (z8 * z14) + z2 * (0.5 * (z14 * z24 + 0.5 * (z14 * z25)) - 0.15 * (z14 * z27));
+    const double z43 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z14 * z30) - z41) + 0.5 * (z14 * z39);
+    const double z44 = 2.0 * y_2 + (0.2 * y_dot - z41) + 0.5 * (z14 * z23) - z42 + (y_dot * (0.2 * (z13 *
+        c_t) + c_z * z35) + z43);
+    const double z45 = (z44 - 0.5 * (z19 * z40)) / z20;
+    const double z46 = z23 - (0.2 * z8 + z2 * (0.5 * (2.0 * z24 + z25) - 0.3 * z27)) + (0.3 * y_dot + 0.1 *
+        z30 + z39);
     /* (I.4.1) 18:5 */
-    lambda[0] = -z49; /* reaction of contact: Q_i gains lambda_1 a_1i */
+    /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = z46 - (z11 * (z18 * z40 - 0.5 * (z19 * z45)) + 0.5 * (z15 * z45));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z20) > 1e-13 * z16)) {
         /* the mass matrix is singular */
@@ -638,34 +637,34 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z34 = z2 * z25;
     const double z35 = c_t * z25;
     const double z36 = 0.2 * (z1 * c_t) + 2.0 * (z * z34);
-    const double z37 = x_dot * z2;
-    const double z38 = 0.2 * (z10 * c_t) + 2.0 * (x * z37);
-    const double z39 = x_dot * c_t;
-    const double z40 = z28 * z37;
-    const double z41 = z11 * z30 + (z25 * z38 + 0.3 * (0.2 * (c_z * z39) - z40));
+    const double z37 = x_dot * c_t;
+    const double z38 = x_dot * z2;
+    const double z39 = z28 * z38;
+    const double z40 = 0.2 * (z10 * c_t) + 2.0 * (x * z38);
+    const double z41 = z11 * z30 + (0.3 * (0.2 * (c_z * z37) - z39) + z25 * z40);
     const double z42 = 0.3 * (z7 * z30) - (0.3 * (z34 * z28 - 0.2 * (c_z * z35)) - x_dot * z36) + z6 * z41;
-    const double z43 = z4 - 0.05 * z25;
-    const double z44 = z * z6;
-    const double z45 = s_z * z6;
-    const double z46 = x_dot * z45;
-    const double z47 = z25 * z25;
-    const double z48 = x_dot * x_dot;
+    const double z43 = 3.0 * z - (z4 - 0.05 * z25);
+    const double z44 = s_z * z6;
+    const double z45 = x_dot * z44;
+    const double z46 = z25 * z25;
+    const double z47 = x_dot * x_dot;
+    const double z48 = z * z6;
     const double z49 = y_dot * y_dot;
-    const double z50 = 0.3 * (z46 * z25) - 0.5 * (2.0 * (x * z47) + (2.0 * (z48 * z44) + z6 * (z49 * c_z)));
-    const double z51 = 0.5 * (2.0 * x + 6.0 * z44) - (0.2 * (2.0 * z15 + z9 * z6) - z2 * z50);
-    const double z52 = z33 + z42 + (0.1 * x_dot - z6 * z43 + z51);
+    const double z50 = 0.3 * (z45 * z25) - 0.5 * (2.0 * (x * z46) + (2.0 * (z47 * z48) + z6 * (z49 * c_z)));
+    const double z51 = x + 0.1 * x_dot + z6 * z43 - (0.2 * (2.0 * z15 + z9 * z6) - z2 * z50);
+    const double z52 = z33 + z42 + z51;
     const double z53 = 1.0 / z21;
     const double z54 = 0.3 * z25;
     const double z55 = z * z15;
     const double z56 = c_z * z15;
     const double z57 = s_z * z15;
     const double z58 = x_dot * z57;
-    const double z59 = 0.1 * (z9 * z15) + z2 * (0.5 * (z48 * z55 + 0.5 * (z49 * z56)) - 0.15 * (z58 * z25));
-    const double z60 = 0.2 * y_dot - z54 - 0.5 * (z15 * z43) + (0.5 * (4.0 * y_2 + 3.0 * z55) - z59);
-    const double z61 = 0.2 * (z14 * c_t) + c_z * z34;
-    const double z62 = y_dot * z61 + (0.15 * z24 - 0.4 * z39 + (0.05 * (z15 * z32) - z54) + 0.5 * (z15 *
+    const double z59 = 0.1 * (z9 * z15) + z2 * (0.5 * (z47 * z55 + 0.5 * (z49 * z56)) - 0.15 * (z58 * z25));
+    const double z60 = 0.2 * (z14 * c_t) + c_z * z34;
+    const double z61 = y_dot * z60 + (0.15 * z24 - 0.4 * z37 + (0.05 * (z15 * z32) - z54) + 0.5 * (z15 *
         z41));
-    const double z63 = z53 * (z60 + z62 - 0.5 * (z20 * z52));
+    const double z62 = 2.0 * y_2 + (0.2 * y_dot - z54) + 0.5 * (z15 * z43) - z59 + z61 - 0.5 * (z20 * z52);
+    const double z63 = z53 * z62;
     const double z64 = z19 * z52 - 0.5 * (z20 * z63);
     const double z65 = z6 * z64;
     const double z66 = z15 * z63;
@@ -674,15 +673,15 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z69 = 0.3 * z12 + 0.5 * (y_dot * z12);
     const double z70 = x_dot * z34;
     const double z71 = z6 * z70;
-    const double z72 = z6 * z38 - (0.1 * t - (0.05 * z6 + (0.3 * (z2 * z46) - 2.0 * (x * z34))));
+    const double z72 = z6 * z40 - (0.1 * t - (0.05 * z6 + 0.3 * (z2 * z45) - 2.0 * (x * z34)));
     const double z73 = x_dot * z12;
     const double z74 = z5 * z73;
-    const double z75 = y_2 * z74 + 0.3 * (z34 + z6 * z37);
-    const double z76 = 0.3 * (z2 * z28) - (2.0 * (z * z37) + (0.06 * (c_z * c_t) + z72) - s_z * z75);
+    const double z75 = y_2 * z74 + 0.3 * (z34 + z6 * z38);
+    const double z76 = 0.3 * (z2 * z28) - (2.0 * (z * z38) + (0.06 * (c_z * c_t) + z72) - s_z * z75);
     const double z77 = x * z69 - z76;
     const double z78 = 0.5 * (y_dot * z77) + (0.3 * z77 - (0.4 + 0.5 * (z12 * z63)));
-    const double z79 = 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z26) + z2 * z6 * z68))) - (z25 * z69 + (1.0 +
-        (2.0 * z71 + (0.1 * z6 - z2 * z47))) + z * z78);
+    const double z79 = 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z26) + z2 * z6 * z68))) - (z25 * z69 + (2.0 * z71
+        + (0.1 * z6 + (1.0 - z2 * z46))) + z * z78);
     const double z80 = z15 * z25;
     const double z81 = z15 * z64;
     const double z82 = 0.1 * (c_t * z80) + z2 * (0.5 * (z15 * z30) - (0.25 * (z15 * z66) + 0.5 * (z6 * z81)));
@@ -690,52 +689,54 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z84 = y_dot * z2;
     const double z85 = x_dot * z16;
     const double z86 = z5 * z85;
-    const double z87 = 0.5 * (y_2 * z86) + 0.15 * (z15 * z37);
-    const double z88 = c_z * z84 - (0.6 - (0.025 * z15 + 0.15 * (z2 * z58)) - 0.5 * (z15 * z38)) - s_z * z87;
+    const double z87 = 0.5 * (y_2 * z86) + 0.15 * (z15 * z38);
+    const double z88 = c_z * z84 - (0.6 - (0.025 * z15 + 0.15 * (z2 * z58)) - 0.5 * (z15 * z40)) - s_z * z87;
     const double z89 = x * z83 + z88;
     const double z90 = 0.15 + 0.5 * z89;
     const double z91 = z12 * z64;
-    const double z92 = 0.25 * (z16 * z63);
-    const double z93 = z48 * z2;
-    const double z94 = 1.5 - 0.5 * z93;
+    const double z92 = z47 * z2;
+    const double z93 = z * z92;
+    const double z94 = 0.25 * (z16 * z63);
     const double z95 = z49 * z2;
     const double z96 = c_z * z95;
-    const double z97 = 0.5 * z41 - (0.5 * z43 - (z * z94 - (0.25 * z96 + (0.1 * z9 - 0.15 * z40))));
-    const double z98 = y_dot * z90 + (0.3 * z89 - (0.5 * z91 + (z92 + (z92 - (0.05 * z32 + z97)))));
+    const double z97 = z94 + (z94 - (0.05 * z32 + (0.5 * z41 - (0.25 * z96 + (0.1 * z9 - 0.15 * z39)))));
+    const double z98 = y_dot * z90 + (0.3 * z89 - (0.5 * z91 - (0.5 * z43 - (0.5 * z93 + z97))));
     const double z99 = 2.0 * (x * (0.1 * z15 - z82)) - (z25 * z83 + z15 * (0.05 + z70) + z * z98);
     const double z100 = z53 * (z99 - 0.5 * (z20 * z79));
-    const double z101 = 3.0 - z93;
-    const double z102 = 0.3 * y_dot + (z41 - (z43 - (z * z101 - (0.5 * z96 + (0.2 * z9 - 0.3 * z40)))));
-    const double z103 = z5 * (x_dot * z77 - (0.3 * (z7 * z64) + (z11 * z67 + (z91 - (0.1 * z32 + z102)))));
-    const double z104 = 0.1 * (c_t * z73) + z103;
-    const double z105 = 0.4 * s_t + z28 * z74 - c_z * z104;
-    const double z106 = 0.05 * (c_t * z85) + z5 * (x_dot * z89 - 0.5 * (z11 * z81));
-    const double z107 = z53 * (2.0 - 0.5 * (z28 * z86) + c_z * z106 + 0.5 * (z20 * z105));
-    const double z108 = c_t * z6;
-    const double z109 = y_dot * z74 + (0.06 * z35 - 0.5 * (z6 * z95)) - 0.3 * (z2 * (z65 - z68)) + y_2 * z104;
-    const double z110 = x_dot * z69 + (2.0 * z70 + z6 * z101) + x * z78 - s_z * (0.06 * (x_dot * z108) +
+    const double z101 = 0.1 * z32 + (0.3 * y_dot + (z41 - (z93 + (0.5 * z96 + (0.2 * z9 - z43 - 0.3 *
+        z39)))));
+    const double z102 = 0.1 * (c_t * z73) + z5 * (x_dot * z77 - (0.3 * (z7 * z64) + (z11 * z67 + (z91 -
+        z101))));
+    const double z103 = 0.4 * s_t + z28 * z74 - c_z * z102;
+    const double z104 = 0.05 * (c_t * z85) + z5 * (x_dot * z89 - 0.5 * (z11 * z81));
+    const double z105 = z53 * (2.0 - 0.5 * (z28 * z86) + c_z * z104 + 0.5 * (z20 * z103));
+    const double z106 = c_t * z6;
+    const double z107 = y_dot * z74 + (0.06 * z35 - 0.5 * (z6 * z95)) - 0.3 * (z2 * (z65 - z68)) + y_2 * z102;
+    const double z108 = x_dot * z69 + (2.0 * z70 + z6 * (3.0 - z92)) + x * z78 - s_z * (0.06 * (x_dot * z106)
+        + z107);
+    const double z109 = 2.0 * (z * (0.2 * z37 - z2 * z64)) + (c_z * (0.3 * z71 - z25 * z75) + z108);
+    const double z110 = c_t * z15;
+    const double z111 = 0.5 * (y_dot * z86) - (0.25 * (z15 * z95) - z25 * z84) - 0.15 * (z2 * z81) + y_2 *
+        z104;
+    const double z112 = s_z * (0.03 * (x_dot * z110) + z111) - (1.5 * z15 - 0.5 * (z15 * z92) + x_dot * z83 +
+        x * z98);
+    const double z113 = c_z * (0.15 * (z15 * z70) - z25 * z87 + (0.2 * z31 - z2 * z63)) - z112 - 0.5 * (z20 *
         z109);
-    const double z111 = 2.0 * (z * (0.2 * z39 - z2 * z64)) + (c_z * (0.3 * z71 - z25 * z75) + z110);
-    const double z112 = c_t * z15;
-    const double z113 = 0.5 * (y_dot * z86) - (0.25 * (z15 * z95) - z25 * z84) - 0.15 * (z2 * z81) + y_2 *
-        z106;
-    const double z114 = c_z * (0.15 * (z15 * z70) - z25 * z87 + (0.2 * z31 - z2 * z63)) - (s_z * (0.03 *
-        (x_dot * z112) + z113) - (z15 * z94 + x_dot * z83 + x * z98));
-    const double z115 = z53 * (z114 - 0.5 * (z20 * z111));
-    const double z116 = x * z2;
-    const double z117 = 0.3 * (z45 * z34);
-    const double z118 = z12 * z29 + (z * z69 + (2.0 * (z116 * z26) - (z117 - (z36 + (0.1 * (t * z6) +
-        z117)))));
-    const double z119 = 2.0 * (z44 * z37) - (0.06 * (c_z * z108) + (z6 * z77 + (0.1 + z118)));
-    const double z120 = 0.15 * (z57 * z34);
-    const double z121 = 0.4 * c_t;
-    const double z122 = 0.5 * (z16 * z29) + (z * z83 - (z120 - (0.05 * (t * z15) - (z121 - z120)) - z116 *
+    const double z114 = z53 * z113;
+    const double z115 = x * z2;
+    const double z116 = 0.3 * (z44 * z34);
+    const double z117 = z12 * z29 + (z * z69 + (2.0 * (z115 * z26) - (z116 - (z36 + (0.1 * (t * z6) +
+        z116)))));
+    const double z118 = 2.0 * (z48 * z38) - (0.06 * (c_z * z106) + (z6 * z77 + (0.1 + z117)));
+    const double z119 = 0.15 * (z57 * z34);
+    const double z120 = 0.4 * c_t;
+    const double z121 = 0.5 * (z16 * z29) + (z * z83 - (z119 - (0.05 * (t * z15) - (z120 - z119)) - z115 *
         z80));
-    const double z123 = z53 * (z55 * z37 - (0.03 * (c_z * z112) + (z6 * z89 + z122)) - 0.5 * (z20 * z119));
-    const double z124 = y_dot * z8 - (c_z * z74 + (z121 + 0.3 * z6 + 0.5 * (z12 * z27)) + 0.5 * (z15 * z77));
-    const double z125 = 0.5 * (z56 * z84) - (z15 * z90 + (0.2 + (0.5 * (c_z * z86) + (z61 + 0.25 * (z16 *
+    const double z122 = z53 * (z55 * z38 - (0.03 * (c_z * z110) + (z6 * z89 + z121)) - 0.5 * (z20 * z118));
+    const double z123 = y_dot * z8 - (c_z * z74 + (z120 + 0.3 * z6 + 0.5 * (z12 * z27)) + 0.5 * (z15 * z77));
+    const double z124 = 0.5 * (z56 * z84) - (z15 * z90 + (0.2 + (0.5 * (c_z * z86) + (z60 + 0.25 * (z16 *
         z27)))));
-    const double z126 = z53 * (z125 - 0.5 * (z20 * z124));
+    const double z125 = z53 * (z124 - 0.5 * (z20 * z123));
     /* (I.4.9) */
     J[3] = 1.0;
     J[9] = 1.0;
@@ -745,15 +746,15 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     J[13] = z6;
     J[14] = 0.5 * z15;
     J[15] = z19 * z79 - 0.5 * (z20 * z100);
-    J[16] = z19 * z105 + 0.5 * (z20 * z107);
-    J[17] = 0.5 * (z20 * z115) - z19 * z111;
-    J[18] = z19 * z119 - 0.5 * (z20 * z123);
-    J[19] = z19 * z124 - 0.5 * (z20 * z126);
+    J[16] = z19 * z103 + 0.5 * (z20 * z105);
+    J[17] = 0.5 * (z20 * z114) - z19 * z109;
+    J[18] = z19 * z118 - 0.5 * (z20 * z122);
+    J[19] = z19 * z123 - 0.5 * (z20 * z125);
     J[20] = z100;
-    J[21] = -z107;
-    J[22] = -z115;
-    J[23] = z123;
-    J[24] = z126;
+    J[21] = -z105;
+    J[22] = -z114;
+    J[23] = z122;
+    J[24] = z125;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[22]) <= DBL_MAX
         && fabs(z21) > 1e-13 * z17)) {
@@ -830,29 +831,28 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z25 = 0.3 * z24;
     const affine_voronec_lanes z26 = z * x_dot;
     const affine_voronec_lanes z27 = x * z22;
-    const affine_voronec_lanes z28 = z2 * x_dot * x_dot;
-    const affine_voronec_lanes z29 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + (0.4 - 0.8
+    const affine_voronec_lanes z28 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + (0.4 - 0.8
         * (s_t * s_t) + (0.3 + 0.5 * y_dot) * (z26 + z27));
-    const affine_voronec_lanes z30 = 0.3 * (z7 * z29) - (0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 *
+    const affine_voronec_lanes z29 = 0.3 * (z7 * z28) - (0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 *
         s_t))));
-    const affine_voronec_lanes z31 = z22 * (0.1 * t_ - z23 + z2 * (z25 - (2.0 * z26 - z27))) - (x_dot * (0.1
-        + 0.2 * (z1 * c_t)) + (z * z6 * (3.0 - z28) + z30));
-    const affine_voronec_lanes z32 = c_z * y_dot * y_dot;
+    const affine_voronec_lanes z30 = z22 * (0.1 * t_ - z23 + z2 * (z25 - (2.0 * z26 - z27))) - (x_dot * (0.1
+        + 0.2 * (z1 * c_t)) + z29);
+    const affine_voronec_lanes z31 = c_z * y_dot * y_dot;
+    const affine_voronec_lanes z32 = z * x_dot * x_dot;
     const affine_voronec_lanes z33 = x_dot * z24;
     const affine_voronec_lanes z34 = x + t_ * x_dot;
-    const affine_voronec_lanes z35 = z4 - 0.05 * z22;
-    const affine_voronec_lanes z36 = x_dot * (z23 + z2 * (2.0 * z27 - z25)) + (z11 * z29 + 0.2 * (z10 * c_t *
+    const affine_voronec_lanes z35 = 3.0 * z - (z4 - 0.05 * z22);
+    const affine_voronec_lanes z36 = x_dot * (z23 + z2 * (2.0 * z27 - z25)) + (z11 * z28 + 0.2 * (z10 * c_t *
         z22));
-    const affine_voronec_lanes z37 = z2 * (0.5 * z32 - 0.3 * z33) - (0.1 * z34 - (z35 - (0.3 * y_dot - 0.2 *
-        z9) - z36));
-    const affine_voronec_lanes z38 = z31 + z6 * z37;
-    const affine_voronec_lanes z39 = z2 * (0.25 * z32 - 0.15 * z33) - (0.05 * z34 - (0.1 * z9 + 0.5 * z35 -
-        0.5 * z36));
+    const affine_voronec_lanes z37 = z2 * (0.5 * z31 + (z32 - 0.3 * z33)) - (0.1 * z34 - (0.2 * z9 - (0.3 *
+        y_dot + z35) - z36));
+    const affine_voronec_lanes z38 = z30 + z6 * z37;
+    const affine_voronec_lanes z39 = z2 * (0.25 * z31 + (0.5 * z32 - 0.15 * z33)) - (0.05 * z34 - (0.1 * z9 -
+        0.5 * z35 - 0.5 * z36));
     const affine_voronec_lanes z40 = 0.15 * z21 - (0.6 * z22 - (2.0 * y_2 - 0.4 * (x_dot * c_t) + 0.5 * (z17
         * z38)));
-    const affine_voronec_lanes z41 = y_dot * (0.2 * (z18 * c_t) + (0.2 + z7 * z22)) + (z * z14 * (1.5 - 0.5 *
-        z28) + z40);
-    const affine_voronec_lanes z42 = (z14 * z39 - z41) / z20;
+    const affine_voronec_lanes z41 = (z14 * z39 - (y_dot * (0.2 * (z18 * c_t) + (0.2 + z7 * z22)) + z40)) /
+        z20;
     /* (I.1.2) */
     const affine_voronec_lanes slope1 = x_dot;
     affine_voronec_put(dydt, slope1);
@@ -861,10 +861,10 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes slope3 = z22;
     affine_voronec_put(dydt + 2 * stride, slope3);
     /* (I.4.9) 11:4 */
-    const affine_voronec_lanes slope4 = z16 * z38 + 0.5 * (z17 * z42);
+    const affine_voronec_lanes slope4 = z16 * z38 + 0.5 * (z17 * z41);
     sum += slope4;
     affine_voronec_put(dydt + 3 * stride, slope4);
-    const affine_voronec_lanes slope5 = -z42;
+    const affine_voronec_lanes slope5 = -z41;
     sum += slope5;
     affine_voronec_put(dydt + 4 * stride, slope5);
     affine_voronec_put(check, affine_voronec_mark(far + (sum - sum), bad));

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:d0be647fe2dc8be1)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:ee29172425814d4b)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -251,42 +251,31 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *restri
     const double k1 = m * a;
     const double k2 = a * k1;
     const double k3 = 1.0 + k;
-    const double k4 = 2.0 * Omega0;
-    const double k5 = Omega0 * Omega0;
-    const double k6 = k2 * k3;
-    const double k7 = k1 / k6;
+    const double k4 = Omega1 * nu;
+    const double k5 = k2 * k3;
+    const double k6 = -k1 / k5;
 
     /* from the state */
     const double z1 = s_theta * s_theta;
-    const double z2 = z1 * k6;
-    const double z4 = Omega1 * s1;
-    const double Omega = Omega0 + z4;
-    const double z5 = psi_dot * s_theta;
-    const double z6 = k4 + z4;
-    const double z7 = x * c_phi;
-    const double z8 = theta_dot * a;
-    const double z9 = y_2 * s_phi;
-    const double z10 = nu * c1;
-    const double z11 = x * s_phi;
-    const double z12 = y_2 * c_phi;
-    const double z13 = z11 - z12;
-    const double z14 = z7 + z9;
-    const double z15 = Omega0 + phi_dot * k3;
-    const double z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k5 - z8 * (z15 -
-        psi_dot * c_theta * k3));
-    const double z17 = k1 * z16 / z2;
-    const double z18 = a * z5;
-    const double z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k5 * z13 - z15 * z18);
+    const double z2 = z1 * k5;
+    const double Omega = Omega0 + Omega1 * s1;
+    const double z4 = psi_dot * s_theta;
+    const double z5 = Omega * Omega;
+    const double z6 = c1 * k4;
+    const double z7 = c_phi * z5 - s_phi * z6;
+    const double z8 = s_phi * z5 + c_phi * z6;
+    const double z9 = Omega + phi_dot * k3;
+    const double z10 = k1 * (x * z7 + y_2 * z8 - a * (theta_dot * (z9 - psi_dot * c_theta * k3))) / z2;
     /* (I.1.2) */
-    dydt[0] = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega; /* x' */
-    dydt[1] = x * Omega - a * (theta_dot * c_phi + s_phi * z5); /* y' */
+    dydt[0] = a * (theta_dot * s_phi - c_phi * z4) - y_2 * Omega; /* x' */
+    dydt[1] = x * Omega - a * (theta_dot * c_phi + s_phi * z4); /* y' */
     dydt[2] = phi_dot; /* phi' */
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
     /* (III.3) 25:4 */
-    dydt[5] = s_theta * (theta_dot * psi_dot + c_theta * z17); /* phi'' */
-    dydt[6] = k7 * z19; /* theta'' */
-    dydt[7] = -s_theta * z17; /* psi'' */
+    dydt[5] = s_theta * (theta_dot * psi_dot + c_theta * z10); /* phi'' */
+    dydt[6] = (a * (z4 * z9) - (x * z8 - y_2 * z7)) * k6; /* theta'' */
+    dydt[7] = -s_theta * z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (0 times it is NaN then, and nothing is larger) */
     if (!(fabs(k) > 0.0 * (dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7])
@@ -296,8 +285,8 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *restri
             return ball_on_table_refuse(fabs(k * k2), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(k6) > 0.0)) {
-            return ball_on_table_refuse(fabs(k6), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        if (!(fabs(k5) > 0.0)) {
+            return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 1e-13 * (k2 * (k + z1)))) {
@@ -357,8 +346,8 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double z3 = t * nu;
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double c1 = cos(z3);
     const double s1 = sin(z3);
+    const double c1 = cos(z3);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
 
@@ -380,51 +369,39 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double k3 = k * k2;
     const double k4 = 1.0 + k;
     const double k5 = k2 * k4;
-    const double k6 = 2.0 * Omega0;
-    const double k7 = Omega0 * Omega0;
-    const double k8 = k1 / k5;
+    const double k6 = Omega1 * nu;
+    const double k7 = k1 / k5;
 
     /* from the state */
     const double z1 = k2 * (k + s_theta * s_theta);
     const double z2 = z1 - c_theta * c_theta * k3;
-    const double z4 = nu * c1;
-    const double z5 = Omega1 * z4;
-    const double z6 = Omega1 * s1;
-    const double Omega = Omega0 + z6;
-    const double z7 = s_theta * s_phi;
-    const double z8 = phi_dot * c_phi;
-    const double z9 = x * c_phi;
-    const double z10 = y_2 * s_phi;
-    const double z11 = z9 + z10;
-    const double z12 = x * s_phi;
-    const double z13 = k6 + z6;
-    const double z14 = y_2 * c_phi;
-    const double z15 = a * (psi_dot * s_theta);
-    const double z16 = z12 - z14;
-    const double z17 = Omega0 + phi_dot * k4;
-    const double z18 = Omega1 * (z4 * z11 + s1 * (z12 * z13 - (z13 * z14 + z15))) + (k7 * z16 - z17 * z15);
-    const double z19 = k8 * z18;
-    const double z20 = phi_dot * s_phi;
-    const double z21 = theta_dot * c_theta;
-    const double z22 = c_phi * s_theta;
-    const double z23 = theta_dot * a;
-    const double z24 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16) + (z11 * k7 - z23 * (z17 -
-        psi_dot * c_theta * k4));
-    const double z25 = z24 * (k1 / z2);
-    const double z26 = s_theta * z25;
-    const double z27 = a * (theta_dot * z8 + s_phi * z19 + (psi_dot * (s_theta * z20 - c_phi * z21) + z22 *
-        z26));
-    const double z28 = a * (theta_dot * z20 - c_phi * z19 - (psi_dot * (s_phi * z21 + s_theta * z8) - z7 *
-        z26));
+    const double Omega = Omega0 + Omega1 * s1;
+    const double z4 = s_theta * s_phi;
+    const double z5 = c1 * k6;
+    const double z6 = phi_dot * c_phi;
+    const double z7 = Omega + phi_dot * k4;
+    const double z8 = Omega * Omega;
+    const double z9 = s_phi * z8 + c_phi * z5;
+    const double z10 = c_phi * z8 - s_phi * z5;
+    const double z11 = k7 * (a * (psi_dot * s_theta * z7) - (x * z9 - y_2 * z10));
+    const double z12 = phi_dot * s_phi;
+    const double z13 = theta_dot * c_theta;
+    const double z14 = c_phi * s_theta;
+    const double z15 = (x * z10 + y_2 * z9 - a * (theta_dot * (z7 - psi_dot * c_theta * k4))) * (k1 / z2);
+    const double z16 = s_theta * z15;
+    const double z17 = a * (theta_dot * z6 - s_phi * z11 + (psi_dot * (s_theta * z12 - c_phi * z13) + z14 *
+        z16));
+    const double z18 = a * (theta_dot * z12 + c_phi * z11 - (psi_dot * (s_phi * z13 + s_theta * z6) - z4 *
+        z16));
     /* (III.3) */
-    qddot[0] = z27 - (y_2 * z5 - Omega * (a * (theta_dot * c_phi + psi_dot * z7) - x * Omega)); /* x'' */
-    qddot[1] = x * z5 + Omega * (a * (theta_dot * s_phi - psi_dot * z22) - y_2 * Omega) + z28; /* y'' */
-    qddot[2] = s_theta * (theta_dot * psi_dot + c_theta * z25); /* phi'' */
-    qddot[3] = z19; /* theta'' */
-    qddot[4] = -z26; /* psi'' */
+    qddot[0] = Omega * (a * (theta_dot * c_phi + psi_dot * z4) - x * Omega) - y_2 * z5 + z17; /* x'' */
+    qddot[1] = Omega * (a * (theta_dot * s_phi - psi_dot * z14) - y_2 * Omega) + x * z5 + z18; /* y'' */
+    qddot[2] = s_theta * (theta_dot * psi_dot + c_theta * z15); /* phi'' */
+    qddot[3] = -z11; /* theta'' */
+    qddot[4] = -z16; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (0 times it is NaN then, and nothing is larger) */
-    if (!(fabs(k) > 0.0 * (qddot[0] + qddot[1] + qddot[2] + qddot[4]) && fabs(z2) > 1e-13 * z1)) {
+    if (!(fabs(k) > 0.0 * (qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4]) && fabs(z2) > 1e-13 * z1)) {
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
             return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
@@ -516,13 +493,13 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* sines and cosines */
-    const double z4 = t * nu;
+    const double z3 = t * nu;
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
+    const double s1 = sin(z3);
+    const double c1 = cos(z3);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
-    const double s1 = sin(z4);
-    const double c1 = cos(z4);
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
@@ -542,48 +519,35 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     const double k3 = k * k2;
     const double k4 = 1.0 + k;
     const double k5 = k2 * k4;
-    const double k6 = 2.0 * Omega0;
-    const double k7 = Omega0 * Omega0;
-    const double k8 = k1 / k5;
-    const double k9 = Omega1 * Omega1;
+    const double k6 = Omega1 * nu;
+    const double k7 = k1 / k5;
 
     /* from the state */
     const double z1 = k2 * (k + s_theta * s_theta);
     const double z2 = z1 - c_theta * c_theta * k3;
-    const double z3 = psi_dot * c_theta;
-    const double z5 = Omega1 * s1;
-    const double z6 = z5 + (phi_dot + Omega0);
-    const double z7 = theta_dot * (z3 - z6);
-    const double z8 = psi_dot * s_theta;
-    const double z9 = z8 * z6;
-    const double z10 = nu * c1;
-    const double z11 = Omega1 * z10;
-    const double z12 = Omega0 * (Omega0 + 2.0 * z5) + k9 * (s1 * s1);
-    const double z13 = x * c_phi;
-    const double z14 = y_2 * s_phi;
-    const double z15 = z13 + z14;
-    const double z16 = x * s_phi;
-    const double z17 = k6 + z5;
-    const double z18 = y_2 * c_phi;
-    const double z19 = a * z8;
-    const double z20 = z16 - z18;
-    const double z21 = Omega0 + phi_dot * k4;
-    const double z22 = Omega1 * (z10 * z15 + s1 * (z16 * z17 - (z17 * z18 + z19))) + (k7 * z20 - z21 * z19);
-    const double z23 = k8 * z22;
-    const double z24 = c_phi * k1;
-    const double z25 = theta_dot * a;
-    const double z26 = Omega1 * (s1 * (z17 * z13 - (z25 - z17 * z14)) - z10 * z20) + (z15 * k7 - z25 * (z21 -
-        z3 * k4));
-    const double z27 = s_theta * k1;
-    const double z28 = z26 * (z27 / z2);
-    const double z29 = m * (a * (c_phi * z7 - s_phi * z9) + (y_2 * z11 + x * z12)) - (k1 * (s_phi * z23) +
-        z24 * (s_theta * z28));
-    const double z30 = m * (a * (s_phi * z7 + c_phi * z9) - (x * z11 - y_2 * z12)) + (z23 * z24 - s_phi * z27
-        * z28);
+    const double Omega = Omega0 + Omega1 * s1;
+    const double z4 = Omega * Omega;
+    const double z5 = c1 * k6;
+    const double z6 = psi_dot * c_theta;
+    const double z7 = phi_dot + Omega;
+    const double z8 = theta_dot * (z6 - z7);
+    const double z9 = psi_dot * s_theta;
+    const double z10 = z9 * z7;
+    const double z11 = Omega + phi_dot * k4;
+    const double z12 = s_phi * z4 + c_phi * z5;
+    const double z13 = c_phi * z4 - s_phi * z5;
+    const double z14 = k7 * (a * (z9 * z11) - (x * z12 - y_2 * z13));
+    const double z15 = c_phi * k1;
+    const double z16 = s_theta * k1;
+    const double z17 = (x * z13 + y_2 * z12 - a * (theta_dot * (z11 - z6 * k4))) * (z16 / z2);
+    const double z18 = m * (x * z4 + y_2 * z5 + a * (c_phi * z8 - s_phi * z10)) + (k1 * (s_phi * z14) - z15 *
+        (s_theta * z17));
+    const double z19 = m * (y_2 * z4 - x * z5 + a * (s_phi * z8 + c_phi * z10)) - (z14 * z15 + s_phi * z16 *
+        z17);
     /* (I.4.1) 27:5 */
-    lambda[0] = -z29; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = -z18; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 28:5 */
-    lambda[1] = -z30; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = -z19; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (0 times it is NaN then, and nothing is larger) */
     if (!(fabs(k) > 0.0 * (lambda[0] + lambda[1]) && fabs(z2) > 1e-13 * z1)) {
@@ -681,104 +645,99 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double k3 = m * k1;
     const double k4 = k * k3;
     const double k5 = 1.0 + k;
-    const double k6 = 2.0 * Omega0;
-    const double k7 = Omega0 * Omega0;
+    const double k6 = k3 * k5;
+    const double k7 = Omega1 * nu;
     const double k8 = 1.0 / k4;
-    const double k9 = 1.0 / k5;
-    const double k10 = 1.0 / (a * k5);
+    const double k9 = 1.0 / k6;
+    const double k10 = k2 * k9;
+    const double k11 = -k5 * k10;
 
     /* from the state */
     const double z1 = k3 * (k + s_theta * s_theta);
     const double z2 = z1 - c_theta * c_theta * k4;
-    const double z4 = Omega1 * s1;
-    const double Omega = Omega0 + z4;
-    const double z5 = s_theta * s_phi;
-    const double z6 = psi_dot * c_theta;
-    const double z7 = a * c_phi;
-    const double z8 = a * s_phi;
-    const double z9 = c_phi * s_theta;
-    const double z10 = s_theta * k2;
-    const double z11 = 1.0 / z2;
-    const double z12 = c_theta * z11;
-    const double z13 = z10 * z12;
-    const double z14 = k6 + z4;
-    const double z15 = s1 * z14;
-    const double z16 = nu * c1;
-    const double z17 = c_phi * k7 + Omega1 * (c_phi * z15 - s_phi * z16);
-    const double z18 = s_phi * k7 + Omega1 * (s_phi * z15 + c_phi * z16);
-    const double z19 = x * s_phi - y_2 * c_phi;
-    const double z20 = x * c_phi;
-    const double z21 = y_2 * s_phi;
-    const double z22 = z20 + z21;
-    const double z23 = k7 * z19 + Omega1 * (z16 * z22 + z19 * z15);
-    const double z24 = theta_dot * psi_dot;
-    const double z25 = z10 * z11;
-    const double z26 = theta_dot * a;
-    const double z27 = phi_dot * k5;
-    const double z28 = Omega0 + z27;
-    const double z29 = z6 * k5;
-    const double z30 = z16 * z19;
-    const double z31 = z22 * k7;
-    const double z32 = Omega1 * (s1 * (z14 * z20 - (z26 - z14 * z21)) - z30) + z31;
-    const double z33 = z26 * (z28 - z29) - z32;
-    const double z34 = z25 * z33;
-    const double z35 = s_theta * k4;
-    const double z36 = I * (c_theta * z24) + z34 * z35;
-    const double z37 = z26 * z10;
-    const double z38 = s_theta * k3;
-    const double z39 = s_theta * (psi_dot * z37 + (z24 - k2 * (z33 * z12)) * z35) - c_theta * (k2 * (z26 *
-        (z6 - z28) + z32) + 2.0 * (z38 * z34));
-    const double z40 = z11 * (z39 - c_theta * z36);
-    const double z41 = k5 * z37;
-    const double z42 = z41 * z12;
-    const double z43 = z27 + (Omega - z29);
-    const double z44 = z11 * z41;
-    const double z45 = phi_dot + Omega * k9;
+    const double Omega = Omega0 + Omega1 * s1;
+    const double z4 = s_theta * s_phi;
+    const double z5 = psi_dot * a;
+    const double z6 = c_theta * z5;
+    const double z7 = c_phi * s_theta;
+    const double z8 = Omega * Omega;
+    const double z9 = c1 * k7;
+    const double z10 = c_phi * z8 - s_phi * z9;
+    const double z11 = s_theta * k2;
+    const double z12 = 1.0 / z2;
+    const double z13 = z11 * z12;
+    const double z14 = z10 * z13;
+    const double z15 = s_phi * z8 + c_phi * z9;
+    const double z16 = z15 * z13;
+    const double z17 = y_2 * z11;
+    const double z18 = x * z11;
+    const double z19 = z12 * (c_phi * (z8 * z17 - z9 * z18) - s_phi * (z8 * z18 + z9 * z17));
+    const double z20 = theta_dot * psi_dot;
+    const double z21 = theta_dot * a;
+    const double z22 = Omega + phi_dot * k5;
+    const double z23 = psi_dot * c_theta;
+    const double z24 = x * z10 + y_2 * z15;
+    const double z25 = z21 * (z22 - z23 * k5) - z24;
+    const double z26 = z13 * z25;
+    const double z27 = s_theta * k4;
+    const double z28 = I * (c_theta * z20) + z26 * z27;
+    const double z29 = z21 * z11;
+    const double z30 = z23 - z22;
+    const double z31 = s_theta * (psi_dot * z29 + (z20 - k2 * (z25 * (c_theta * z12))) * z27) - c_theta * (k2
+        * (z24 + z21 * z30) + 2.0 * (k3 * (s_theta * z26)));
+    const double z32 = z12 * (z31 - c_theta * z28);
+    const double z33 = k5 * (z12 * z29);
+    const double z34 = c_theta * z33;
+    const double z35 = I * (psi_dot * s_theta);
+    const double z36 = z12 * (a * (z11 * z30) + c_theta * z35);
+    const double z37 = x * k2;
+    const double z38 = y_2 * k2;
+    const double z39 = k9 * (k2 * z22);
     /* (III.3) */
     J[1] = -Omega;
-    J[2] = a * (theta_dot * c_phi + psi_dot * z5);
-    J[3] = -z6 * z7;
-    J[6] = z8;
-    J[7] = -a * z9;
+    J[2] = a * (theta_dot * c_phi + psi_dot * z4);
+    J[3] = -c_phi * z6;
+    J[6] = a * s_phi;
+    J[7] = -a * z7;
     J[8] = Omega;
-    J[10] = a * (theta_dot * s_phi - psi_dot * z9);
-    J[11] = -z6 * z8;
-    J[14] = -z7;
-    J[15] = -a * z5;
+    J[10] = a * (theta_dot * s_phi - psi_dot * z7);
+    J[11] = -s_phi * z6;
+    J[14] = -a * c_phi;
+    J[15] = -a * z4;
     J[21] = 1.0;
     J[30] = 1.0;
     J[39] = 1.0;
-    J[40] = z13 * z17;
-    J[41] = z13 * z18;
-    J[42] = -z23 * z13;
-    J[43] = k8 * z36 - c_theta * z40;
-    J[45] = -z42;
-    J[46] = s_theta * (psi_dot - k3 * (z43 * z12));
-    J[47] = z44;
-    J[48] = k10 * z18;
-    J[49] = -k10 * z17;
-    J[50] = k10 * (z31 - Omega1 * (z30 - z22 * z15));
-    J[51] = -z6 * z45;
-    J[53] = -psi_dot * s_theta;
-    J[55] = -s_theta * z45;
-    J[56] = -z25 * z17;
-    J[57] = -z25 * z18;
-    J[58] = z25 * z23;
-    J[59] = z40;
-    J[61] = z44;
-    J[62] = z43 * (z11 * z38);
-    J[63] = -z42;
+    J[40] = c_theta * z14;
+    J[41] = c_theta * z16;
+    J[42] = c_theta * z19;
+    J[43] = k8 * z28 - c_theta * z32;
+    J[45] = -z34;
+    J[46] = k8 * z35 + c_theta * z36;
+    J[47] = z33;
+    J[48] = k10 * z15;
+    J[49] = -k10 * z10;
+    J[50] = k9 * (c_phi * (z8 * z37 + z9 * z38) + s_phi * (z8 * z38 - z9 * z37));
+    J[51] = -z39 * z6;
+    J[53] = s_theta * z5 * k11;
+    J[55] = -a * (s_theta * z39);
+    J[56] = -z14;
+    J[57] = -z16;
+    J[58] = -z19;
+    J[59] = z32;
+    J[61] = z33;
+    J[62] = -z36;
+    J[63] = -z34;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[3] + J[7] + J[10] + J[11] + J[15] + J[40] + J[41] + J[42] + J[43] + J[46] + J[47] +
-        J[48] + J[49] + J[50] + J[51] + J[55] + J[56] + J[57] + J[58] + J[62] + J[63]) <= DBL_MAX
+    if (!(fabs(J[2] + J[7] + J[10] + J[15] + J[43] + J[46] + J[48] + J[49] + J[50] + J[51] + J[53] + J[55] +
+        J[56] + J[57] + J[58] + J[62] + J[63]) <= DBL_MAX
         && fabs(z2) > 1e-13 * z1)) {
         /* the mass matrix is singular */
         if (!(fabs(k4) > 0.0)) {
             return ball_on_table_refuse(fabs(k4), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(k3 * k5) > 0.0)) {
-            return ball_on_table_refuse(fabs(k3 * k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        if (!(fabs(k6) > 0.0)) {
+            return ball_on_table_refuse(fabs(k6), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 1e-13 * z1)) {
@@ -813,23 +772,19 @@ int ball_on_table_outputs(double t, const double *y, const double *p, double *ou
 
     /* from the parameters alone */
     const double k1 = a * a;
-    const double k2 = Omega1 * Omega1;
-    const double k3 = 0.5 * Omega0;
 
     /* from the state */
     const double z1 = psi_dot * c_theta;
-    const double z2 = Omega1 * s1;
-    const double z3 = x * x + y_2 * y_2;
-    const double z4 = theta_dot * theta_dot;
-    const double Omega = Omega0 + z2;
-    const double z5 = psi_dot * (0.5 * psi_dot - Omega * c_theta) + 0.5 * z4 - phi_dot * (Omega - (0.5 *
+    const double Omega = Omega0 + Omega1 * s1;
+    const double z2 = theta_dot * theta_dot;
+    const double z3 = 0.5 * z2 + psi_dot * (0.5 * psi_dot - Omega * c_theta) - phi_dot * (Omega - (0.5 *
         phi_dot + z1));
-    const double z6 = Omega0 * ((k3 + z2) * z3) + 0.5 * (k2 * (s1 * s1 * z3)) - k1 * (0.5 * (z4 + s_theta *
-        s_theta * (psi_dot * psi_dot)) + k * z5);
+    const double z4 = 0.5 * (Omega * Omega * (x * x + y_2 * y_2)) - k1 * (0.5 * (z2 + s_theta * s_theta *
+        (psi_dot * psi_dot)) + k * z3);
     /* 31:9 */
     out[0] = phi_dot + z1; /* spin */
     /* 32:18 */
-    out[1] = -m * z6; /* moving_energy */
+    out[1] = -m * z4; /* moving_energy */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
         return ball_on_table_finish(2, out);
@@ -855,7 +810,6 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const double k4 = fixed[8];
     const double k5 = fixed[9];
     const double k6 = fixed[10];
-    const double k7 = fixed[11];
     const ball_on_table_lanes t_ = ball_on_table_get(t);
     const ball_on_table_lanes x = ball_on_table_get(y);
     const ball_on_table_lanes y_2 = ball_on_table_get(y + 1 * stride);
@@ -868,43 +822,33 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(theta), &far, &sine1, &cosine1);
     const ball_on_table_lanes s_theta = sine1;
     const ball_on_table_lanes z1 = s_theta * s_theta;
-    const ball_on_table_lanes z2 = z1 * k6;
+    const ball_on_table_lanes z2 = z1 * k5;
     /* the mass matrix is singular */
     bad |= ball_on_table_misses(ball_on_table_size(BALL_ON_TABLE_SPREAD(z2)), 1e-13 * (k2 * (k + z1)));
     const ball_on_table_lanes z3 = t_ * nu;
     ball_on_table_lanes sine2, cosine2;
     ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(z3), &far, &sine2, &cosine2);
     const ball_on_table_lanes s1 = sine2;
-    const ball_on_table_lanes z4 = Omega1 * s1;
-    const ball_on_table_lanes Omega = Omega0 + z4;
+    const ball_on_table_lanes Omega = Omega0 + Omega1 * s1;
     ball_on_table_lanes sine3, cosine3;
     ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(phi), &far, &sine3, &cosine3);
     const ball_on_table_lanes s_phi = sine3;
     const ball_on_table_lanes c_phi = cosine3;
-    const ball_on_table_lanes z5 = psi_dot * s_theta;
+    const ball_on_table_lanes z4 = psi_dot * s_theta;
     const ball_on_table_lanes c_theta = cosine1;
-    const ball_on_table_lanes z6 = k4 + z4;
-    const ball_on_table_lanes z7 = x * c_phi;
-    const ball_on_table_lanes z8 = theta_dot * a;
-    const ball_on_table_lanes z9 = y_2 * s_phi;
+    const ball_on_table_lanes z5 = Omega * Omega;
     const ball_on_table_lanes c1 = cosine2;
-    const ball_on_table_lanes z10 = nu * c1;
-    const ball_on_table_lanes z11 = x * s_phi;
-    const ball_on_table_lanes z12 = y_2 * c_phi;
-    const ball_on_table_lanes z13 = z11 - z12;
-    const ball_on_table_lanes z14 = z7 + z9;
-    const ball_on_table_lanes z15 = Omega0 + phi_dot * k3;
-    const ball_on_table_lanes z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k5 - z8 *
-        (z15 - psi_dot * c_theta * k3));
-    const ball_on_table_lanes z17 = k1 * z16 / z2;
-    const ball_on_table_lanes z18 = a * z5;
-    const ball_on_table_lanes z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k5 * z13 -
-        z15 * z18);
+    const ball_on_table_lanes z6 = c1 * k4;
+    const ball_on_table_lanes z7 = c_phi * z5 - s_phi * z6;
+    const ball_on_table_lanes z8 = s_phi * z5 + c_phi * z6;
+    const ball_on_table_lanes z9 = Omega + phi_dot * k3;
+    const ball_on_table_lanes z10 = k1 * (x * z7 + y_2 * z8 - a * (theta_dot * (z9 - psi_dot * c_theta *
+        k3))) / z2;
     /* (I.1.2) */
-    const ball_on_table_lanes slope1 = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega;
+    const ball_on_table_lanes slope1 = a * (theta_dot * s_phi - c_phi * z4) - y_2 * Omega;
     sum += slope1;
     ball_on_table_put(dydt, slope1);
-    const ball_on_table_lanes slope2 = x * Omega - a * (theta_dot * c_phi + s_phi * z5);
+    const ball_on_table_lanes slope2 = x * Omega - a * (theta_dot * c_phi + s_phi * z4);
     sum += slope2;
     ball_on_table_put(dydt + 1 * stride, slope2);
     const ball_on_table_lanes slope3 = phi_dot;
@@ -914,13 +858,13 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const ball_on_table_lanes slope5 = psi_dot;
     ball_on_table_put(dydt + 4 * stride, slope5);
     /* (III.3) 25:4 */
-    const ball_on_table_lanes slope6 = s_theta * (theta_dot * psi_dot + c_theta * z17);
+    const ball_on_table_lanes slope6 = s_theta * (theta_dot * psi_dot + c_theta * z10);
     sum += slope6;
     ball_on_table_put(dydt + 5 * stride, slope6);
-    const ball_on_table_lanes slope7 = k7 * z19;
+    const ball_on_table_lanes slope7 = (a * (z4 * z9) - (x * z8 - y_2 * z7)) * k6;
     sum += slope7;
     ball_on_table_put(dydt + 6 * stride, slope7);
-    const ball_on_table_lanes slope8 = -s_theta * z17;
+    const ball_on_table_lanes slope8 = -s_theta * z10;
     sum += slope8;
     ball_on_table_put(dydt + 7 * stride, slope8);
     ball_on_table_put(check, ball_on_table_mark(far + (sum - sum), bad));
@@ -951,15 +895,14 @@ int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, cons
     const double k1 = m * a;
     const double k2 = a * k1;
     const double k3 = 1.0 + k;
-    const double k4 = 2.0 * Omega0;
-    const double k5 = Omega0 * Omega0;
-    const double k6 = k2 * k3;
-    const double k7 = k1 / k6;
+    const double k4 = Omega1 * nu;
+    const double k5 = k2 * k3;
+    const double k6 = -k1 / k5;
     /* the mass matrix is singular */
     if (!(fabs(k * k2) > 0.0)) {
         return ball_on_table_refuse(fabs(k * k2), 0.0, BALL_ON_TABLE_SINGULAR_2);
     }
-    const double fixed[] = {a, k, Omega0, Omega1, nu, k1, k2, k3, k4, k5, k6, k7};
+    const double fixed[] = {a, k, Omega0, Omega1, nu, k1, k2, k3, k4, k5, k6};
     double check[1 * BALL_ON_TABLE_LANES];
     int status = BALL_ON_TABLE_OK;
     for (size_t i = 0; i < count; i += BALL_ON_TABLE_LANES) {

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:edad964836df1d07)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:0aae23011d947628)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -39,15 +39,15 @@
  * out[1] = moving_energy [J]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 23 +-, 50 *, 2 /, 6 calls
+ * rhs: 16 +-, 42 *, 2 /, 6 calls
  * velocities: 5 +-, 11 *, 0 /, 4 calls
- * accelerations: 36 +-, 76 *, 2 /, 6 calls
+ * accelerations: 29 +-, 67 *, 2 /, 6 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 7 +-, 11 *, 0 /, 4 calls
- * reactions: 33 +-, 69 *, 2 /, 6 calls
+ * reactions: 24 +-, 55 *, 2 /, 6 calls
  * energy: 10 +-, 23 *, 0 /, 5 calls
- * jacobian: 37 +-, 108 *, 4 /, 6 calls
- * outputs: 13 +-, 28 *, 0 /, 3 calls
+ * jacobian: 29 +-, 113 *, 3 /, 6 calls
+ * outputs: 11 +-, 23 *, 0 /, 3 calls
  *
  * Calls: t is the time; y has BALL_ON_TABLE_NY entries, p has BALL_ON_TABLE_NP;
  *     ball_on_table_parameter_defaults may be passed as p. ball_on_table_state makes y from coordinates and

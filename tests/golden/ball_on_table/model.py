@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:cbf9b8e22f4edd71).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:4c47096b018507fc).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -40,15 +40,15 @@ out[0] = spin [rad/s]
 out[1] = moving_energy [J]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 23 +-, 50 *, 2 /, 6 calls
+rhs: 16 +-, 42 *, 2 /, 6 calls
 velocities: 5 +-, 11 *, 0 /, 4 calls
-accelerations: 36 +-, 76 *, 2 /, 6 calls
+accelerations: 29 +-, 67 *, 2 /, 6 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 7 +-, 11 *, 0 /, 4 calls
-reactions: 33 +-, 69 *, 2 /, 6 calls
+reactions: 24 +-, 55 *, 2 /, 6 calls
 energy: 10 +-, 23 *, 0 /, 5 calls
-jacobian: 37 +-, 108 *, 4 /, 6 calls
-outputs: 13 +-, 28 *, 0 /, 3 calls
+jacobian: 29 +-, 113 *, 3 /, 6 calls
+outputs: 11 +-, 23 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
 Units are in brackets, and nothing is converted.
@@ -140,50 +140,39 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(k * k2) > 0.0:
             raise _refuse(abs(k * k2), 0.0, 2, "rhs")
         k3 = 1.0 + k
-        k4 = 2.0 * Omega0
-        k5 = Omega0 * Omega0
-        k6 = k2 * k3
+        k4 = Omega1 * nu
+        k5 = k2 * k3
         # the mass matrix is singular
-        if not abs(k6) > 0.0:
-            raise _refuse(abs(k6), 0.0, 2, "rhs")
-        k7 = k1 / k6
+        if not abs(k5) > 0.0:
+            raise _refuse(abs(k5), 0.0, 2, "rhs")
+        k6 = -k1 / k5
         # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        z2 = z1 * k6
+        z2 = z1 * k5
         # the mass matrix is singular
         if not abs(z2) > 1e-13 * (k2 * (k + z1)):
             raise _refuse(abs(z2), 1e-13 * (k2 * (k + z1)), 2, "rhs")
         z3 = t_ * nu
         s1 = math.sin(z3)
-        z4 = Omega1 * s1
-        Omega = Omega0 + z4
+        Omega = Omega0 + Omega1 * s1
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
-        z5 = psi_dot * s_theta
+        z4 = psi_dot * s_theta
         c_theta = math.cos(theta)
-        z6 = k4 + z4
-        z7 = x * c_phi
-        z8 = theta_dot * a
-        z9 = y_2 * s_phi
+        z5 = Omega * Omega
         c1 = math.cos(z3)
-        z10 = nu * c1
-        z11 = x * s_phi
-        z12 = y_2 * c_phi
-        z13 = z11 - z12
-        z14 = z7 + z9
-        z15 = Omega0 + phi_dot * k3
-        s2 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13)
-        z16 = s2 + (z14 * k5 - z8 * (z15 - psi_dot * c_theta * k3))
-        z17 = k1 * z16 / z2
-        z18 = a * z5
-        s3 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18)))
-        z19 = s3 + (k5 * z13 - z15 * z18)
+        z6 = c1 * k4
+        z7 = c_phi * z5 - s_phi * z6
+        z8 = s_phi * z5 + c_phi * z6
+        z9 = Omega + phi_dot * k3
+        s2 = a * (theta_dot * (z9 - psi_dot * c_theta * k3))
+        z10 = k1 * (x * z7 + y_2 * z8 - s2) / z2
         dydt: list[float] = [
             # x' (I.1.2)
-            a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega,
+            a * (theta_dot * s_phi - c_phi * z4) - y_2 * Omega,
             # y' (I.1.2)
-            x * Omega - a * (theta_dot * c_phi + s_phi * z5),
+            x * Omega - a * (theta_dot * c_phi + s_phi * z4),
             # phi' (I.1.2)
             phi_dot,
             # theta' (I.1.2)
@@ -191,11 +180,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (I.1.2)
             psi_dot,
             # phi'' (III.3) 25:4
-            s_theta * (theta_dot * psi_dot + c_theta * z17),
+            s_theta * (theta_dot * psi_dot + c_theta * z10),
             # theta'' (III.3) 25:4
-            k7 * z19,
+            (a * (z4 * z9) - (x * z8 - y_2 * z7)) * k6,
             # psi'' (III.3) 25:4
-            -s_theta * z17,
+            -s_theta * z10,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -286,9 +275,8 @@ def accelerations(
         # the mass matrix is singular
         if not abs(k5) > 0.0:
             raise _refuse(abs(k5), 0.0, 2, "accelerations")
-        k6 = 2.0 * Omega0
-        k7 = Omega0 * Omega0
-        k8 = k1 / k5
+        k6 = Omega1 * nu
+        k7 = k1 / k5
         # from the state
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
@@ -298,53 +286,42 @@ def accelerations(
         if not abs(z2) > 1e-13 * z1:
             raise _refuse(abs(z2), 1e-13 * z1, 2, "accelerations")
         z3 = t_ * nu
-        c1 = math.cos(z3)
-        z4 = nu * c1
-        z5 = Omega1 * z4
         s1 = math.sin(z3)
-        z6 = Omega1 * s1
-        Omega = Omega0 + z6
+        Omega = Omega0 + Omega1 * s1
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
-        z7 = s_theta * s_phi
-        z8 = phi_dot * c_phi
-        z9 = x * c_phi
-        z10 = y_2 * s_phi
-        z11 = z9 + z10
-        z12 = x * s_phi
-        z13 = k6 + z6
-        z14 = y_2 * c_phi
-        z15 = a * (psi_dot * s_theta)
-        z16 = z12 - z14
-        z17 = Omega0 + phi_dot * k4
-        s2 = Omega1 * (z4 * z11 + s1 * (z12 * z13 - (z13 * z14 + z15)))
-        z18 = s2 + (k7 * z16 - z17 * z15)
-        z19 = k8 * z18
-        z20 = phi_dot * s_phi
-        z21 = theta_dot * c_theta
-        z22 = c_phi * s_theta
-        z23 = theta_dot * a
-        s3 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16)
-        z24 = s3 + (z11 * k7 - z23 * (z17 - psi_dot * c_theta * k4))
-        z25 = z24 * (k1 / z2)
-        z26 = s_theta * z25
-        s4 = psi_dot * (s_theta * z20 - c_phi * z21) + z22 * z26
-        z27 = a * (theta_dot * z8 + s_phi * z19 + s4)
-        s5 = psi_dot * (s_phi * z21 + s_theta * z8) - z7 * z26
-        z28 = a * (theta_dot * z20 - c_phi * z19 - s5)
-        s6 = Omega * (a * (theta_dot * c_phi + psi_dot * z7) - x * Omega)
-        s7 = a * (theta_dot * s_phi - psi_dot * z22) - y_2 * Omega
+        z4 = s_theta * s_phi
+        c1 = math.cos(z3)
+        z5 = c1 * k6
+        z6 = phi_dot * c_phi
+        z7 = Omega + phi_dot * k4
+        z8 = Omega * Omega
+        z9 = s_phi * z8 + c_phi * z5
+        z10 = c_phi * z8 - s_phi * z5
+        z11 = k7 * (a * (psi_dot * s_theta * z7) - (x * z9 - y_2 * z10))
+        z12 = phi_dot * s_phi
+        z13 = theta_dot * c_theta
+        z14 = c_phi * s_theta
+        s2 = a * (theta_dot * (z7 - psi_dot * c_theta * k4))
+        z15 = (x * z10 + y_2 * z9 - s2) * (k1 / z2)
+        z16 = s_theta * z15
+        s3 = psi_dot * (s_theta * z12 - c_phi * z13) + z14 * z16
+        z17 = a * (theta_dot * z6 - s_phi * z11 + s3)
+        s4 = psi_dot * (s_phi * z13 + s_theta * z6) - z4 * z16
+        z18 = a * (theta_dot * z12 + c_phi * z11 - s4)
+        s5 = Omega * (a * (theta_dot * c_phi + psi_dot * z4) - x * Omega)
+        s6 = a * (theta_dot * s_phi - psi_dot * z14) - y_2 * Omega
         qddot: list[float] = [
             # x'' (III.3)
-            z27 - (y_2 * z5 - s6),
+            s5 - y_2 * z5 + z17,
             # y'' (III.3)
-            x * z5 + Omega * s7 + z28,
+            Omega * s6 + x * z5 + z18,
             # phi'' (III.3)
-            s_theta * (theta_dot * psi_dot + c_theta * z25),
+            s_theta * (theta_dot * psi_dot + c_theta * z15),
             # theta'' (III.3)
-            z19,
+            -z11,
             # psi'' (III.3)
-            -z26,
+            -z16,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -459,10 +436,8 @@ def reactions(
         # the mass matrix is singular
         if not abs(k5) > 0.0:
             raise _refuse(abs(k5), 0.0, 2, "reactions")
-        k6 = 2.0 * Omega0
-        k7 = Omega0 * Omega0
-        k8 = k1 / k5
-        k9 = Omega1 * Omega1
+        k6 = Omega1 * nu
+        k7 = k1 / k5
         # from the state
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
@@ -471,47 +446,36 @@ def reactions(
         # the mass matrix is singular
         if not abs(z2) > 1e-13 * z1:
             raise _refuse(abs(z2), 1e-13 * z1, 2, "reactions")
+        z3 = t_ * nu
+        s1 = math.sin(z3)
+        Omega = Omega0 + Omega1 * s1
+        z4 = Omega * Omega
+        c1 = math.cos(z3)
+        z5 = c1 * k6
         c_phi = math.cos(phi)
-        z3 = psi_dot * c_theta
-        z4 = t_ * nu
-        s1 = math.sin(z4)
-        z5 = Omega1 * s1
-        z6 = z5 + (phi_dot + Omega0)
-        z7 = theta_dot * (z3 - z6)
+        z6 = psi_dot * c_theta
+        z7 = phi_dot + Omega
+        z8 = theta_dot * (z6 - z7)
         s_phi = math.sin(phi)
-        z8 = psi_dot * s_theta
-        z9 = z8 * z6
-        c1 = math.cos(z4)
-        z10 = nu * c1
-        z11 = Omega1 * z10
-        z12 = Omega0 * (Omega0 + 2.0 * z5) + k9 * (s1 * s1)
-        z13 = x * c_phi
-        z14 = y_2 * s_phi
-        z15 = z13 + z14
-        z16 = x * s_phi
-        z17 = k6 + z5
-        z18 = y_2 * c_phi
-        z19 = a * z8
-        z20 = z16 - z18
-        z21 = Omega0 + phi_dot * k4
-        s2 = Omega1 * (z10 * z15 + s1 * (z16 * z17 - (z17 * z18 + z19)))
-        z22 = s2 + (k7 * z20 - z21 * z19)
-        z23 = k8 * z22
-        z24 = c_phi * k1
-        z25 = theta_dot * a
-        s3 = Omega1 * (s1 * (z17 * z13 - (z25 - z17 * z14)) - z10 * z20)
-        z26 = s3 + (z15 * k7 - z25 * (z21 - z3 * k4))
-        z27 = s_theta * k1
-        z28 = z26 * (z27 / z2)
-        s4 = m * (a * (c_phi * z7 - s_phi * z9) + (y_2 * z11 + x * z12))
-        z29 = s4 - (k1 * (s_phi * z23) + z24 * (s_theta * z28))
-        s5 = m * (a * (s_phi * z7 + c_phi * z9) - (x * z11 - y_2 * z12))
-        z30 = s5 + (z23 * z24 - s_phi * z27 * z28)
+        z9 = psi_dot * s_theta
+        z10 = z9 * z7
+        z11 = Omega + phi_dot * k4
+        z12 = s_phi * z4 + c_phi * z5
+        z13 = c_phi * z4 - s_phi * z5
+        z14 = k7 * (a * (z9 * z11) - (x * z12 - y_2 * z13))
+        z15 = c_phi * k1
+        z16 = s_theta * k1
+        s2 = x * z13 + y_2 * z12 - a * (theta_dot * (z11 - z6 * k4))
+        z17 = s2 * (z16 / z2)
+        s3 = m * (x * z4 + y_2 * z5 + a * (c_phi * z8 - s_phi * z10))
+        z18 = s3 + (k1 * (s_phi * z14) - z15 * (s_theta * z17))
+        s4 = m * (y_2 * z4 - x * z5 + a * (s_phi * z8 + c_phi * z10))
+        z19 = s4 - (z14 * z15 + s_phi * z16 * z17)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 27:5
-            -z29,
+            -z18,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 28:5
-            -z30,
+            -z19,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -597,14 +561,15 @@ def jacobian(
         if not abs(k4) > 0.0:
             raise _refuse(abs(k4), 0.0, 2, "jacobian")
         k5 = 1.0 + k
+        k6 = k3 * k5
         # the mass matrix is singular
-        if not abs(k3 * k5) > 0.0:
-            raise _refuse(abs(k3 * k5), 0.0, 2, "jacobian")
-        k6 = 2.0 * Omega0
-        k7 = Omega0 * Omega0
+        if not abs(k6) > 0.0:
+            raise _refuse(abs(k6), 0.0, 2, "jacobian")
+        k7 = Omega1 * nu
         k8 = 1.0 / k4
-        k9 = 1.0 / k5
-        k10 = 1.0 / (a * k5)
+        k9 = 1.0 / k6
+        k10 = k2 * k9
+        k11 = -k5 * k10
         # from the state
         s_theta = math.sin(theta)
         z1 = k3 * (k + s_theta * s_theta)
@@ -615,91 +580,77 @@ def jacobian(
             raise _refuse(abs(z2), 1e-13 * z1, 2, "jacobian")
         z3 = t_ * nu
         s1 = math.sin(z3)
-        z4 = Omega1 * s1
-        Omega = Omega0 + z4
+        Omega = Omega0 + Omega1 * s1
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
-        z5 = s_theta * s_phi
-        z6 = psi_dot * c_theta
-        z7 = a * c_phi
-        z8 = a * s_phi
-        z9 = c_phi * s_theta
-        z10 = s_theta * k2
-        z11 = 1.0 / z2
-        z12 = c_theta * z11
-        z13 = z10 * z12
-        z14 = k6 + z4
-        z15 = s1 * z14
+        z4 = s_theta * s_phi
+        z5 = psi_dot * a
+        z6 = c_theta * z5
+        z7 = c_phi * s_theta
+        z8 = Omega * Omega
         c1 = math.cos(z3)
-        z16 = nu * c1
-        z17 = c_phi * k7 + Omega1 * (c_phi * z15 - s_phi * z16)
-        z18 = s_phi * k7 + Omega1 * (s_phi * z15 + c_phi * z16)
-        z19 = x * s_phi - y_2 * c_phi
-        z20 = x * c_phi
-        z21 = y_2 * s_phi
-        z22 = z20 + z21
-        z23 = k7 * z19 + Omega1 * (z16 * z22 + z19 * z15)
-        z24 = theta_dot * psi_dot
-        z25 = z10 * z11
-        z26 = theta_dot * a
-        z27 = phi_dot * k5
-        z28 = Omega0 + z27
-        z29 = z6 * k5
-        z30 = z16 * z19
-        z31 = z22 * k7
-        z32 = Omega1 * (s1 * (z14 * z20 - (z26 - z14 * z21)) - z30) + z31
-        z33 = z26 * (z28 - z29) - z32
-        z34 = z25 * z33
-        z35 = s_theta * k4
-        z36 = I * (c_theta * z24) + z34 * z35
-        z37 = z26 * z10
-        z38 = s_theta * k3
-        s2 = c_theta * (k2 * (z26 * (z6 - z28) + z32) + 2.0 * (z38 * z34))
-        s3 = s_theta * (psi_dot * z37 + (z24 - k2 * (z33 * z12)) * z35)
-        z39 = s3 - s2
-        z40 = z11 * (z39 - c_theta * z36)
-        z41 = k5 * z37
-        z42 = z41 * z12
-        z43 = z27 + (Omega - z29)
-        z44 = z11 * z41
-        z45 = phi_dot + Omega * k9
+        z9 = c1 * k7
+        z10 = c_phi * z8 - s_phi * z9
+        z11 = s_theta * k2
+        z12 = 1.0 / z2
+        z13 = z11 * z12
+        z14 = z10 * z13
+        z15 = s_phi * z8 + c_phi * z9
+        z16 = z15 * z13
+        z17 = y_2 * z11
+        z18 = x * z11
+        s2 = c_phi * (z8 * z17 - z9 * z18)
+        z19 = z12 * (s2 - s_phi * (z8 * z18 + z9 * z17))
+        z20 = theta_dot * psi_dot
+        z21 = theta_dot * a
+        z22 = Omega + phi_dot * k5
+        z23 = psi_dot * c_theta
+        z24 = x * z10 + y_2 * z15
+        z25 = z21 * (z22 - z23 * k5) - z24
+        z26 = z13 * z25
+        z27 = s_theta * k4
+        z28 = I * (c_theta * z20) + z26 * z27
+        z29 = z21 * z11
+        z30 = z23 - z22
+        s3 = psi_dot * z29 + (z20 - k2 * (z25 * (c_theta * z12))) * z27
+        s4 = k2 * (z24 + z21 * z30) + 2.0 * (k3 * (s_theta * z26))
+        z31 = s_theta * s3 - c_theta * s4
+        z32 = z12 * (z31 - c_theta * z28)
+        z33 = k5 * (z12 * z29)
+        z34 = c_theta * z33
+        z35 = I * (psi_dot * s_theta)
+        z36 = z12 * (a * (z11 * z30) + c_theta * z35)
+        z37 = x * k2
+        z38 = y_2 * k2
+        z39 = k9 * (k2 * z22)
+        s5 = c_phi * (z8 * z37 + z9 * z38)
         J: list[float] = [
             0.0,
             # (III.3)
             -Omega,
             # (III.3)
-            a * (theta_dot * c_phi + psi_dot * z5),
+            a * (theta_dot * c_phi + psi_dot * z4),
             # (III.3)
-            -z6 * z7,
+            -c_phi * z6,
             0.0,
             0.0,
             # (III.3)
-            z8,
+            a * s_phi,
             # (III.3)
-            -a * z9,
+            -a * z7,
             # (III.3)
             Omega,
             0.0,
             # (III.3)
-            a * (theta_dot * s_phi - psi_dot * z9),
+            a * (theta_dot * s_phi - psi_dot * z7),
             # (III.3)
-            -z6 * z8,
-            0.0,
-            0.0,
-            # (III.3)
-            -z7,
-            # (III.3)
-            -a * z5,
-            0.0,
-            0.0,
-            0.0,
+            -s_phi * z6,
             0.0,
             0.0,
             # (III.3)
-            1.0,
-            0.0,
-            0.0,
-            0.0,
+            -a * c_phi,
+            # (III.3)
+            -a * z4,
             0.0,
             0.0,
             0.0,
@@ -717,53 +668,63 @@ def jacobian(
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
-            z13 * z17,
-            # (III.3)
-            z13 * z18,
-            # (III.3)
-            -z23 * z13,
-            # (III.3)
-            k8 * z36 - c_theta * z40,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            -z42,
+            1.0,
             # (III.3)
-            s_theta * (psi_dot - k3 * (z43 * z12)),
+            c_theta * z14,
             # (III.3)
-            z44,
+            c_theta * z16,
             # (III.3)
-            k10 * z18,
+            c_theta * z19,
             # (III.3)
-            -k10 * z17,
-            # (III.3)
-            k10 * (z31 - Omega1 * (z30 - z22 * z15)),
-            # (III.3)
-            -z6 * z45,
+            k8 * z28 - c_theta * z32,
             0.0,
             # (III.3)
-            -psi_dot * s_theta,
+            -z34,
+            # (III.3)
+            k8 * z35 + c_theta * z36,
+            # (III.3)
+            z33,
+            # (III.3)
+            k10 * z15,
+            # (III.3)
+            -k10 * z10,
+            # (III.3)
+            k9 * (s5 + s_phi * (z8 * z38 - z9 * z37)),
+            # (III.3)
+            -z39 * z6,
             0.0,
             # (III.3)
-            -s_theta * z45,
-            # (III.3)
-            -z25 * z17,
-            # (III.3)
-            -z25 * z18,
-            # (III.3)
-            z25 * z23,
-            # (III.3)
-            z40,
+            s_theta * z5 * k11,
             0.0,
             # (III.3)
-            z44,
+            -a * (s_theta * z39),
             # (III.3)
-            z43 * (z11 * z38),
+            -z14,
             # (III.3)
-            -z42,
+            -z16,
+            # (III.3)
+            -z19,
+            # (III.3)
+            z32,
+            0.0,
+            # (III.3)
+            z33,
+            # (III.3)
+            -z36,
+            # (III.3)
+            -z34,
         ]
         _finish("jacobian", J)
-        return [J[k11 : k11 + 8] for k11 in range(0, 64, 8)]
+        return [J[k12 : k12 + 8] for k12 in range(0, 64, 8)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 
@@ -790,27 +751,23 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     try:
         # from the parameters alone
         k1 = a * a
-        k2 = Omega1 * Omega1
-        k3 = 0.5 * Omega0
         # from the state
         c_theta = math.cos(theta)
         z1 = psi_dot * c_theta
         s1 = math.sin(t_ * nu)
-        z2 = Omega1 * s1
-        z3 = x * x + y_2 * y_2
-        z4 = theta_dot * theta_dot
+        Omega = Omega0 + Omega1 * s1
+        z2 = theta_dot * theta_dot
         s_theta = math.sin(theta)
-        Omega = Omega0 + z2
-        s2 = psi_dot * (0.5 * psi_dot - Omega * c_theta) + 0.5 * z4
-        z5 = s2 - phi_dot * (Omega - (0.5 * phi_dot + z1))
-        s3 = 0.5 * (z4 + s_theta * s_theta * (psi_dot * psi_dot))
-        s4 = Omega0 * ((k3 + z2) * z3) + 0.5 * (k2 * (s1 * s1 * z3))
-        z6 = s4 - k1 * (s3 + k * z5)
+        s2 = 0.5 * z2 + psi_dot * (0.5 * psi_dot - Omega * c_theta)
+        z3 = s2 - phi_dot * (Omega - (0.5 * phi_dot + z1))
+        s3 = 0.5 * (z2 + s_theta * s_theta * (psi_dot * psi_dot))
+        s4 = 0.5 * (Omega * Omega * (x * x + y_2 * y_2))
+        z4 = s4 - k1 * (s3 + k * z3)
         out: list[float] = [
             # spin 31:9
             phi_dot + z1,
             # moving_energy 32:18
-            -m * z6,
+            -m * z4,
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
