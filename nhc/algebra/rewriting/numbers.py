@@ -17,6 +17,8 @@ from nhc.algebra.walks import reachable
 
 _FEW = 3
 """Multiplications by numbers up to which nothing is looked for."""
+_WORTH = 0.7
+"""Part of the multiplications that may be left: for fewer, expressions keep the numbers that the spec has."""
 _LONG = 6000
 """Nodes beyond which nothing is looked for."""
 
@@ -37,13 +39,12 @@ def fold_numbers(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     held, broken = [e for e in equations if not e[1]], [e for e in equations if e[1]]
     orders = (
         [*held, *broken],
-        [*broken, *held],
         [*broken, *held[::-1]],
-    )  # what holds already; what is first; what is last
+    )  # nothing gets a number that had none; what is last goes before what is first
     ways = [_solve(order) for order in orders]
     left = [sum(not _holds(way, equation) for equation in equations) for way in ways]
     best = min(range(len(ways)), key=left.__getitem__)
-    if left[best] >= len(broken):
+    if left[best] > _WORTH * len(broken):
         return list(roots)
     return _Sized(graph, ways[best]).roots(nodes, roots)
 

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:56f19f8401947f0c)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:6641bba97f34c6b8)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -217,78 +217,74 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
     const double R_1 = y[3]; /* quaternion of R, along x [1] */
     const double R_2 = y[4]; /* quaternion of R, along y [1] */
     const double R_3 = y[5]; /* quaternion of R, along z [1] */
-    const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const double z1 = 2.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_1 * z1;
     const double z3 = R_1 * z2;
     const double z4 = R_2 * z1;
     const double z5 = R_2 * z4;
-    const double R_z3 = 1.0 - 2.0 * (z3 + z5);
+    const double R_z3 = 1.0 - (z3 + z5);
     const double z6 = k1 * R_z3 * R_z3;
     const double z7 = R_3 * z4;
     const double z8 = R_0 * z1;
     const double z9 = R_1 * z8;
-    const double z10 = z7 + z9;
-    const double z11 = z10 * z10;
-    const double z12 = I1 + z6 + 4.0 * (k1 * z11);
-    const double z13 = R_3 * z1;
-    const double z14 = R_1 * z13;
-    const double z15 = R_2 * z8;
-    const double z16 = z14 - z15;
-    const double z17 = z16 * z16;
-    const double z18 = I2 + z6 + 4.0 * (k1 * z17);
-    const double z19 = z10 * k1;
-    const double z20 = z16 * z19;
-    const double z21 = 1.0 / z12;
-    const double z22 = z21 * z20;
-    const double z23 = z18 - 16.0 * (z20 * z22);
-    const double z24 = I3 + 4.0 * (k1 * (z11 + z17));
-    const double z25 = k1 * (z16 * R_z3);
-    const double z26 = z25 * z21;
-    const double z27 = 2.0 * (R_z3 * z19) + 8.0 * (z26 * z20);
-    const double z28 = 1.0 / z23;
-    const double z29 = z27 * z28;
-    const double z30 = z24 - 4.0 * (z25 * z26) - z27 * z29;
-    const double z31 = R_3 * z13;
-    const double z32 = R_2 * z2;
-    const double z33 = R_3 * z8;
-    const double w1 = y[6];
+    const double R_z2 = z7 + z9;
+    const double z10 = R_z2 * R_z2;
+    const double z11 = I1 + z6 + k1 * z10;
+    const double z12 = R_3 * z1;
+    const double z13 = R_1 * z12;
+    const double z14 = R_2 * z8;
+    const double R_z1 = z13 - z14;
+    const double z15 = R_z1 * R_z1;
+    const double z16 = I2 + z6 + k1 * z15;
+    const double z17 = R_z2 * k1;
+    const double z18 = R_z1 * z17;
+    const double z19 = 1.0 / z11;
+    const double z20 = z19 * z18;
+    const double z21 = z16 - z18 * z20;
+    const double z22 = I3 + k1 * (z10 + z15);
+    const double z23 = k1 * (R_z1 * R_z3);
+    const double z24 = z23 * z19;
+    const double z25 = R_z3 * z17 + z24 * z18;
+    const double z26 = 1.0 / z21;
+    const double z27 = z25 * z26;
+    const double z28 = z22 - z23 * z24 - z25 * z27;
+    const double z29 = R_3 * z12;
+    const double z30 = R_2 * z2;
+    const double z31 = R_3 * z8;
     const double w2 = y[7];
     const double w3 = y[8];
-    const double omega_y = 2.0 * ((z7 - z9) * w3) + ((1.0 - 2.0 * (z3 + z31)) * w2 + 2.0 * ((z32 + z33) *
-        w1));
-    const double omega_x = 2.0 * ((z14 + z15) * w3) + (2.0 * ((z32 - z33) * w2) + (1.0 - 2.0 * (z5 + z31)) *
-        w1);
-    const double z34 = w2 * w3 * k2;
-    const double z35 = w1 * w3 * k3 - 4.0 * (z34 * z22);
-    const double z36 = (w1 * w2 * k4 + 2.0 * (z34 * z26) - z29 * z35) / z30;
-    const double z37 = z28 * z35 - z29 * z36;
+    const double z32 = w2 * w3 * k2;
+    const double w1 = y[6];
+    const double z33 = w1 * w3 * k3 - z32 * z20;
+    const double z34 = (w1 * w2 * k4 + z32 * z24 - z27 * z33) / z28;
+    const double z35 = z26 * z33 - z27 * z34;
     /* (I.2.4) */
-    dydt[0] = a * omega_y; /* x' */
-    dydt[1] = -a * omega_x; /* y' */
+    dydt[0] = a * ((z7 - z9) * w3 + ((1.0 - (z3 + z29)) * w2 + (z30 + z31) * w1)); /* x' */
+    dydt[1] = -a * ((z13 + z14) * w3 + ((z30 - z31) * w2 + (1.0 - (z5 + z29)) * w1)); /* y' */
     dydt[2] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     dydt[3] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
     dydt[4] = (R_0 * w2 + R_3 * w1 - R_1 * w3) * 0.5; /* R_2' */
     dydt[5] = 0.5 * (R_0 * w3 + (R_1 * w2 - R_2 * w1)); /* R_3' */
     /* (I.2.15) 21:4 */
-    dydt[6] = z34 * z21 - 4.0 * (z22 * z37) + 2.0 * (z26 * z36); /* w1' */
-    dydt[7] = -z37; /* w2' */
-    dydt[8] = z36; /* w3' */
+    dydt[6] = z32 * z19 - z20 * z35 + z24 * z34; /* w1' */
+    dydt[7] = -z35; /* w2' */
+    dydt[8] = z34; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
-        && fabs(z23) > 1e-13 * z18
-        && fabs(z30) > 1e-13 * z24)) {
+        && fabs(z21) > 1e-13 * z16
+        && fabs(z28) > 1e-13 * z22)) {
         /* the mass matrix is singular */
-        if (!(fabs(z12) > 0.0)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z12), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
+        if (!(fabs(z11) > 0.0)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z11), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z23) > 1e-13 * z18)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z23), 1e-13 * z18,
+        if (!(fabs(z21) > 1e-13 * z16)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z21), 1e-13 * z16,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z30) > 1e-13 * z24)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z30), 1e-13 * z24,
+        if (!(fabs(z28) > 1e-13 * z22)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z28), 1e-13 * z22,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         return chaplygin_ball_quaternion_finish(9, dydt);
@@ -989,61 +985,59 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     const chaplygin_ball_quaternion_lanes w1 = chaplygin_ball_quaternion_get(y + 6 * stride);
     const chaplygin_ball_quaternion_lanes w2 = chaplygin_ball_quaternion_get(y + 7 * stride);
     const chaplygin_ball_quaternion_lanes w3 = chaplygin_ball_quaternion_get(y + 8 * stride);
-    const chaplygin_ball_quaternion_lanes z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const chaplygin_ball_quaternion_lanes z1 = 2.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const chaplygin_ball_quaternion_lanes z2 = R_1 * z1;
     const chaplygin_ball_quaternion_lanes z3 = R_1 * z2;
     const chaplygin_ball_quaternion_lanes z4 = R_2 * z1;
     const chaplygin_ball_quaternion_lanes z5 = R_2 * z4;
-    const chaplygin_ball_quaternion_lanes R_z3 = 1.0 - 2.0 * (z3 + z5);
+    const chaplygin_ball_quaternion_lanes R_z3 = 1.0 - (z3 + z5);
     const chaplygin_ball_quaternion_lanes z6 = k1 * R_z3 * R_z3;
     const chaplygin_ball_quaternion_lanes z7 = R_3 * z4;
     const chaplygin_ball_quaternion_lanes z8 = R_0 * z1;
     const chaplygin_ball_quaternion_lanes z9 = R_1 * z8;
-    const chaplygin_ball_quaternion_lanes z10 = z7 + z9;
-    const chaplygin_ball_quaternion_lanes z11 = z10 * z10;
-    const chaplygin_ball_quaternion_lanes z12 = I1 + z6 + 4.0 * (k1 * z11);
-    const chaplygin_ball_quaternion_lanes z13 = R_3 * z1;
-    const chaplygin_ball_quaternion_lanes z14 = R_1 * z13;
-    const chaplygin_ball_quaternion_lanes z15 = R_2 * z8;
-    const chaplygin_ball_quaternion_lanes z16 = z14 - z15;
-    const chaplygin_ball_quaternion_lanes z17 = z16 * z16;
-    const chaplygin_ball_quaternion_lanes z18 = I2 + z6 + 4.0 * (k1 * z17);
-    const chaplygin_ball_quaternion_lanes z19 = z10 * k1;
-    const chaplygin_ball_quaternion_lanes z20 = z16 * z19;
-    const chaplygin_ball_quaternion_lanes z21 = 1.0 / z12;
-    const chaplygin_ball_quaternion_lanes z22 = z21 * z20;
-    const chaplygin_ball_quaternion_lanes z23 = z18 - 16.0 * (z20 * z22);
+    const chaplygin_ball_quaternion_lanes R_z2 = z7 + z9;
+    const chaplygin_ball_quaternion_lanes z10 = R_z2 * R_z2;
+    const chaplygin_ball_quaternion_lanes z11 = I1 + z6 + k1 * z10;
+    const chaplygin_ball_quaternion_lanes z12 = R_3 * z1;
+    const chaplygin_ball_quaternion_lanes z13 = R_1 * z12;
+    const chaplygin_ball_quaternion_lanes z14 = R_2 * z8;
+    const chaplygin_ball_quaternion_lanes R_z1 = z13 - z14;
+    const chaplygin_ball_quaternion_lanes z15 = R_z1 * R_z1;
+    const chaplygin_ball_quaternion_lanes z16 = I2 + z6 + k1 * z15;
+    const chaplygin_ball_quaternion_lanes z17 = R_z2 * k1;
+    const chaplygin_ball_quaternion_lanes z18 = R_z1 * z17;
+    const chaplygin_ball_quaternion_lanes z19 = 1.0 / z11;
+    const chaplygin_ball_quaternion_lanes z20 = z19 * z18;
+    const chaplygin_ball_quaternion_lanes z21 = z16 - z18 * z20;
     /* the mass matrix is singular */
     bad |=
-        chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z23)),
-        1e-13 * z18);
-    const chaplygin_ball_quaternion_lanes z24 = I3 + 4.0 * (k1 * (z11 + z17));
-    const chaplygin_ball_quaternion_lanes z25 = k1 * (z16 * R_z3);
-    const chaplygin_ball_quaternion_lanes z26 = z25 * z21;
-    const chaplygin_ball_quaternion_lanes z27 = 2.0 * (R_z3 * z19) + 8.0 * (z26 * z20);
-    const chaplygin_ball_quaternion_lanes z28 = 1.0 / z23;
-    const chaplygin_ball_quaternion_lanes z29 = z27 * z28;
-    const chaplygin_ball_quaternion_lanes z30 = z24 - 4.0 * (z25 * z26) - z27 * z29;
+        chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z21)),
+        1e-13 * z16);
+    const chaplygin_ball_quaternion_lanes z22 = I3 + k1 * (z10 + z15);
+    const chaplygin_ball_quaternion_lanes z23 = k1 * (R_z1 * R_z3);
+    const chaplygin_ball_quaternion_lanes z24 = z23 * z19;
+    const chaplygin_ball_quaternion_lanes z25 = R_z3 * z17 + z24 * z18;
+    const chaplygin_ball_quaternion_lanes z26 = 1.0 / z21;
+    const chaplygin_ball_quaternion_lanes z27 = z25 * z26;
+    const chaplygin_ball_quaternion_lanes z28 = z22 - z23 * z24 - z25 * z27;
     /* the mass matrix is singular */
     bad |=
-        chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z30)),
-        1e-13 * z24);
-    const chaplygin_ball_quaternion_lanes z31 = R_3 * z13;
-    const chaplygin_ball_quaternion_lanes z32 = R_2 * z2;
-    const chaplygin_ball_quaternion_lanes z33 = R_3 * z8;
-    const chaplygin_ball_quaternion_lanes omega_y = 2.0 * ((z7 - z9) * w3) + ((1.0 - 2.0 * (z3 + z31)) * w2 +
-        2.0 * ((z32 + z33) * w1));
-    const chaplygin_ball_quaternion_lanes omega_x = 2.0 * ((z14 + z15) * w3) + (2.0 * ((z32 - z33) * w2) +
-        (1.0 - 2.0 * (z5 + z31)) * w1);
-    const chaplygin_ball_quaternion_lanes z34 = w2 * w3 * k2;
-    const chaplygin_ball_quaternion_lanes z35 = w1 * w3 * k3 - 4.0 * (z34 * z22);
-    const chaplygin_ball_quaternion_lanes z36 = (w1 * w2 * k4 + 2.0 * (z34 * z26) - z29 * z35) / z30;
-    const chaplygin_ball_quaternion_lanes z37 = z28 * z35 - z29 * z36;
+        chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z28)),
+        1e-13 * z22);
+    const chaplygin_ball_quaternion_lanes z29 = R_3 * z12;
+    const chaplygin_ball_quaternion_lanes z30 = R_2 * z2;
+    const chaplygin_ball_quaternion_lanes z31 = R_3 * z8;
+    const chaplygin_ball_quaternion_lanes z32 = w2 * w3 * k2;
+    const chaplygin_ball_quaternion_lanes z33 = w1 * w3 * k3 - z32 * z20;
+    const chaplygin_ball_quaternion_lanes z34 = (w1 * w2 * k4 + z32 * z24 - z27 * z33) / z28;
+    const chaplygin_ball_quaternion_lanes z35 = z26 * z33 - z27 * z34;
     /* (I.2.4) */
-    const chaplygin_ball_quaternion_lanes slope1 = a * omega_y;
+    const chaplygin_ball_quaternion_lanes slope1 = a * ((z7 - z9) * w3 + ((1.0 - (z3 + z29)) * w2 + (z30 +
+        z31) * w1));
     sum += slope1;
     chaplygin_ball_quaternion_put(dydt, slope1);
-    const chaplygin_ball_quaternion_lanes slope2 = -a * omega_x;
+    const chaplygin_ball_quaternion_lanes slope2 = -a * ((z13 + z14) * w3 + ((z30 - z31) * w2 + (1.0 - (z5 +
+        z29)) * w1));
     sum += slope2;
     chaplygin_ball_quaternion_put(dydt + 1 * stride, slope2);
     const chaplygin_ball_quaternion_lanes slope3 = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2));
@@ -1059,13 +1053,13 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     sum += slope6;
     chaplygin_ball_quaternion_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 21:4 */
-    const chaplygin_ball_quaternion_lanes slope7 = z34 * z21 - 4.0 * (z22 * z37) + 2.0 * (z26 * z36);
+    const chaplygin_ball_quaternion_lanes slope7 = z32 * z19 - z20 * z35 + z24 * z34;
     sum += slope7;
     chaplygin_ball_quaternion_put(dydt + 6 * stride, slope7);
-    const chaplygin_ball_quaternion_lanes slope8 = -z37;
+    const chaplygin_ball_quaternion_lanes slope8 = -z35;
     sum += slope8;
     chaplygin_ball_quaternion_put(dydt + 7 * stride, slope8);
-    const chaplygin_ball_quaternion_lanes slope9 = z36;
+    const chaplygin_ball_quaternion_lanes slope9 = z34;
     chaplygin_ball_quaternion_put(dydt + 8 * stride, slope9);
     chaplygin_ball_quaternion_put(check, chaplygin_ball_quaternion_mark(far + (sum - sum), bad));
 }

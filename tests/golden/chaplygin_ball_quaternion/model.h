@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:549e33d1f1bd2489)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b0e6f3383f252a9b)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -35,7 +35,7 @@
  * out[2] = K_z [kg*m^2/s]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 46 +-, 94 *, 4 /, 0 calls
+ * rhs: 46 +-, 76 *, 4 /, 0 calls
  * velocities: 23 +-, 47 *, 1 /, 0 calls
  * accelerations: 78 +-, 158 *, 4 /, 0 calls
  * state: 12 +-, 23 *, 1 /, 0 calls

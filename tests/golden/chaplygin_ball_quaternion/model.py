@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:97b5489f119be222).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b0a0304b0dfc5ac4).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -35,7 +35,7 @@ out[1] = K_y [kg*m^2/s]
 out[2] = K_z [kg*m^2/s]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 46 +-, 94 *, 4 /, 0 calls
+rhs: 46 +-, 76 *, 4 /, 0 calls
 velocities: 23 +-, 47 *, 1 /, 0 calls
 accelerations: 78 +-, 158 *, 4 /, 0 calls
 state: 12 +-, 23 *, 1 /, 0 calls
@@ -133,62 +133,60 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k3 = I1 - I3
         k4 = I1 - I2
         # from the state
-        z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
+        z1 = 2.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_1 * z1
         z3 = R_1 * z2
         z4 = R_2 * z1
         z5 = R_2 * z4
-        R_z3 = 1.0 - 2.0 * (z3 + z5)
+        R_z3 = 1.0 - (z3 + z5)
         z6 = k1 * R_z3 * R_z3
         z7 = R_3 * z4
         z8 = R_0 * z1
         z9 = R_1 * z8
-        z10 = z7 + z9
-        z11 = z10 * z10
-        z12 = I1 + z6 + 4.0 * (k1 * z11)
+        R_z2 = z7 + z9
+        z10 = R_z2 * R_z2
+        z11 = I1 + z6 + k1 * z10
         # the mass matrix is singular
-        if not abs(z12) > 0.0:
-            raise _refuse(abs(z12), 0.0, 2, "rhs")
-        z13 = R_3 * z1
-        z14 = R_1 * z13
-        z15 = R_2 * z8
-        z16 = z14 - z15
-        z17 = z16 * z16
-        z18 = I2 + z6 + 4.0 * (k1 * z17)
-        z19 = z10 * k1
-        z20 = z16 * z19
-        z21 = 1.0 / z12
-        z22 = z21 * z20
-        z23 = z18 - 16.0 * (z20 * z22)
+        if not abs(z11) > 0.0:
+            raise _refuse(abs(z11), 0.0, 2, "rhs")
+        z12 = R_3 * z1
+        z13 = R_1 * z12
+        z14 = R_2 * z8
+        R_z1 = z13 - z14
+        z15 = R_z1 * R_z1
+        z16 = I2 + z6 + k1 * z15
+        z17 = R_z2 * k1
+        z18 = R_z1 * z17
+        z19 = 1.0 / z11
+        z20 = z19 * z18
+        z21 = z16 - z18 * z20
         # the mass matrix is singular
-        if not abs(z23) > 1e-13 * z18:
-            raise _refuse(abs(z23), 1e-13 * z18, 2, "rhs")
-        z24 = I3 + 4.0 * (k1 * (z11 + z17))
-        z25 = k1 * (z16 * R_z3)
-        z26 = z25 * z21
-        z27 = 2.0 * (R_z3 * z19) + 8.0 * (z26 * z20)
-        z28 = 1.0 / z23
-        z29 = z27 * z28
-        z30 = z24 - 4.0 * (z25 * z26) - z27 * z29
+        if not abs(z21) > 1e-13 * z16:
+            raise _refuse(abs(z21), 1e-13 * z16, 2, "rhs")
+        z22 = I3 + k1 * (z10 + z15)
+        z23 = k1 * (R_z1 * R_z3)
+        z24 = z23 * z19
+        z25 = R_z3 * z17 + z24 * z18
+        z26 = 1.0 / z21
+        z27 = z25 * z26
+        z28 = z22 - z23 * z24 - z25 * z27
         # the mass matrix is singular
-        if not abs(z30) > 1e-13 * z24:
-            raise _refuse(abs(z30), 1e-13 * z24, 2, "rhs")
-        z31 = R_3 * z13
-        z32 = R_2 * z2
-        z33 = R_3 * z8
-        s1 = (1.0 - 2.0 * (z3 + z31)) * w2 + 2.0 * ((z32 + z33) * w1)
-        omega_y = 2.0 * ((z7 - z9) * w3) + s1
-        s2 = 2.0 * ((z32 - z33) * w2) + (1.0 - 2.0 * (z5 + z31)) * w1
-        omega_x = 2.0 * ((z14 + z15) * w3) + s2
-        z34 = w2 * w3 * k2
-        z35 = w1 * w3 * k3 - 4.0 * (z34 * z22)
-        z36 = (w1 * w2 * k4 + 2.0 * (z34 * z26) - z29 * z35) / z30
-        z37 = z28 * z35 - z29 * z36
+        if not abs(z28) > 1e-13 * z22:
+            raise _refuse(abs(z28), 1e-13 * z22, 2, "rhs")
+        z29 = R_3 * z12
+        z30 = R_2 * z2
+        z31 = R_3 * z8
+        z32 = w2 * w3 * k2
+        z33 = w1 * w3 * k3 - z32 * z20
+        z34 = (w1 * w2 * k4 + z32 * z24 - z27 * z33) / z28
+        z35 = z26 * z33 - z27 * z34
+        s1 = (z7 - z9) * w3 + ((1.0 - (z3 + z29)) * w2 + (z30 + z31) * w1)
+        s2 = (z30 - z31) * w2 + (1.0 - (z5 + z29)) * w1
         dydt: list[float] = [
             # x' (I.2.4)
-            a * omega_y,
+            a * s1,
             # y' (I.2.4)
-            -a * omega_x,
+            -a * ((z13 + z14) * w3 + s2),
             # R_0' (I.2.4)
             -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
             # R_1' (I.2.4)
@@ -198,11 +196,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # R_3' (I.2.4)
             0.5 * (R_0 * w3 + (R_1 * w2 - R_2 * w1)),
             # w1' (I.2.15) 21:4
-            z34 * z21 - 4.0 * (z22 * z37) + 2.0 * (z26 * z36),
+            z32 * z19 - z20 * z35 + z24 * z34,
             # w2' (I.2.15) 21:4
-            -z37,
+            -z35,
             # w3' (I.2.15) 21:4
-            z36,
+            z34,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:b9aca58d4e1c3716)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:e6dbecb844035f89)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -194,7 +194,7 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
-    const double z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const double z1 = mgl * (2.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1))));
     const double w3 = y[6];
     const double z2 = w3 * k1;
     const double w1 = y[4];
@@ -205,8 +205,8 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     dydt[2] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
     dydt[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* (I.2.15) 12:4 */
-    dydt[4] = k2 * (2.0 * (z1 * (R_0 * R_1 + R_2 * R_3)) + w2 * z2); /* w1' */
-    dydt[5] = k2 * (2.0 * (z1 * (R_0 * R_2 - R_1 * R_3)) - w1 * z2); /* w2' */
+    dydt[4] = k2 * (z1 * (R_0 * R_1 + R_2 * R_3) + w2 * z2); /* w1' */
+    dydt[5] = k2 * (z1 * (R_0 * R_2 - R_1 * R_3) - w1 * z2); /* w2' */
     dydt[6] = 0.0; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (0 times it is NaN then, and nothing is larger) */
@@ -556,7 +556,7 @@ static __attribute__((noinline)) void heavy_top_quaternion_rhs_lanes(const doubl
     const heavy_top_quaternion_lanes w1 = heavy_top_quaternion_get(y + 4 * stride);
     const heavy_top_quaternion_lanes w2 = heavy_top_quaternion_get(y + 5 * stride);
     const heavy_top_quaternion_lanes w3 = heavy_top_quaternion_get(y + 6 * stride);
-    const heavy_top_quaternion_lanes z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const heavy_top_quaternion_lanes z1 = mgl * (2.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1))));
     const heavy_top_quaternion_lanes z2 = w3 * k1;
     /* (I.2.4) */
     const heavy_top_quaternion_lanes slope1 = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2));
@@ -572,10 +572,10 @@ static __attribute__((noinline)) void heavy_top_quaternion_rhs_lanes(const doubl
     sum += slope4;
     heavy_top_quaternion_put(dydt + 3 * stride, slope4);
     /* (I.2.15) 12:4 */
-    const heavy_top_quaternion_lanes slope5 = k2 * (2.0 * (z1 * (R_0 * R_1 + R_2 * R_3)) + w2 * z2);
+    const heavy_top_quaternion_lanes slope5 = k2 * (z1 * (R_0 * R_1 + R_2 * R_3) + w2 * z2);
     sum += slope5;
     heavy_top_quaternion_put(dydt + 4 * stride, slope5);
-    const heavy_top_quaternion_lanes slope6 = k2 * (2.0 * (z1 * (R_0 * R_2 - R_1 * R_3)) - w1 * z2);
+    const heavy_top_quaternion_lanes slope6 = k2 * (z1 * (R_0 * R_2 - R_1 * R_3) - w1 * z2);
     sum += slope6;
     heavy_top_quaternion_put(dydt + 5 * stride, slope6);
     const heavy_top_quaternion_lanes slope7 = HEAVY_TOP_QUATERNION_SPREAD(0.0);

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:97199c761eedfb2f)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:c16c675975cfa003)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -28,7 +28,7 @@
  * out[1] = L_z [kg*m^2/s]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 16 +-, 33 *, 2 /, 0 calls
+ * rhs: 16 +-, 32 *, 2 /, 0 calls
  * velocities: 8 +-, 16 *, 0 /, 0 calls
  * accelerations: 16 +-, 33 *, 2 /, 0 calls
  * state: 12 +-, 23 *, 1 /, 0 calls

@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:2cf2c22f9202ac87).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:657762e11edc6b75).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -28,7 +28,7 @@ out[0] = height [1]
 out[1] = L_z [kg*m^2/s]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 16 +-, 33 *, 2 /, 0 calls
+rhs: 16 +-, 32 *, 2 /, 0 calls
 velocities: 8 +-, 16 *, 0 /, 0 calls
 accelerations: 16 +-, 33 *, 2 /, 0 calls
 state: 12 +-, 23 *, 1 /, 0 calls
@@ -128,7 +128,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k1 = I1 - I3
         k2 = 1.0 / I1
         # from the state
-        z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
+        s1 = 2.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
+        z1 = mgl * s1
         z2 = w3 * k1
         dydt: list[float] = [
             # R_0' (I.2.4)
@@ -140,9 +141,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # R_3' (I.2.4)
             0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
             # w1' (I.2.15) 12:4
-            k2 * (2.0 * (z1 * (R_0 * R_1 + R_2 * R_3)) + w2 * z2),
+            k2 * (z1 * (R_0 * R_1 + R_2 * R_3) + w2 * z2),
             # w2' (I.2.15) 12:4
-            k2 * (2.0 * (z1 * (R_0 * R_2 - R_1 * R_3)) - w1 * z2),
+            k2 * (z1 * (R_0 * R_2 - R_1 * R_3) - w1 * z2),
             # w3' (I.2.15) 12:4
             0.0,
         ]
