@@ -53,6 +53,7 @@ class Chain:
     parameters: int
     velocities: tuple[Node, ...]  # the kept ones, as symbols
     along: dict[Node, Node]  # the motion: what q and t change by
+    places: dict[int, Node]  # what the spec differentiated for a form to be its rate
 
     @property
     def size(self) -> int:
@@ -88,7 +89,7 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     for i, force in enumerate(pullback_gradient(g, forces, motion.w)):
         pull[i] = g.add(pull[i], force)
     if spatial is None:
-        return _in_units(system, motion, recursion, weights, pull, sweeps.seeds)
+        return _in_units(system, motion, recursion, weights, pull, sweeps.seeds, places=_places(kinetic, recursion))
     torques = substitute(g, [torque for _, torque in spatial.torques], to_motion)
     for (i, _), torque in zip(spatial.torques, torques, strict=True):
         pull[i] = g.add(pull[i], torque)
@@ -184,6 +185,21 @@ def _turning(kinetic: Kinetic, sweeps: Sweeps, to_motion: dict[Node, Node], know
     return turned.put(g, to_motion).put(g, dict(zip(symbols, slopes, strict=True)))
 
 
+def _places(kinetic: Kinetic, recursion: Recursion) -> dict[int, Node]:
+    """The positions whose rates the variables are but for positive constants, where the spec has these."""
+    g, found = kinetic.system.graph, dict[int, Node]()
+    mask, bare = g.mask(kinetic.system.p), dict[Node, Node]()
+    for rate, place in g.rate_of.items():
+        _, rest = split_parameters(g, rate, mask)  # T's forms have no parameters in front of them, and no sign
+        bare.update({rest: place, g.neg(rest): g.neg(place)})
+    for form, atom in zip(recursion.forms, kinetic.atoms, strict=True):
+        place = g.rate_of.get(atom, bare.get(atom, -1))
+        for i, a in form.items():
+            if place >= 0 and len(form) == 1 and g.value(a) in (1, -1):
+                found.setdefault(i, place if a == g.one else g.neg(place))
+    return found
+
+
 # --- units -----------------------------------------------------------------------------------------------------
 
 
@@ -195,6 +211,7 @@ def _in_units(
     pull: list[Node],
     along: dict[Node, Node],
     turns: Sequence[Node] = (),
+    places: dict[int, Node] | None = None,
 ) -> Chain:
     g, rates = system.graph, recursion.rates
     mask = g.mask(system.p)
@@ -232,6 +249,7 @@ def _in_units(
         parameters=mask,
         velocities=motion.w,
         along=along,
+        places=places or {},
     )
 
 

@@ -71,6 +71,16 @@ class Rods:
         for rod in reversed(self.rods):
             self._stiffen(rod)
 
+    @property
+    def variables(self) -> list[int]:
+        """The rates and forms that are solved for here."""
+        return [i for rod in self.rods for i in (rod.rate, *rod.tip)]
+
+    @property
+    def pivots(self) -> list[tuple[Node, Node]]:
+        """(pivot, what it is measured by)."""
+        return [(rod.pivot, rod.mass) for rod in self.rods]
+
     def _at_hand(self, beside: Sequence[Node]) -> set[Node]:
         """Sines and cosines that are needed anyhow, also for what is computed ``beside``."""
         g, chain = self.graph, self.chain

@@ -17,6 +17,7 @@ from nhc.mechanics.trees.chain import Chain
 from nhc.mechanics.trees.order import choose_order
 from nhc.mechanics.trees.recursion import Terms, Weights
 from nhc.mechanics.trees.rods import Rods
+from nhc.mechanics.trees.spheres import Spheres
 from nhc.records import structure
 
 _NEAR = 9  # forms in the order among which those are sought that move together
@@ -43,16 +44,15 @@ class Elimination:
         self.pivots: list[tuple[Node, Node]] = []
         self.graph: Graph = chain.graph
         self.rows: list[Terms] = [{} for _ in range(chain.size)]
-        self.rods = Rods(chain, self.beside)
+        self.rods, self.spheres = Rods(chain, self.beside), Spheres(chain)
         self._gone = [False] * chain.size
-        for rod in self.rods.rods:
-            for i in (rod.rate, *rod.tip):
-                self._gone[i] = True
-            self.pivots.append((rod.pivot, rod.mass))
+        for i in (*self.rods.variables, *self.spheres.variables):
+            self._gone[i] = True
+        self.pivots += [*self.rods.pivots, *self.spheres.pivots]
         for (a, b), weight in chain.weights.items():
             if not self._gone[a] and not self._gone[b]:
                 self._add(a, b, weight)
-        for a, b, weight in self.rods.weights():
+        for a, b, weight in (*self.rods.weights(), *self.spheres.weights()):
             self._add(a, b, weight)
         self._waits = [0] * chain.size
         for k, terms in enumerate(chain.definitions):
@@ -223,6 +223,7 @@ class Elimination:
     def _solve(self, pull: list[Node], drift: list[Node], *, moving: bool) -> list[Node]:
         g, chain = self.graph, self.chain
         pushed = self.rods.push(pull, drift, moving=moving)
+        loads = self.spheres.push(pull, drift, moving=moving)
         for step in self.steps:
             force = pull[step.index]
             for c, a in step.terms.items():
@@ -235,4 +236,5 @@ class Elimination:
                 parts = g.sub(g.mul(pull[step.index], step.reciprocal), parts)
             found[step.index] = parts
         self.rods.answer(found, pull, drift, pushed, moving=moving)
+        self.spheres.answer(found, pull, drift, loads, moving=moving)
         return [g.div(found[i], s) for i, s in enumerate(chain.scale)]
