@@ -10,7 +10,7 @@ Nothing here is a matrix over all rates: the cost follows the tree.  Forces are 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from nhc.algebra.calculus import gradient, pullback_gradient, tangent
 from nhc.algebra.graph import NEG, Graph, Node
@@ -53,7 +53,7 @@ class Chain:
     parameters: int
     velocities: tuple[Node, ...]  # the kept ones, as symbols
     along: dict[Node, Node]  # the motion: what q and t change by
-    places: dict[int, Node]  # what the spec differentiated for a form to be its rate
+    places: Callable[[], dict[int, Node]]  # what the spec differentiated for a form to be its rate
 
     @property
     def size(self) -> int:
@@ -89,7 +89,9 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     for i, force in enumerate(pullback_gradient(g, forces, motion.w)):
         pull[i] = g.add(pull[i], force)
     if spatial is None:
-        return _in_units(system, motion, recursion, weights, pull, sweeps.seeds, places=_places(kinetic, recursion))
+        return _in_units(
+            system, motion, recursion, weights, pull, sweeps.seeds, places=lambda: _places(kinetic, recursion)
+        )
     torques = substitute(g, [torque for _, torque in spatial.torques], to_motion)
     for (i, _), torque in zip(spatial.torques, torques, strict=True):
         pull[i] = g.add(pull[i], torque)
@@ -211,7 +213,7 @@ def _in_units(
     pull: list[Node],
     along: dict[Node, Node],
     turns: Sequence[Node] = (),
-    places: dict[int, Node] | None = None,
+    places: Callable[[], dict[int, Node]] = dict,
 ) -> Chain:
     g, rates = system.graph, recursion.rates
     mask = g.mask(system.p)
@@ -249,7 +251,7 @@ def _in_units(
         parameters=mask,
         velocities=motion.w,
         along=along,
-        places=places or {},
+        places=places,
     )
 
 

@@ -20,8 +20,8 @@ SHORT = 60
 
 @structure
 class Sphere:
-    """``foot`` says what the tip's forms are of beside the rates; ``arm[r]`` is the unit of the rate r by that of these forms times
-    the length, ``reach``.
+    """A rod: ``foot`` says what the tip's forms are of beside the rates; ``arm[r]`` is the unit of the rate r by that of these
+    forms times the length, ``reach``.
 
     ``free``: the variables of the foot have diagonal inertias and move nothing else, so that they are solved for here.
     """
@@ -75,6 +75,7 @@ def find_spheres(chain: Chain) -> list[Sphere]:
             pairs.setdefault(tuple(users[i]), []).append(i)
     made: dict[tuple[int, ...], Sphere] = {}
     wide = [key for key in pairs if len(key) == 3]
+    places = chain.places() if wide else {}
     for tip in sorted(wide, reverse=True):
         rates = [i for key, own in pairs.items() if set(key) <= set(tip) for i in own]
         beyond = {j for t in tip for j in users[t]}
@@ -83,7 +84,7 @@ def find_spheres(chain: Chain) -> list[Sphere]:
         if len(rates) != 2 or mixed & {*tip} or (beyond and not alone):
             continue
         axes = tuple(i for terms in alone[0].foot for i in terms) if alone else tip
-        rod = _read(chain, (axes[0], axes[1], axes[2]), (min(rates), max(rates)))
+        rod = _read(chain, (axes[0], axes[1], axes[2]), (min(rates), max(rates)), [places.get(j) for j in axes])
         if rod is not None:
             rod.free = bool(rod.variables) and all(
                 i < chain.rates and i not in mixed and (i, i) in chain.weights and {*users[i]} <= {*tip}
@@ -93,12 +94,13 @@ def find_spheres(chain: Chain) -> list[Sphere]:
     return [made[tip] for tip in sorted(made)]
 
 
-def _read(chain: Chain, tip: tuple[int, int, int], rates: tuple[int, int]) -> Sphere | None:
-    """The rod with this tip, which these rates turn; None where it is none."""
+def _read(
+    chain: Chain, tip: tuple[int, int, int], rates: tuple[int, int], places: Sequence[Node | None]
+) -> Sphere | None:
+    """The rod with this tip at these ``places``, which these rates turn; None where it is none."""
     g, masses = chain.graph, {chain.weights.get((j, j)) for j in tip}
     (mass,) = masses if len(masses) == 1 else (None,)
     foot = [{c: a for c, a in chain.definitions[j - chain.rates].items() if c not in rates} for j in tip]
-    places = [chain.places.get(j) for j in tip]
     q = [next((x for x, v in chain.along.items() if v == chain.velocities[i]), None) for i in rates]
     if mass is None or any(own is None for own in (*places, *q)) or not all(chain.steady[j - chain.rates] for j in tip):
         return None
