@@ -26,8 +26,10 @@ SURFACES = {
 }
 
 
-def rolling(surface: str, seed: int, *, plate: bool = False) -> str:
-    """A body that rolls on a plane with any normal, on one that turns if ``plate``, with any centre of mass and inertia."""
+def rolling(surface: str, seed: int, *, plate: bool = False, rubber: bool = False) -> str:
+    """A body that rolls on a plane with any normal, on one that turns if ``plate``, without spin about the normal if it is of
+    ``rubber``, with any centre of mass and inertia.
+    """
     draw = random.Random(f"{surface} {seed}")
     k = draw.randrange(3)
     i, j = (k + 1) % 3, (k + 2) % 3
@@ -45,6 +47,7 @@ def rolling(surface: str, seed: int, *, plate: bool = False) -> str:
     for axis in draw.sample([i, j], 2):
         factor = draw.choice(["", "-", "2*", "m*"])
         rows.append(f"  - roll_{letters[axis]}: {factor}P_v{letters[axis]} = {factor}({moving[axis]})")
+    rows += ["  - twist: g1*p + g2*q + g3*r = 0"] if rubber else []
     force = draw.choice(["", "forces: {p: -D*p, u: D*sin(t)}"])
     names = "\n".join(f"  g{n + 1}: {entry}" for n, entry in enumerate(normal))
     return f"""
@@ -91,6 +94,14 @@ def test_rolling_bodies(surface: str, seed: int) -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_balls_on_a_plate_that_turns(seed: int) -> None:
     assert assert_same(system_of(rolling("ball", seed, plate=True))) > 0
+
+
+@pytest.mark.parametrize("surface", ["ball", "ellipsoid"])
+def test_bodies_of_rubber(surface: str) -> None:
+    system = system_of(rolling(surface, 1, rubber=True))
+    assert assert_same(system) > 0
+    before, after = cost(system)
+    assert after < before
 
 
 def test_what_the_equations_are_made_of() -> None:

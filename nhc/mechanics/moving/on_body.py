@@ -93,7 +93,7 @@ class _Seen:
             parts, rest = linear_form(g, node, (*self.rows[i], *self.rows[j]))
         except NotLinear:
             return None
-        if g.depends(rest, self.kept) or any(g.depends(part, g.mask(self.rotation.e)) for part in (*parts, rest)):
+        if g.depends(rest, self.kept | g.mask(self.rotation.e)):
             return None
         found = (
             g.zero if zero else part for part, zero in zip((*parts, rest), are_zero(g, [*parts, rest]), strict=True)
