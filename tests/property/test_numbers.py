@@ -31,6 +31,7 @@ def multiplications(g: Graph, roots: list[Node]) -> int:
 @pytest.fixture(autouse=True)
 def _any_number(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(numbers, "_FEW", 0)
+    monkeypatch.setattr(numbers, "_RARE", 1000)
 
 
 @QUIET

@@ -13,10 +13,13 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
+from nhc.algebra.nodes import Rational
 from nhc.algebra.walks import reachable
 
 _FEW = 3
 """Multiplications by numbers up to which nothing is looked for."""
+_RARE = 18
+"""Nodes for each of them from which nothing is looked for: equations are made for all."""
 _WORTH = 0.7
 """Part of the multiplications that may be left: for fewer, expressions keep the numbers that the spec has."""
 _LONG = 6000
@@ -33,7 +36,7 @@ def fold_numbers(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     """
     nodes = reachable(graph, roots)
     numbers = sum(_is_scaled(graph, node) for node in nodes)
-    if numbers <= _FEW or len(nodes) > _LONG or "folded numbers" in graph.off:
+    if numbers <= _FEW or _RARE * numbers < len(nodes) or len(nodes) > _LONG or "folded numbers" in graph.off:
         return list(roots)
     equations = _equations(graph, nodes, roots)
     held, broken = [e for e in equations if not e[1]], [e for e in equations if e[1]]
@@ -56,7 +59,7 @@ def _equations(graph: Graph, nodes: Sequence[Node], roots: Iterable[Node]) -> li
     """One for each place where a number may stand."""
     g, found = graph, list[Equation]()
 
-    def add(wanted: Iterable[tuple[int, Node]], factor: Fraction) -> None:
+    def add(wanted: Iterable[tuple[int, Node]], factor: Rational) -> None:
         """The equation that a place is free of a power of two, where its number is one: wanted sizes = 1/factor."""
         power = _log2(factor)
         if power is not None:
@@ -66,7 +69,7 @@ def _equations(graph: Graph, nodes: Sequence[Node], roots: Iterable[Node]) -> li
                     sides[core] = sides.get(core, 0) + n
             found.append(({core: n for core, n in sides.items() if n}, -power))
 
-    used = list[tuple[Fraction, Node]]()  # in their own size
+    used = list[tuple[Rational, Node]]()  # in their own size
     divisors: dict[Node, int] = {}
     for node in nodes:
         if g.op[node] == POW and g.b[node] < 0:
@@ -75,7 +78,7 @@ def _equations(graph: Graph, nodes: Sequence[Node], roots: Iterable[Node]) -> li
         op = g.op[node]
         if op == NEG or _is_scaled(g, node):
             continue
-        operands = [_split(g, kid) for kid in g.kids[node]]
+        operands = [g.split_coefficient(kid) for kid in g.kids[node]]
         if op == ADD:
             for k, core in operands:
                 if core != g.one:
@@ -87,10 +90,10 @@ def _equations(graph: Graph, nodes: Sequence[Node], roots: Iterable[Node]) -> li
             ((k, x),) = operands
             n = g.b[node]
             if n != -1 or divisors[x] > 1 or g.op[x] == "sqrt":  # 2/x for 1/x is as cheap, and 1/x^2 is made of it
-                add([(1, node), (-n, x)], k**n)
+                add([(1, node), (-n, x)], Fraction(k) ** n)
         else:
             used += operands
-    for k, core in (*used, *(_split(g, root) for root in roots)):
+    for k, core in (*used, *(g.split_coefficient(root) for root in roots)):
         if core != g.one:
             add([(-1, core)], k)
     return found
@@ -104,14 +107,10 @@ def _is_scaled(graph: Graph, node: Node) -> bool:
     return graph.op[node] == MUL and graph.op[graph.a[node]] == NUM
 
 
-def _split(graph: Graph, node: Node) -> tuple[Fraction, Node]:
-    """(k, x) with node = k x."""
-    k, core = graph.split_coefficient(node)
-    return Fraction(k), core
-
-
-def _log2(factor: Fraction) -> int | None:
+def _log2(factor: Rational) -> int | None:
     """j where the factor is 2^j or -2^j, else None."""
+    if factor in (1, -1):
+        return 0
     top, bottom = abs(factor.numerator), factor.denominator
     if top & (top - 1) or bottom & (bottom - 1) or not top:
         return None
@@ -202,10 +201,11 @@ class _Sized:
             made = self._made[node] = self._make(node)
             scaled = g.scale(self._size(node), node) if self.sizes.get(node) else node
             g.pass_label(scaled, made)
-        return [self._used(root, Fraction(1)) for root in roots]
+        return [self._used(root, 1) for root in roots]
 
-    def _size(self, core: Node) -> Fraction:
-        return Fraction(2) ** self.sizes.get(core, 0)
+    def _size(self, core: Node) -> Rational:
+        k = self.sizes.get(core)
+        return Fraction(2) ** k if k else 1
 
     def _make(self, node: Node) -> Node:
         g, op, size = self.graph, self.graph.op[node], self._size(node)
@@ -215,21 +215,24 @@ class _Sized:
         if op == ADD:
             return self._raw(node, ADD, [self._used(kid, size) for kid in kids])
         if op in (MUL, POW):
-            cores = [_split(g, kid) for kid in kids]
+            cores = [g.split_coefficient(kid) for kid in kids]
             factor = size
             for k, core in cores:
-                factor *= (k / self._size(core)) ** (g.b[node] if op == POW else 1)
+                own = self._size(core)
+                if k != own:
+                    factor *= (Fraction(k) / own) ** (g.b[node] if op == POW else 1)
             return self._times(factor, self._raw(node, op, [self._made[core] for _, core in cores]))
-        return self._raw(node, op, [self._used(kid, Fraction(1)) for kid in kids])
+        return self._raw(node, op, [self._used(kid, 1) for kid in kids])
 
-    def _used(self, node: Node, size: Fraction) -> Node:
+    def _used(self, node: Node, size: Rational) -> Node:
         """size * node."""
-        k, core = _split(self.graph, node)
+        k, core = self.graph.split_coefficient(node)
         if self.graph.op[node] == NUM:
             return self.graph.number(k * size)
-        return self._times(k * size / self._size(core), self._made[core])
+        own = self._size(core)
+        return self._times(k * size if own == 1 else Fraction(k * size) / own, self._made[core])
 
-    def _times(self, factor: Fraction, node: Node) -> Node:
+    def _times(self, factor: Rational, node: Node) -> Node:
         g = self.graph
         if factor < 0:
             return self._negative(self._times(-factor, node))
