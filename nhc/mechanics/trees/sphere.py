@@ -37,8 +37,8 @@ class Sphere:
     mass: Node
     free: bool = False
     rest: Vector = (0, 0, 0)  # the foot's acceleration where no rate changes, without that of what it is made of
-    centripetal: Node = 0  # b
-    turning: tuple[Node, Node] = (0, 0)  # l e_r . n'' without the rates' rates
+    centripetal: Node = 0  # b, with n . rest where it stands on another rod
+    turning: tuple[Node, Node] = (0, 0)  # l e_r . n'' without the rates' rates, with e_r . rest
     child: Sphere | None = None
     cosine: Node = 0  # n . n'
     across: tuple[Node, Node] = (0, 0)  # e_r . n'

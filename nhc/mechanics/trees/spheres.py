@@ -47,6 +47,10 @@ class Spheres:
                 self.roots.append(rod)
             else:
                 parent.child = rod
+                if any(rod.rest):  # a weight that is an acceleration from here on
+                    rod.centripetal = g.add(rod.centripetal, g.dot(rod.n, rod.rest))
+                    first, second = (g.add(own, g.dot(e, rod.rest)) for own, e in zip(rod.turning, rod.e, strict=True))
+                    rod.turning = first, second
             held[rod.tip] = rod
             self.rods.append(rod)
         for rod in reversed(self.rods):
