@@ -8,7 +8,11 @@ import pytest
 
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.walks import count
+from nhc.diagnostics import Source
+from nhc.mechanics.frame import kept_forms
 from nhc.mechanics.trees.tree import Elimination
+from nhc.pipeline import Options, model
+from nhc.program.planning.held_tree import held_tree
 from tests.numeric.test_chains import dense, made
 
 ANGLES = {  # the direction of a rod by two angles
@@ -104,6 +108,22 @@ def test_what_carries_two_rods_is_none() -> None:
     tree = assert_same(hanging("cart", 3, fork=True))
     assert len(tree.spheres.rods) == 2  # both stand on the first one's tip, which is a form like others
     assert len(tree.spheres.roots) == 2
+
+
+@pytest.mark.parametrize(
+    ("base", "more"),
+    [
+        ("fixed", "holonomic: [{across: x5 = 1.2}, {along: y5 = 0.1}]"),
+        ("cart", "constraints: [{edge: \"cos(a5)*x5' - sin(a5)*y5' = 0\"}]"),
+    ],
+    ids=["at both ends", "on a skate"],
+)
+def test_rods_that_constraints_hold(base: str, more: str) -> None:
+    source = Source("held.yaml", hanging(base, 5, 3) + more + "\n")
+    found = model(source, Options(formulation="euler-lagrange"))
+    tree = held_tree(found.equations, kept_forms(found.system, found.formulation.frame))
+    assert tree is not None
+    assert are_equal(found.system.graph, tree.rates, dense(found, list(found.equations.force)))
 
 
 ALMOST = {
