@@ -11,7 +11,16 @@ from importlib import import_module
 
 import click
 
-from nhc.cli.terminal import Exit, Failure, describe_os_error, say, set_up_streams, silence_streams, wants_colour
+from nhc.cli.terminal import (
+    Exit,
+    Failure,
+    closed,
+    describe_os_error,
+    say,
+    set_up_streams,
+    silence_streams,
+    wants_colour,
+)
 from nhc.version import __version__
 
 # Each verb is the command `command` in the module of the same name; the line here is the first of its help text (tests
@@ -98,10 +107,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run ``nhc`` with ``arguments`` (default: those of the process) and return its exit code."""
     set_up_streams()
     gc.set_threshold(*RARE_COLLECTION)
+    words = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        code = nhc.main(list(sys.argv[1:] if arguments is None else arguments), prog_name="nhc", standalone_mode=False)
+        code = nhc.main(words, prog_name="nhc", standalone_mode=False)
         if sys.stdout is not None:
             sys.stdout.flush()
+        elif _asks_for_text(words):  # click prints it, or nothing
+            return _fail(closed("leave it open"))
         return int(code or Exit.DONE)
     except SystemExit as leave:
         # click leaves by itself after a shell completion, and with 1 when a pipe breaks inside a verb
@@ -124,7 +136,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         error.show()
         return Exit.USAGE
     except click.ClickException as error:
-        say(_describe_usage_error(error, sys.argv[1:] if arguments is None else arguments))
+        say(_describe_usage_error(error, words))
         return Exit.USAGE
     except Failure as failure:
         return _fail(failure)
@@ -137,6 +149,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return Exit.USAGE
     except Exception as error:
         return _report(error)
+
+
+def _asks_for_text(words: Sequence[str]) -> bool:
+    """Whether help or the version is asked for."""
+    options = words[: words.index("--")] if "--" in words else words
+    return not {"-h", "--help", "--version"}.isdisjoint(options)
 
 
 def _describe_usage_error(error: click.ClickException, arguments: Sequence[str]) -> str:

@@ -54,10 +54,15 @@ class Failure(Exception):
         return "\n".join([*lines, *(f"  = help: {line}" for line in self.help)])
 
 
+def closed(help: str = "give `-o FILE`, or leave stdout open") -> Failure:
+    """That there is no stdout."""
+    return Failure("stdout is closed", [help])
+
+
 def put(text: str) -> None:
     """Write a result to stdout, with a final line break."""
     if sys.stdout is None:
-        raise Failure("stdout is closed", ["give `-o FILE`, or leave stdout open"])
+        raise closed()
     sys.stdout.write(text if text.endswith("\n") else text + "\n")
 
 

@@ -21,6 +21,13 @@ def test_a_result_does_not_wait_for_room_for_messages(where: str) -> None:
         assert (done.returncode, len(done.stdout.splitlines())) == (code, lines)
 
 
+@pytest.mark.parametrize("words", ["--help", "run -h", "--version", "explain E0301"])
+def test_a_text_without_a_stdout_is_no_success(words: str) -> None:
+    text = f"{shlex.join([sys.executable, '-m', 'nhc', *words.split()])} >&-"
+    done = subprocess.run(["sh", "-c", text], stderr=subprocess.PIPE, text=True, check=False, timeout=60)
+    assert (done.returncode, done.stderr.splitlines()[0]) == (2, "error: stdout is closed")
+
+
 def test_a_long_text_is_never_cut_short_in_silence() -> None:
     """A raw stdout, as ``PYTHONUNBUFFERED`` makes it, takes a part of a text and drops the rest."""
     program = "from nhc.cli.terminal import put, set_up_streams; set_up_streams(); put('a' * 10**7)"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from nhc.algebra.dense import symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
@@ -24,9 +24,10 @@ def warn_of_inertia(system: System, bag: Bag) -> None:
     that one is more than the two others together, or negative.
 
     They are sums of m (y^2 + z^2), m (z^2 + x^2) and m (x^2 + y^2).  A moment of zero says that its part is neglected, and of
-    such a body nothing is said; nor of what depends on the state.
+    such a body nothing is said; nor of what depends on the state, nor of bodies that turn about one axis, where one moment counts.
     """
-    bodies = [body for body in system.spec.bodies if len(body.inertia) != 1]
+    every = {body.name: body for body in system.spec.bodies}
+    bodies = [body for body in every.values() if len(body.inertia) > 1 and _turns_in_space(body, every)]
     if not bodies:
         return
     build = Resolver(system.spec, system.graph)
@@ -43,6 +44,18 @@ def warn_of_inertia(system: System, bag: Bag) -> None:
             if what:
                 _warn(body, f"{what}{where}", bag)
                 break
+
+
+def _turns_in_space(body: Body, every: Mapping[str, Body]) -> bool:
+    """Whether it turns about more than one axis, with the bodies that it stands on."""
+    axes, own = set[str](), body
+    while True:
+        axes.update(axis for axis, _ in own.turns)
+        if own.rotation or len(axes) > 1:
+            return True
+        if own.on not in every:
+            return False
+        own = every[own.on]
 
 
 def _entries(build: Resolver, body: Body) -> list[Node] | None:
