@@ -105,7 +105,7 @@ def test_a_rolling_ball_reads_like_a_textbook() -> None:
         "  x' - a*R_y1 w1 - a*R_y2 w2 - a*R_y3 w3 = 0   (I.1.1)   roll_x",
         "  dpi_roll_y = dy + a*R_x1 dpi_w1 + a*R_x2 dpi_w2 + a*R_x3 dpi_w3",
         "  gamma^roll_x_{w1,w2} = -a*R_y3   (I.2.11)",
-        "  (I1 + m*a^2*(R_x1^2 + R_y1^2)) w1' + m*a^2*(R_x1*R_x2 + R_y1*R_y2) w2'",
+        "  (I1 + m*a^2*(1 - R_z1^2)) w1' - m*a^2*R_z1*R_z2 w2' - m*a^2*R_z1*R_z3 w3' = w2*w3*(I2 - I3)",
     ):
         assert line in text.splitlines(), line
 

@@ -76,8 +76,12 @@ class Desk:
         self._sizes: dict[Node, int] = {}
         self._simplify = self._simplifier(simplify)
         self._entries: dict[Node, Node] = {}
+        self.matrices = list[list[list[Node]]]()
+        """Symbols for the entries of the rotations' matrices."""
         for rotation, declared in zip(system.rotations, system.spec.rotations, strict=True):
             self._entries |= name_entries(self.graph, rotation, declared.entries, declared.velocities)
+            symbols = [self.graph.symbol(name, "entry") for name in declared.entries]
+            self.matrices.append([symbols[k : k + 3] for k in (0, 3, 6)])
         spec = system.spec
         self.defined = frozenset(entry.name for entry in spec.definitions)
         groups = (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities, spec.outputs)

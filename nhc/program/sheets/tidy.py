@@ -15,6 +15,7 @@ from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import rebuild, substitute
 from nhc.algebra.rewriting.joined import find_whole, join_sums
+from nhc.algebra.rewriting.orthonormal import Orthonormal
 from nhc.algebra.walks import count, reachable
 from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftSheet, Part
 
@@ -30,7 +31,8 @@ _GIVEN = ("data",)  # the sheet of what the spec says
 
 def tidy(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
     """The drafts without sums that vanish, and with shorter parts; no value changes."""
-    owners, best = find_owners(desk.graph), _drop_zeros(desk, drafts)
+    owners = find_owners(desk.graph)
+    best = _by_orthonormal_rows(desk, _drop_zeros(desk, drafts), owners)
     printed = start = _count_printed(desk.graph, best, owners)
     shortener = _Shortener(desk)
     for share in _SHARES if printed <= _LARGE else _SHARES[1:]:  # sharing that is lost costs large ones most, and time
@@ -111,6 +113,26 @@ def _drop_zeros(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, .
         return tuple(part for part in found if part[0] != g.zero) or found[:1]
 
     return _change_sides(drafts, side)
+
+
+def _by_orthonormal_rows(desk: Desk, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
+    """With shorter sums where entries of a rotation's matrix are 0, 1 or one entry together, from the inside; what the user named
+    stays as it is.
+    """
+    if not desk.matrices:
+        return tuple(drafts)
+    g, rule = desk.graph, Orthonormal(desk.graph, desk.matrices)
+    roots = list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
+    needed = reachable(g, roots)
+    whole, new = find_whole(g, roots, needed), dict[Node, Node]()
+    names = {node: g.symbol(f"named {node}") for node in needed if node in owners and g.children(node)}
+    meaning = {symbol: node for node, symbol in names.items()}
+    for node in needed:
+        made = new[node] = node if node in names else rebuild(g, node, [new[kid] for kid in g.children(node)])
+        if node in whole and node not in names and g.op[made] == ADD and g.depends(made, rule.mask):
+            closed = substitute(g, [made], names, named=False)[0]
+            new[node] = substitute(g, [rule.shorten(closed, desk.size)], meaning, named=False)[0]
+    return _change_sides(drafts, lambda parts: tuple((new.get(node, node), factors) for node, factors in parts))
 
 
 def _join_angles(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
