@@ -16,7 +16,7 @@ from nhc.algebra.polynomial import polynomial, to_node
 from nhc.algebra.terms import add_term
 
 Matrix = Sequence[Sequence[Node]]
-_LIMIT = 200  # terms of a sum that is looked at
+_LIMIT = 150  # terms of a sum that is looked at
 
 
 class Orthonormal:
