@@ -27,8 +27,11 @@ def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
     groups: list[tuple[int, ...]] = []
     by_factor: dict[Node, list[int]] = {}
     for k in lone_squares(g, kinetic):
-        if kinetic.is_exact(k):
-            by_factor.setdefault(kinetic.hessian[k][k], []).append(k)
+        factor = kinetic.hessian[k][k]
+        if kinetic.slope[k] == g.mul(factor, kinetic.u[k]) and kinetic.is_exact(
+            k
+        ):  # else it was written in another way
+            by_factor.setdefault(factor, []).append(k)
     for members in by_factor.values():
         reach = {k: g.deps[kinetic.atoms[k]] & coordinates for k in members}
         groups += _pair(members, reach)
