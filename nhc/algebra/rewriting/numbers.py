@@ -40,11 +40,8 @@ def fold_numbers(graph: Graph, roots: Sequence[Node]) -> list[Node]:
         return list(roots)
     equations = _equations(graph, nodes, roots)
     held, broken = [e for e in equations if not e[1]], [e for e in equations if e[1]]
-    orders = (
-        [*held, *broken],
-        [*broken, *held[::-1]],
-    )  # nothing gets a number that had none; what is last goes before what is first
-    ways = [_solve(order) for order in orders]
+    # nothing gets a number that had none; or numbers go first, from the results to what they are made of
+    ways = [_solve(order) for order in ([*held, *broken], [*broken, *held[::-1]])]
     left = [sum(not _holds(way, equation) for equation in equations) for way in ways]
     best = min(range(len(ways)), key=left.__getitem__)
     if left[best] > _WORTH * len(broken):

@@ -27,7 +27,7 @@ from nhc.mechanics.energies.kinetic import Kinetic, is_exact_rate
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.moving.moved import Moved, Weights
 from nhc.mechanics.moving.rows import lone_squares
-from nhc.mechanics.rotations.rotation import Rotation, name_entries
+from nhc.mechanics.rotations.rotation import Rotation, Spelled, spell
 from nhc.mechanics.rotations.turning import along, moving
 from nhc.mechanics.rotations.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.system import System
@@ -36,21 +36,23 @@ from nhc.records import record
 
 @record
 class _Seen:
-    """A rotation with symbols for the entries of its matrix, row by row, and for its angular velocity; ``kept`` is the mask of all
-    velocities that the motion keeps.
-    """
+    """A rotation by symbols; ``kept`` is the mask of all velocities that the motion keeps."""
 
     rotation: Rotation
-    rows: tuple[Vector, ...]
-    words: dict[Node, Node]
-    meaning: dict[Node, Node]
+    spelled: Spelled
     kept: int
+
+    @property
+    def rows(self) -> tuple[Vector, ...]:
+        """The symbols of the entries."""
+        x = self.spelled.entries
+        return tuple((x[k], x[k + 1], x[k + 2]) for k in (0, 3, 6))
 
     def normals(self, graph: Graph, components: Vector) -> list[int]:
         """The axes of space along which a vector has no entries of the matrix but that axis's own, the last one first."""
         g = graph
-        named = substitute(g, components, self.words, named=False)
-        across = [g.mask([x for row in self.rows if row is not own for x in row]) for own in self.rows]
+        named = substitute(g, components, self.spelled.words, named=False)
+        across = [g.mask([x for i, row in enumerate(self.rows) if i != k for x in row]) for k in range(3)]
         return [k for k in (2, 0, 1) if not g.depends(named[k], across[k])]
 
     def read(self, graph: Graph, components: Vector, k: int, *, oriented: bool = False) -> tuple[Vector, Vector] | None:
@@ -58,12 +60,14 @@ class _Seen:
         with the signs by which they are those of V: their own if ``oriented``.  None where there is no V.
         """
         g = graph
-        named = substitute(g, components, self.words, named=False)
+        named = substitute(g, components, self.spelled.words, named=False)
         i, j = (k + 1) % 3, (k + 2) % 3
         first, second = (self._by_rows(g, named[axis], i, j) for axis in (i, j))
         if first is None or second is None:
             return None
-        x, y, z = substitute(g, add_vectors(g, first[0], cross(g, first[1], self.rows[k])), self.meaning, named=False)
+        x, y, z = substitute(
+            g, add_vectors(g, first[0], cross(g, first[1], self.rows[k])), self.spelled.meaning, named=False
+        )
         local, matrix, signs = (x, y, z), self.rotation.matrix, (1,) if oriented else (1, -1)
         signed, still = list(components), [g.zero] * 3
         along = g.dot(matrix[k], local)  # what the rows i and j say nothing of
@@ -99,18 +103,7 @@ class _Seen:
             g.zero if zero else part for part, zero in zip((*parts, rest), are_zero(g, [*parts, rest]), strict=True)
         )
         a, b, c, x, y, z, still = found
-        return (a, b, c), (x, y, z), substitute(g, [still], self.meaning, named=False)[0]
-
-
-def _look_at(graph: Graph, rotation: Rotation, kept: Sequence[Node]) -> _Seen:
-    g, name = graph, rotation.name
-    entries, turns = [f"{name}_entry{k}" for k in range(9)], [f"{name}_turn{k}" for k in range(3)]
-    words = name_entries(g, rotation, entries, turns)
-    entry, omega = [g.symbol(own, "entry") for own in entries], [g.symbol(own, "quasi") for own in turns]
-    matrix = [x for row in rotation.matrix for x in row]
-    meaning = dict(zip([*entry, *omega], [*matrix, *rotation.omega], strict=True))
-    rows = tuple((entry[3 * i], entry[3 * i + 1], entry[3 * i + 2]) for i in range(3))
-    return _Seen(rotation, rows, words, meaning, g.mask([*kept, *omega]))
+        return (a, b, c), (x, y, z), substitute(g, [still], self.spelled.meaning, named=False)[0]
 
 
 @record
@@ -140,23 +133,26 @@ class _Placed:
 
 def move_on_bodies(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
     """T's vectors on the axes of the rotations in whose matrices their velocities are linear; None where there are none."""
-    g = system.graph
-    seen = [_look_at(g, r, frame.free) for r in frame.turned if r.sign > 0]
+    g, seen = system.graph, list[_Seen]()
+    for rotation in frame.turned:
+        if rotation.sign > 0:
+            own = spell(g, rotation)
+            seen.append(_Seen(rotation, own, g.mask((*frame.free, *own.omega))))
     squares = _squares(system, kinetic) if seen else []
     if not squares:
         return None
     on_motion = moving(system, frame.kinematics)
     seeds = {**along(system, frame.kinematics), system.t: g.one}
     placed: list[_Placed] = []
-    for own in squares:
-        for way in own.ways:
-            written = [g.mul(own.scale[k], kinetic.atoms[k]) if k >= 0 else g.zero for k in way]
+    for group in squares:
+        for way in group.ways:
+            written = [g.mul(group.scale[k], kinetic.atoms[k]) if k >= 0 else g.zero for k in way]
             there = substitute(g, written, on_motion)
-            found = next((x for one in seen if (x := _place(g, one, way, own, written, there, seeds))), None)
+            found = next((x for one in seen if (x := _place(g, one, way, group, written, there, seeds))), None)
             if found is not None:
                 placed.append(found)
                 break
-    return _moved(system, kinetic, frame, placed) if placed else None
+    return _moved(system, kinetic, frame, placed, on_motion, seeds) if placed else None
 
 
 def _squares(system: System, kinetic: Kinetic) -> list[_Squares]:
@@ -221,15 +217,20 @@ def _place(
     return _Placed(way, squares.factor, (x, y, z), one.rotation, velocity, acceleration)
 
 
-def _moved(system: System, kinetic: Kinetic, frame: Frame, placed: Sequence[_Placed]) -> Moved:
-    g = system.graph
-    on_motion = moving(system, frame.kinematics)
-    numbers = []
+def _moved(
+    system: System,
+    kinetic: Kinetic,
+    frame: Frame,
+    placed: Sequence[_Placed],
+    on_motion: dict[Node, Node],
+    seeds: dict[Node, Node],
+) -> Moved:
+    g, numbers = system.graph, []
     for own in placed:
         kinetic, number = _with_vector(kinetic, own)
         numbers.append(number)
     u = substitute(g, kinetic.atoms, on_motion)
-    drift = tangent(g, u, {**along(system, frame.kinematics), system.t: g.one})
+    drift = tangent(g, u, seeds)
     carried = [False] * len(u)
     for number, own in zip(numbers, placed, strict=True):
         for k, velocity, rate in zip(number, own.velocity, own.acceleration, strict=True):
@@ -269,13 +270,11 @@ def _with_vector(kinetic: Kinetic, placed: _Placed) -> tuple[Kinetic, list[int]]
     """T with the vector's components for forms, and their numbers; a component that is no form of T yet comes behind the others."""
     g = kinetic.system.graph
     number = [k if k >= 0 else len(kinetic.u) for k in placed.group]
-    size = max(len(kinetic.u), *(k + 1 for k in number))
-    u = [*kinetic.u, *(g.symbol(f"u{k + 1}", "form") for k in range(len(kinetic.u), size))]
-    atoms, slope = (
-        [*kinetic.atoms, *[g.zero] * (size - len(kinetic.u))],
-        [*kinetic.slope, *[g.zero] * (size - len(kinetic.u))],
-    )
-    hessian = [[*row, *[g.zero] * (size - len(row))] for row in (*kinetic.hessian, *[()] * (size - len(kinetic.u)))]
+    more = int(len(kinetic.u) in number)
+    size, zeros = len(kinetic.u) + more, [g.zero] * more
+    u = [*kinetic.u, *(g.symbol(f"u{size}", "form") for _ in zeros)]
+    atoms, slope = [*kinetic.atoms, *zeros], [*kinetic.slope, *zeros]
+    hessian = [[*row, *zeros] for row in kinetic.hessian] + [[g.zero] * size for _ in zeros]
     rest = substitute(g, [kinetic.tau], {u[k]: g.zero for k in number})[0]
     for k, component in zip(number, placed.written, strict=True):
         atoms[k], slope[k], hessian[k][k] = component, g.mul(placed.factor, u[k]), placed.factor

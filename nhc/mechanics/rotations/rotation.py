@@ -22,7 +22,7 @@ from nhc.algebra.calculus import tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
 from nhc.mechanics.rotations.turns import Vector, cross
-from nhc.records import fresh, identity_record
+from nhc.records import fresh, identity_record, record
 
 Turning = tuple[Node, Node, Node, Node]
 """(|e|^2)' and the three components of omega."""
@@ -141,6 +141,27 @@ def name_entries(
     for node, name in zip(rotation.omega, velocities, strict=True):
         put(graph, found, node, graph.symbol(name, "quasi"))
     return found
+
+
+@record
+class Spelled:
+    """A rotation by symbols: the entries row by row, omega, what they stand in place of (``words``), and what they mean."""
+
+    entries: tuple[Node, ...]
+    omega: tuple[Node, ...]
+    words: dict[Node, Node]
+    meaning: dict[Node, Node]
+
+
+def spell(graph: Graph, rotation: Rotation) -> Spelled:
+    """Symbols of its own for the entries of R and for omega, as :func:`name_entries` puts them in, and the way back."""
+    g = graph
+    names = [f"{rotation.name}_entry{k}" for k in range(9)], [f"{rotation.name}_turn{k}" for k in range(3)]
+    entries, omega = (
+        tuple(g.symbol(own, kind) for own in part) for part, kind in zip(names, ("entry", "quasi"), strict=True)
+    )
+    nodes = (*(x for row in rotation.matrix for x in row), *rotation.omega)
+    return Spelled(entries, omega, name_entries(g, rotation, *names), dict(zip((*entries, *omega), nodes, strict=True)))
 
 
 def put(graph: Graph, mapping: dict[Node, Node], node: Node, value: Node) -> None:

@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from nhc.algebra.calculus import pullback_gradient, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
-from nhc.mechanics.rotations.rotation import Rotation, name_entries
+from nhc.mechanics.rotations.rotation import Rotation, spell
 from nhc.mechanics.rotations.turning import along as seeds_along
 from nhc.mechanics.rotations.turns import Vector, add_vectors, cross
 from nhc.mechanics.system import System
@@ -55,17 +55,10 @@ class Sweeps:
         self.velocities = tuple(velocities)
         self.seeds = {**seeds_along(system, velocities), system.t: g.one}
         self.turning = [r.turning(g, [velocities[k] for k in r.places])[1:] for r in system.rotations]
-        entries = [[f"{r.name}_entry{k}" for k in range(9)] for r in system.rotations]
-        omega = [[f"{r.name}_turn{k}" for k in range(3)] for r in system.rotations]
-        self.words: dict[Node, Node] = {}
-        for r, own, turn in zip(system.rotations, entries, omega, strict=True):
-            self.words.update(name_entries(g, r, own, turn))
-        self.entries = [[g.symbol(name, "entry") for name in names] for names in entries]
-        self.omega = [[g.symbol(name, "quasi") for name in names] for names in omega]
-        self._back: dict[Node, Node] = {}
-        for r, symbols, turns in zip(system.rotations, self.entries, self.omega, strict=True):
-            self._back.update(zip(symbols, (x for row in r.matrix for x in row), strict=True))
-            self._back.update(zip(turns, r.omega, strict=True))
+        spelled = [spell(g, r) for r in system.rotations]
+        self.entries, self.omega = [own.entries for own in spelled], [own.omega for own in spelled]
+        self.words = {node: symbol for own in spelled for node, symbol in own.words.items()}
+        self._back = {symbol: node for own in spelled for symbol, node in own.meaning.items()}
         self.quaternions = {k for r in system.rotations for k in r.places}
 
     def rates_of_entries(self) -> set[Node]:

@@ -101,13 +101,15 @@ def _read(
     g, masses = chain.graph, {chain.weights.get((j, j)) for j in tip}
     (mass,) = masses if len(masses) == 1 else (None,)
     foot = [{c: a for c, a in chain.definitions[j - chain.rates].items() if c not in rates} for j in tip]
-    q = [next((x for x, v in chain.along.items() if v == chain.velocities[i]), None) for i in rates]
-    if mass is None or any(own is None for own in (*places, *q)) or not all(chain.steady[j - chain.rates] for j in tip):
+    angles = [next((x for x, v in chain.along.items() if v == chain.velocities[i]), None) for i in rates]
+    known = [node for node in (*places, *angles) if node is not None]
+    if mass is None or len(known) < 5 or not all(chain.steady[j - chain.rates] for j in tip):
         return None
-    n = _direction(chain, [place or 0 for place in places], (q[0] or 0, q[1] or 0))
+    x, y, z, *q = known
+    n = _direction(chain, (x, y, z), (q[0], q[1]))
     if n is None:
         return None
-    slopes = [gradient(g, x, [angle for angle in q if angle is not None]) for x in n]
+    slopes = [gradient(g, x, q) for x in n]
     e = [(slopes[0][r], slopes[1][r], slopes[2][r]) for r in (0, 1)]
     terms = [[chain.definitions[j - chain.rates].get(i, g.zero) for j in tip] for i in rates]
     scale = [chain.scale[i] for i in rates]
@@ -134,7 +136,7 @@ def _read(
         mass,
     )
     rod.rest = _rest(chain, tip, rod.foot)
-    _turn(chain, rod, (q[0] or 0, q[1] or 0))
+    _turn(chain, rod, (q[0], q[1]))
     return rod
 
 
