@@ -62,8 +62,16 @@ def describe(node: Node) -> str:
     """Say what a node is, for a message."""
     match node:
         case Text():
-            return "a text"
+            return "a number" if node.plain and _is_number(node.value) else "a text"
         case Items():
             return "a list"
         case Table():
             return "a mapping"
+
+
+def _is_number(value: str) -> bool:
+    try:
+        float(value)
+    except ValueError:
+        return False
+    return True
