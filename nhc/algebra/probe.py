@@ -21,6 +21,7 @@ UNIT = 2.0**-52
 _CLEAR = 1e4
 _CLEAR_PIVOT = 100.0  # times its bound
 _SIGNED_PROBES = 8
+_MANY = 8  # rows beyond which entries are looked for that are alone in their column
 
 
 class Probe:
@@ -51,6 +52,8 @@ class Probe:
 
         The bounds go along: entries that are as good as a pivot may rest on nothing but the errors of others.
         """
+        if _MANY < len(rows) <= len(rows[0]):
+            rows = self._without_lone_entries(rows)
         work: list[_Bounded] = []
         for row in rows:
             values = [self.value(x) if x else 0.0 for x in row]
@@ -60,7 +63,24 @@ class Probe:
                 return False
             work.append(([x / scale for x in values], [x / scale for x in errors]))
         sizes = [1.0] * len(work)
-        return all(_take_pivot(work, sizes, step) for step in range(min(len(work), len(work[0][0]))))
+        return all(_take_pivot(work, sizes, step) for step in range(min(len(work), len(work[0][0])) if work else 0))
+
+    def _without_lone_entries(self, rows: Sequence[Sequence[Node]]) -> list[Sequence[Node]]:
+        """The rows that are left without those, in turn, that have a clear entry alone in its column: these are independent of what
+        is left, whatever that is.
+        """
+        left = dict(enumerate(rows))
+        held: list[set[int]] = [{i for i, row in left.items() if row[j]} for j in range(len(rows[0]))]
+        alone = [j for j, met in enumerate(held) if len(met) == 1]
+        for j in alone:
+            for i in [*held[j]]:  # none where its row is taken
+                if self.is_clear(rows[i][j]):
+                    del left[i]
+                    for c in (c for c, x in enumerate(rows[i]) if x):
+                        held[c].remove(i)
+                        if len(held[c]) == 1:
+                            alone.append(c)
+        return list(left.values())
 
     def _extend(self) -> None:
         self._fill(range(len(self.values), len(self._graph_lists[0])))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from fractions import Fraction
 from itertools import combinations
 
 import pytest
@@ -152,6 +153,39 @@ def test_minors_are_determinants(rows: int, more: int, seed: int) -> None:
     for subset, found in zip(subsets, relative_minors(matrix, subsets), strict=True):
         expected = abs(float_determinant([[row[j] for j in subset] for row in matrix]))
         assert found**rows * scale == pytest.approx(expected, abs=1e-9 * (1 + scale))
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_sparse_determinants_and_ranks_are_those_of_all_entries(seed: int) -> None:
+    """With entries that are alone in their row or column, and with rows that depend on others; sign included."""
+    rng = random.Random(seed)
+    size, density = rng.randint(9, 14), rng.choice([0.05, 0.1, 0.15, 0.4])
+    places = rng.sample(range(size), size)
+    numbers = [[rng.choice([-3, -2, 1, 2]) if rng.random() < density else 0 for _ in range(size)] for _ in range(size)]
+    for i, j in enumerate(places):
+        numbers[i][j] = rng.choice([-2, 1, 3])
+    if seed % 4 == 0:
+        numbers[places[0]] = [a - 2 * b for a, b in zip(numbers[places[1]], numbers[places[2]], strict=True)]
+    exact = _determinant(numbers)
+    assert float_determinant(numbers) == pytest.approx(float(exact), rel=1e-12, abs=1e-9)
+    g = Graph()
+    flat = [[g.number(x) for x in row] for row in numbers]
+    wide = [[*row, g.symbol(f"x{i % 3}")] for i, row in enumerate(flat)]
+    assert probe_of(g).has_full_rank(flat) == (exact != 0) == (rank(g, flat) == size)
+    assert not probe_of(g).has_full_rank(wide) or rank(g, wide) == size
+
+
+def _determinant(numbers: list[list[int]]) -> Fraction:
+    """By elimination in fractions."""
+    rows, found = [[Fraction(x) for x in row] for row in numbers], Fraction(1)
+    while rows:
+        k = next((k for k, row in enumerate(rows) if row[0]), None)
+        if k is None:
+            return Fraction(0)
+        own = rows.pop(k)
+        found *= -own[0] if k % 2 else own[0]
+        rows = [[x - row[0] / own[0] * y for x, y in zip(row[1:], own[1:], strict=True)] for row in rows]
+    return found
 
 
 def test_tests_of_zero_remember_and_stay_right() -> None:

@@ -41,19 +41,21 @@ def block_order(size: int, nonzero: Callable[[int, int], bool]) -> list[tuple[li
     Raises:
         Singular: there is no perfect matching (structurally singular).
     """
-    row_of = _matching(size, nonzero)
+    held = [[j for j in range(size) if nonzero(i, j)] for i in range(size)]
+    row_of = _matching(held)
     # edge i -> j: the unknown of matched column i needs that of column j
-    needs = [[j for j in range(size) if j != i and nonzero(row_of[i], j)] for i in range(size)]
+    needs = [[j for j in held[row_of[i]] if j != i] for i in range(size)]
     return [([row_of[j] for j in sorted(part)], sorted(part)) for part in _components(size, needs)]
 
 
-def _matching(size: int, nonzero: Callable[[int, int], bool]) -> list[int]:
-    """For each column the row that it is matched with, by augmenting paths (Kuhn 1955)."""
+def _matching(held: Sequence[Sequence[int]]) -> list[int]:
+    """For each column the row that it is matched with, by augmenting paths (Kuhn 1955); ``held`` are the columns of each row."""
+    size = len(held)
     row_of = [-1] * size
 
     def augment(row: int, seen: set[int]) -> bool:
-        for column in range(size):
-            if nonzero(row, column) and column not in seen:
+        for column in held[row]:
+            if column not in seen:
                 seen.add(column)
                 if row_of[column] < 0 or augment(row_of[column], seen):
                     row_of[column] = row

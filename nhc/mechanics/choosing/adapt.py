@@ -212,7 +212,8 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
     (weak, _), best = min(weighed, key=lambda found: found[0])
     if system.l > MANY_ROWS:
         best = _along_rows(system, forms, best, pools[0])
-        weak = coframe_weakness(system, (*system.constraints, *best))[0]
+        if forms:
+            weak = coframe_weakness(system, (*system.constraints, *best))[0]
     own = pools[0][: -system.n]
     for k in range(1, min(len(own), _TURNS) if forms else 0):
         if weak == 0:

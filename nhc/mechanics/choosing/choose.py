@@ -252,8 +252,7 @@ def choose(system: System) -> Formulation:
     if not system.constraints:
         return build(system, "lagrange")
     choice = dependent_of(system)
-    sound = leaves_digits(system, choice.dependent)
-    if choice.regular and sound:
+    if choice.regular and leaves_digits(system, choice.dependent):
         return _reduced_or_voronec(system)
     try:
         adapted = build(system, "euler-lagrange")

@@ -17,6 +17,8 @@ MANY_ROWS = 8
 """Constraints beyond which their order says more than the size of their determinant."""
 SOUND = 1e-5
 """Of a free velocity's length: the mass matrix has its square, and six digits are left."""
+_MUCH = 0.1
+"""Of a form's length: where more is left, rounding leaves no more than ten times its own of the others in it."""
 _ROUNDING = 1e-12
 
 
@@ -30,9 +32,13 @@ def independence(system: System, made: Sequence[Form], points: Sequence[dict[Nod
         across: list[list[tuple[int, float]]] = []
         for k, row in enumerate(matrix):
             rest = _unit(row)
-            for known in (*across, *across):  # twice is enough (Kahan and Parlett), once is not
+            for known in across:
                 _leave_across(rest, known)
             length = math.hypot(*rest)
+            if length < _MUCH:  # twice is enough (Kahan and Parlett), once is not where little is left
+                for known in across:
+                    _leave_across(rest, known)
+                length = math.hypot(*rest)
             if k < system.l and length <= _ROUNDING:
                 break
             if k >= system.l:
