@@ -104,8 +104,7 @@ class Joints:
 def made(text: str) -> tuple[Model, Elimination, int]:
     """The model, the elimination along the bodies, and how many forms of T are components of angular velocities."""
     found = model(Source("tree.yaml", text))
-    spatial = read_bodies(found.system, found.equations.motion)
-    assert spatial is not None
+    (spatial,) = read_bodies(found.system, found.equations.motion)
     chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)
     assert chain is not None
     return found, Elimination(chain), len(spatial.known)
@@ -158,13 +157,12 @@ V: m*g*(z1 + Z) + s^2
 def test_vectors_that_only_look_like_turned_ones_are_not_taken_for_such(far: str) -> None:
     """A length that changes, a sum of two turned vectors with one factor, T written in squares of the rates."""
     found = model(Source("arms.yaml", SINGLE.replace("FAR", far)))
-    g, spatial = found.system.graph, read_bodies(found.system, found.equations.motion)
-    if spatial is None:
-        return
-    chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)
-    assert chain is not None
-    dense = solve_factored(g, factor(g, found.equations.mass), list(found.equations.force))
-    assert are_equal(g, Elimination(chain).rates, dense)
+    g = found.system.graph
+    for spatial in read_bodies(found.system, found.equations.motion):
+        chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)
+        assert chain is not None
+        dense = solve_factored(g, factor(g, found.equations.mass), list(found.equations.force))
+        assert are_equal(g, Elimination(chain).rates, dense)
 
 
 @pytest.mark.parametrize(("kind", "joints", "each"), [("relative", 2, 790), ("absolute", 3, 620)])

@@ -12,6 +12,7 @@ from nhc.algebra.walks import count
 from nhc.diagnostics import Source
 from nhc.mechanics.trees.bodies import read_bodies
 from nhc.mechanics.trees.chain import find_chain
+from nhc.mechanics.trees.forces import lift_forces
 from nhc.mechanics.trees.tree import Elimination
 from nhc.pipeline import Model, model
 from nhc.program.plan import factor, solve_factored
@@ -147,15 +148,16 @@ class Mixed:
         return ends["e"]
 
 
-def made(text: str) -> tuple[Model, Elimination]:
-    """The model, and the elimination along the bodies."""
-    found = model(Source("mixed.yaml", text))
-    spatial = read_bodies(found.system, found.equations.motion)
-    assert spatial is not None
-    assert spatial.known
-    chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)
-    assert chain is not None
-    return found, Elimination(chain)
+def made(text: str) -> tuple[Model, list[Elimination]]:
+    """The model, and the eliminations along the bodies: in space, and on a body's axes where it is written on these, too."""
+    found, trees = model(Source("mixed.yaml", text)), list[Elimination]()
+    for spatial in read_bodies(found.system, found.equations.motion):
+        assert spatial.known
+        chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)
+        assert chain is not None
+        trees += [Elimination(chain), Elimination(lift_forces(chain))]
+    assert trees
+    return found, trees
 
 
 CASES = {
@@ -177,15 +179,21 @@ CASES = {
 }
 
 
+OFF_A_BODY = {"a rotation on angles", "one of space on the end", "a skate by angles", "in space, on angles"}
+"""Nothing stands on a rotation alone."""
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_the_rates_are_the_dense_ones(name: str) -> None:
-    found, tree = made(CASES[name].text())
+    found, trees = made(CASES[name].text())
     g, motion = found.system.graph, found.equations.motion
     matrix = factor(g, found.equations.mass)
-    assert are_equal(g, tree.rates, solve_factored(g, matrix, list(found.equations.force)))
     right = [g.symbol(f"r{i}", "test") for i in range(len(motion.w))]
-    assert are_equal(g, tree.solve(right), solve_factored(g, matrix, right))
-    assert are_equal(g, *residuals(found, tree))
+    assert len(trees) == (2 if name in OFF_A_BODY else 4)
+    for tree in trees:
+        assert are_equal(g, tree.rates, solve_factored(g, matrix, list(found.equations.force)))
+        assert are_equal(g, tree.solve(right), solve_factored(g, matrix, right))
+        assert are_equal(g, *residuals(found, tree))
 
 
 def operations(text: str) -> int:
@@ -246,7 +254,7 @@ def planar(links: int, *, flipped: bool) -> str:
 @pytest.mark.parametrize("flipped", [False, True])
 def test_a_planar_chain_by_matrices(flipped: bool) -> None:
     """Two components of a point are a vector too, in whatever order they stand."""
-    found, tree = made(planar(5, flipped=flipped))
+    found, (tree, _) = made(planar(5, flipped=flipped))
     g = found.system.graph
     dense = solve_factored(g, factor(g, found.equations.mass), list(found.equations.force))
     assert are_equal(g, tree.rates, dense)

@@ -9,6 +9,7 @@ left out, B'' has omega x (omega x d) added, omega' gets omega_before x n a', an
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 
 from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.field import Unlucky
@@ -21,6 +22,7 @@ from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.signatures import Signatures
 from nhc.mechanics.rotations.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.system import System
+from nhc.mechanics.trees.carried import Carried, Turned, find_carriers
 from nhc.mechanics.trees.frames import ZERO, Frame, Frames
 from nhc.mechanics.trees.points import Components, Point, Points, Unread
 from nhc.mechanics.trees.rates import Rates
@@ -40,6 +42,9 @@ _STILL = -1
 class Spatial:
     """``turns`` are the rates of the recursion's definitions where those they are made of have none; ``torques`` what the forms
     that are ``known`` give to the variables beside the rates of T's slopes.
+
+    ``placed`` says what T's forms are of the variables as they are written; the recursion's forms may be their components on other
+    axes, which have the same squares.  ``turned`` are the variables that are no rates.
     """
 
     kinetic: Kinetic
@@ -47,14 +52,18 @@ class Spatial:
     turns: list[Node] = fresh(factory=list)
     torques: list[tuple[int, Node]] = fresh(factory=list)
     known: set[int] = fresh(factory=set)
+    placed: list[Terms] = fresh(factory=list)
+    turned: list[Turned] = fresh(factory=list)
 
 
-def read_bodies(system: System, motion: Motion) -> Spatial | None:
-    """The recursion of T's forms along a motion; None where T has no points in space that turn, or others than these."""
+def read_bodies(system: System, motion: Motion) -> list[Spatial]:
+    """The recursions of T's forms along a motion: in space, and on the axes of bodies with a `rotation:` where others stand on
+    them.  None where T has no points in space that turn, or others than these.
+    """
     kinetic = whole_kinetic(system, system.graph.rate_of)
     squares = list_squares(system, kinetic) if kinetic is not None else []
     if kinetic is None or not any(len(group) > 1 for group in squares):
-        return None
+        return []
     g, rates = system.graph, Rates(system, motion)
     places = {k: place_of(g, kinetic.atoms[k]) for group in squares for k in group}
     own = [*kinetic.atoms, *(place for place, _ in places.values())]
@@ -63,18 +72,26 @@ def read_bodies(system: System, motion: Motion) -> Spatial | None:
         marks.bind(rates.unbound)
         named = rates.named(own)
         if named is None:
-            return None
+            return []
         atoms, where = named[: len(kinetic.atoms)], dict(zip(places, named[len(kinetic.atoms) :], strict=True))
         frames = Frames(rates, marks)
         points = Points(frames, g.mask(system.p), where).read(squares)
         if not any(point.turns for _, point in points):
-            return None
+            return []
         signs = {k: sign for k, (_, sign) in places.items()}
-        made = _Writer(rates, kinetic, atoms, marks, frames).write(points, signs)
+        found = [_Writer(rates, kinetic, atoms, marks, frames, Carried(system, len(motion.w), {})).write(points, signs)]
         # each on a rotation of its own, in space: T's forms are over the kept velocities as they are written
-        return None if system.rotations and not made.known else made
+        if system.rotations and not found[0].known:
+            return []
     except (Unread, Unlucky, NotLinear):
-        return None
+        return []
+    carriers = find_carriers(points)
+    for direct in (True, False) if carriers else ():
+        with suppress(Unread, NotLinear):
+            carried = Carried(system, len(motion.w), carriers, direct=direct)
+            found.append(_Writer(rates, kinetic, atoms, marks, frames, carried).write(points, signs))
+            break
+    return found
 
 
 def _frames_of(points: Iterable[Point]) -> set[int]:
@@ -92,24 +109,31 @@ def _frames_of(points: Iterable[Point]) -> set[int]:
 
 
 class _Writer:
-    """T's forms over the symbols of ``rates``."""
+    """T's forms over the symbols of ``rates``, with what is ``carried`` on the axes of its rotation."""
 
     def __init__(
-        self, rates: Rates, kinetic: Kinetic, atoms: Sequence[Node], marks: Signatures, frames: Frames
+        self,
+        rates: Rates,
+        kinetic: Kinetic,
+        atoms: Sequence[Node],
+        marks: Signatures,
+        frames: Frames,
+        carried: Carried,
     ) -> None:
         self.rates, self.system, self.kinetic, self.atoms, self.marks = rates, rates.system, kinetic, atoms, marks
         self.graph: Graph = rates.graph
-        self.frames = frames
+        self.frames, self._carried = frames, carried
         self._mask = self.graph.mask(self.system.p)
 
     # --- the recursion --------------------------------------------------------------------------------------
 
     def write(self, points: Sequence[tuple[Components, Point]], signs: dict[int, int]) -> Spatial:
         """Points from the root on, each frame when it is first needed; then T's other forms."""
-        atoms = self.atoms
+        g, atoms = self.graph, self.atoms
         self.made = Spatial(self.kinetic, Recursion(len(self.rates.motion.w)))
         self._velocities: dict[Node, Terms] = {}
         self._variables: dict[int, Variables] = {}
+        self._points: dict[int, Variables] = {}
         self._momenta: dict[Variables, tuple[Frame, Vector]] = {}
         of: dict[int, tuple[Frame, Vector, int]] = {}
         inside = {k for components, _ in points for k in components}
@@ -120,11 +144,19 @@ class _Writer:
                 if found is not None:
                     of[k] = found
         forms: list[Terms] = [{} for _ in atoms]
+        in_space: dict[int, Terms] = {}
         waiting = dict(of)
         for components, point in points:
-            for component, variable in zip(components, self._place(point), strict=True):
-                if component is not None and variable != _STILL:
-                    forms[component] = {variable: self.graph.number(signs[component])}
+            variables = self._place(point)
+            for axis, component in enumerate(components):
+                if component is not None:
+                    sign = g.number(signs[component])
+                    forms[component] = {c: sign for c in variables[axis : axis + 1] if c != _STILL}
+                    in_space[component] = {
+                        c: g.mul(sign, a)
+                        for c, a in zip(variables, self._carried.row(id(point), axis), strict=True)
+                        if a != g.zero and c != _STILL
+                    }
             near = {id(frame) for frame, _ in point.arms}
             for k in [k for k, (frame, _, _) in waiting.items() if id(frame) in near]:
                 forms[k] = self._component(k, *waiting.pop(k))
@@ -134,18 +166,24 @@ class _Writer:
             elif k not in inside and k not in of:
                 forms[k] = self._plain(atom)
         for variables, (frame, momentum) in self._momenta.items():
-            torque = self.rates.on_motion(cross(self.graph, momentum, frame.omega))
+            torque = self._put(cross(g, momentum, frame.omega))
             self.made.torques += [pair for pair in zip(variables, torque, strict=True) if pair[0] != _STILL]
-        self.made.recursion.forms = [self._on_motion(terms) for terms in forms]
+        self.made.recursion.forms = [self._put_terms(terms) for terms in forms]
+        self.made.placed = [in_space.get(k, terms) for k, terms in enumerate(self.made.recursion.forms)]
+        self.made.turned = self._carried.turned(self.made.recursion)
         return self.made
 
-    def _on_motion(self, terms: Terms) -> Terms:
-        return dict(zip(terms, self.rates.on_motion(list(terms.values())), strict=True))
+    def _put(self, nodes: Sequence[Node]) -> list[Node]:
+        """Vectors of what stands on a carrier have no entries of its matrix but those that are nodes already."""
+        return self.rates.on_axes(nodes, self._carried.axes)
+
+    def _put_terms(self, terms: Terms) -> Terms:
+        return dict(zip(terms, self._put(list(terms.values())), strict=True))
 
     def _define(self, terms: Terms, constant: Node, turn: Node) -> int:
         """A variable; what is zero for all motions is told by :data:`_STILL`."""
-        constant, turn = self.rates.on_motion([constant, turn])
-        terms = {c: a for c, a in self._on_motion(terms).items() if a and c != _STILL}
+        constant, turn = self._put([constant, turn])
+        terms = {c: a for c, a in self._put_terms(terms).items() if a and c != _STILL}
         if not terms and not constant and not turn:
             return _STILL
         self.made.turns.append(turn)
@@ -172,17 +210,18 @@ class _Writer:
         """The variables of a point's velocity, after those of the points below it."""
         below: list[Point] = []
         over: Point | None = point
-        while over is not None and over.variables is None:
+        while over is not None and id(over) not in self._points:
             below.append(over)
             over = over.base
         for own in reversed(below):
-            own.variables = self._hang(own, own.base.variables if own.base is not None else None)
-        assert point.variables is not None
-        return point.variables
+            self._points[id(own)] = self._hang(own)
+        return self._points[id(point)]
 
-    def _hang(self, point: Point, below: Variables | None) -> Variables:
-        g, system = self.graph, self.system
-        rows: list[Terms] = [{} if below is None else {below[axis]: g.one} for axis in range(3)]
+    def _hang(self, point: Point) -> Variables:
+        g, base, carrier = self.graph, point.base, self._carried.carriers.get(id(point))
+        near = base is not None and self._carried.carriers.get(id(base)) == carrier
+        below = self._points[id(base)] if base is not None else None
+        rows: list[Terms] = [{} if below is None or not near else {below[axis]: g.one} for axis in range(3)]
         constants, turns = list(ZERO), list(ZERO)
         for frame, d in point.arms:
             x, y, z = self._spin(frame)
@@ -191,7 +230,22 @@ class _Writer:
                 rows[row][two] = g.sub(rows[row].get(two, g.zero), d[second])
             drift = cross(g, frame.omega, cross(g, frame.omega, d))
             turns = [g.add(a, b) for a, b in zip(turns, drift, strict=True)]
-        for axis, node in enumerate(point.loose):
+        if carrier is None:
+            self._add_loose(point.loose, rows, constants, turns)
+            return self._define_three(rows, constants, turns)
+        outer: list[Terms] = [{} if below is None or near else {below[axis]: g.one} for axis in range(3)]
+        still, growth = list(ZERO), list(ZERO)
+        self._add_loose(point.loose, outer, still, growth)
+        turned = self._carried.turn(outer, still, growth, carrier)
+        for axis, more in enumerate(turned.rows):
+            rows[axis].update(more)
+        turns = [g.add(a, b) for a, b in zip(turns, turned.turns, strict=True)]
+        return self._define_three(rows, turned.constants, turns)
+
+    def _add_loose(self, loose: Vector, rows: list[Terms], constants: list[Node], turns: list[Node]) -> None:
+        """What moves in other ways than by turning, in space."""
+        g, system = self.graph, self.system
+        for axis, node in enumerate(loose):
             if node == g.zero:
                 continue
             *slopes, constants[axis] = gradient(g, node, (*system.q, system.t))
@@ -199,7 +253,6 @@ class _Writer:
                 self._add_velocity(rows[axis], v, a)
             rate = g.add(g.dot(slopes, system.v), constants[axis])
             turns[axis] = g.add(turns[axis], tangent(g, [rate], self.rates.seeds)[0])
-        return self._define_three(rows, constants, turns)
 
     def _spin(self, frame: Frame) -> Variables:
         """The variables of a frame's angular velocity: on the last frame before it that has some."""
@@ -210,6 +263,9 @@ class _Writer:
         constants, turns = list(ZERO), list(ZERO)
         top: Frame | None = frame
         while top is not None and top.parent is not None and id(top) not in self._variables:
+            if self._is_seen_from_space(top) and top is not frame:
+                self._spin(top)
+                continue
             for spin in top.spins:
                 rate = g.add(g.sum([g.mul(a, v) for v, a in spin.rates]), spin.own)
                 tilt = scale_vector(g, rate, cross(g, top.parent.omega, spin.axis))
@@ -223,8 +279,15 @@ class _Writer:
         if top is not None and id(top) in self._variables:
             for row, variable in zip(rows, self._variables[id(top)], strict=True):
                 row[variable] = g.one
+        if frame.rotation is not None and self._is_seen_from_space(frame):
+            seen = self._carried.turn(rows, constants, turns, frame.rotation)
+            rows, constants, turns = seen.rows, seen.constants, seen.turns
         self._variables[id(frame)] = self._define_three(rows, constants, turns)
         return self._variables[id(frame)]
+
+    def _is_seen_from_space(self, frame: Frame) -> bool:
+        """Whether the angular velocity of a carrier has its components in space."""
+        return frame.rotation in self._carried.axes and self.system.rotations[frame.rotation].sign < 0
 
     def _define_three(self, rows: Sequence[Terms], constants: Sequence[Node], turns: Sequence[Node]) -> Variables:
         a, b, c = (self._define(row, k, turn) for row, k, turn in zip(rows, constants, turns, strict=True))
@@ -271,6 +334,8 @@ class _Writer:
         """Other forms, of few rates."""
         g, symbols = self.graph, self.rates.symbols
         coefficients, constant = linear_form(g, atom, symbols)
+        coefficients = tuple(self.rates.on_motion(coefficients))
+        (constant,) = self.rates.on_motion([constant])
         found = [(v, a) for v, a in zip(symbols, coefficients, strict=True) if a != g.zero]
         if len(found) > _FEW:
             raise Unread
@@ -279,6 +344,6 @@ class _Writer:
             self._add_velocity(terms, v, a)
         if len(found) == 1 and constant == g.zero and not any(g.deps[a] & ~self._mask for a in terms.values()):
             return terms
-        (turn,) = tangent(g, [atom], self.rates.seeds)
+        (turn,) = self.rates.on_motion(tangent(g, [atom], self.rates.seeds))
         number = self._define(terms, constant, turn)
         return {number: g.one} if number != _STILL else {}

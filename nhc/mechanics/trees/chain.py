@@ -22,6 +22,7 @@ from nhc.mechanics.motion import Motion
 from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.bodies import Spatial
+from nhc.mechanics.trees.carried import Turned
 from nhc.mechanics.trees.covectors import Covector, Sweeps
 from nhc.mechanics.trees.recursion import Recursion, Terms, Weights, read_recursion
 from nhc.mechanics.trees.units import common_mass, scales
@@ -32,8 +33,9 @@ _MANY = 6  # forms per rate beyond which no recursion is sought: they are the fo
 
 @record
 class Chain:
-    """Variable i < ``rates`` is ``scale[i]`` times the i-th rate, the others are forms in units that keep coefficients
-    free of parameters; ``weights[a, b]`` (a <= b) is H, ``force[i]`` what pulls at variable i, both over one mass ``unit``.
+    """Variable i < ``rates`` is ``scale[i]`` times the i-th rate, or what ``turned`` puts in its place; the others are forms in
+    units that keep coefficients free of parameters; ``weights[a, b]`` (a <= b) is H, ``force[i]`` what pulls at variable i, both
+    over one mass ``unit``.
 
     ``turn[k]``, ``steady[k]`` (no constant of the form moves) and ``offset[k]`` (an acceleration given to the form and to all
     that continue it) belong to variable rates + k.
@@ -54,6 +56,7 @@ class Chain:
     velocities: tuple[Node, ...]  # the kept ones, as symbols
     along: dict[Node, Node]  # the motion: what q and t change by
     places: Callable[[], dict[int, Node]]  # what the spec differentiated for a form to be its rate
+    turned: tuple[Turned, ...] = ()  # three variables that are R^T times what else they would be
 
     @property
     def size(self) -> int:
@@ -78,15 +81,19 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     if recursion is None:
         return None
     to_motion.update(zip(kinetic.u, forms, strict=True))
-    weights, pull = _hessian(g, kinetic, recursion, to_motion, sweeps.seeds)
+    placed = recursion.forms if spatial is None else spatial.placed
+    weights, pull = _hessian(g, kinetic, recursion, placed, to_motion, sweeps.seeds)
     potential, places, weight = _weigh(system, kinetic)
     for k, force in weight.items():
-        for i, a in recursion.forms[k].items():
+        for i, a in placed[k].items():
             pull[i] = g.add(pull[i], g.mul(a, force))
     forces = _forces(kinetic, sweeps, potential, places, to_motion, spatial.known if spatial is not None else ())
     if forces is None:
         return None
-    for i, force in enumerate(pullback_gradient(g, forces, motion.w)):
+    own = pullback_gradient(g, forces, motion.w)
+    for turned in spatial.turned if spatial is not None else ():
+        turned.from_space(g, own)
+    for i, force in enumerate(own):
         pull[i] = g.add(pull[i], force)
     if spatial is None:
         return _in_units(
@@ -95,21 +102,26 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     torques = substitute(g, [torque for _, torque in spatial.torques], to_motion)
     for (i, _), torque in zip(spatial.torques, torques, strict=True):
         pull[i] = g.add(pull[i], torque)
-    return _in_units(system, motion, recursion, weights, pull, sweeps.seeds, spatial.turns)
+    return _in_units(system, motion, recursion, weights, pull, sweeps.seeds, spatial.turns, tuple(spatial.turned))
 
 
 # --- T's Hessian and the forces --------------------------------------------------------------------------------
 
 
 def _hessian(
-    g: Graph, kinetic: Kinetic, recursion: Recursion, to_motion: dict[Node, Node], along: dict[Node, Node]
+    g: Graph,
+    kinetic: Kinetic,
+    recursion: Recursion,
+    placed: Sequence[Terms],
+    to_motion: dict[Node, Node],
+    along: dict[Node, Node],
 ) -> tuple[Weights, list[Node]]:
     """H over the variables, and minus the rates of T's slopes at fixed forms (where T's coefficients move)."""
     weights: Weights = {}
     pull = [g.zero] * recursion.size
     explicit = substitute(g, tangent(g, kinetic.slope, along), to_motion)
     for k, row in enumerate(kinetic.hessian):
-        for i, a in recursion.forms[k].items():
+        for i, a in placed[k].items():
             pull[i] = g.sub(pull[i], g.mul(a, explicit[k]))
         for j in range(k + 1):
             if row[j] == g.zero:
@@ -213,6 +225,7 @@ def _in_units(
     pull: list[Node],
     along: dict[Node, Node],
     turns: Sequence[Node] = (),
+    turned: tuple[Turned, ...] = (),
     places: Callable[[], dict[int, Node]] = dict,
 ) -> Chain:
     g, rates = system.graph, recursion.rates
@@ -235,7 +248,10 @@ def _in_units(
         {c: divided(g.mul(a, scale[rates + k]), scale[c]) for c, a in terms.items()}
         for k, terms in enumerate(recursion.definitions)
     )
-    velocity, turn, steady = _motion_of(g, motion, recursion, definitions, scale, along, turns, mask)
+    kept = list(motion.w)
+    for own in turned:
+        own.from_space(g, kept)
+    velocity, turn, steady = _motion_of(g, motion, recursion, definitions, scale, along, turns, mask, kept)
     return Chain(
         graph=g,
         rates=rates,
@@ -252,6 +268,7 @@ def _in_units(
         velocities=motion.w,
         along=along,
         places=places,
+        turned=turned,
     )
 
 
@@ -264,9 +281,10 @@ def _motion_of(
     along: dict[Node, Node],
     turns: Sequence[Node],
     mask: int,
+    kept: Sequence[Node],
 ) -> tuple[list[Node], list[Node], list[bool]]:
     """Velocities of all variables, the ``turn`` of the definitions where ``turns`` does not give it, and which are ``steady``."""
-    velocity = [g.mul(s, w) for s, w in zip(scale[: recursion.rates], motion.w, strict=True)]
+    velocity = [g.mul(s, w) for s, w in zip(scale[: recursion.rates], kept, strict=True)]
     turn, steady = [], []
     for k, (terms, held) in enumerate(zip(definitions, recursion.constants, strict=True)):
         own = scale[recursion.rates + k]

@@ -67,9 +67,9 @@ def _is_short(tree: Elimination) -> bool:
 
 
 def _chain_of_bodies(system: System, motion: Motion) -> Chain | None:
-    """The recursion of bodies in space; None where there is none."""
-    spatial = read_bodies(system, motion)
-    return find_chain(system, motion, spatial.kinetic, spatial) if spatial is not None else None
+    """The recursion of bodies in space, or on the axes of a body, that starts from less; None where there is none."""
+    made = [find_chain(system, motion, spatial.kinetic, spatial) for spatial in read_bodies(system, motion)]
+    return min((chain for chain in made if chain is not None), key=_setting, default=None)
 
 
 def _shorter(one: Elimination | None, other: Elimination | None) -> Elimination | None:

@@ -48,12 +48,15 @@ class _DeepError(Exception):
 
 @identity_record
 class Frame:
-    """Axes that turn on those of ``parent``; ``omega`` is their angular velocity over the velocities."""
+    """Axes that turn on those of ``parent``; ``omega`` is their angular velocity over the velocities; ``rotation`` is the number of
+    the one whose matrix they are, on the axes of space.
+    """
 
     parent: Frame | None
     spins: tuple[Spin, ...]
     omega: Vector
     depth: int
+    rotation: int | None = None
 
     @property
     def axis(self) -> Vector | None:
@@ -246,13 +249,13 @@ class Frames:
             self._frames[key] = self._spun(parent, (Spin(axis, rates, own),))
         return self._frames[key]
 
-    def _spun(self, parent: Frame, spins: tuple[Spin, ...]) -> Frame:
+    def _spun(self, parent: Frame, spins: tuple[Spin, ...], rotation: int | None = None) -> Frame:
         g, omega = self.graph, parent.omega
         for spin in spins:
             rate = g.add(g.sum([g.mul(a, v) for v, a in spin.rates]), spin.own)
             x, y, z = spin.axis
             omega = add_vectors(g, omega, (g.mul(x, rate), g.mul(y, rate), g.mul(z, rate)))
-        return Frame(parent, spins, omega, parent.depth + 1)
+        return Frame(parent, spins, omega, parent.depth + 1, rotation)
 
     # --- a rotation -----------------------------------------------------------------------------------------
 
@@ -315,6 +318,7 @@ class Frames:
                 columns.append(self.as_known((x, y, z)))
             about = columns if self.system.rotations[r].sign > 0 else axes
             spins = [Spin(axis, ((w, g.one),), g.zero) for axis, w in zip(about, omega, strict=True)]
-            self._frames[key] = self._spun(parent, tuple(spins))
+            in_space = parent is ROOT and columns == [*zip(*matrix, strict=True)]
+            self._frames[key] = self._spun(parent, tuple(spins), r if in_space else None)
             self._bodies += [(self._frames[key], column) for column in columns]
         return self._frames[key]

@@ -28,7 +28,6 @@ class Point:
     base: Point | None
     arms: list[tuple[Frame, Vector]]
     loose: Vector
-    variables: tuple[int, int, int] | None = None
 
     @property
     def turns(self) -> bool:

@@ -187,7 +187,9 @@ class Elimination:
 
     def solve(self, right: Sequence[Node]) -> list[Node]:
         """x with M x = right, M the mass matrix of the rates."""
-        g, chain = self.graph, self.chain
+        g, chain, right = self.graph, self.chain, list(right)
+        for turned in chain.turned:
+            turned.from_space(g, right)
         pull = [g.div(f, g.mul(s, chain.unit)) for f, s in zip(right, chain.scale, strict=True)]
         still = [g.zero] * chain.size
         return self._solve([*pull, *still[chain.rates :]], still, moving=False)
@@ -196,12 +198,15 @@ class Elimination:
         """force - M rates, row by row: accelerations out to the leaves and forces back, without M (J. Y. S. Luh, M. W. Walker
         and R. P. C. Paul, J. Dyn. Syst. Meas. Control 102 (1980) 69).
         """
-        g, chain = self.graph, self.chain
+        g, chain, rates = self.graph, self.chain, list(rates)
+        for turned in chain.turned:
+            turned.from_space(g, rates)
         pull = self._pull(chain.weights, self._carry([g.mul(s, x) for s, x in zip(chain.scale, rates, strict=True)]))
         for k, terms in reversed(list(enumerate(chain.definitions))):
             for c, a in terms.items():
                 pull[c] = g.add(pull[c], g.mul(a, pull[chain.rates + k]))
-        return [g.mul(force, g.mul(s, chain.unit)) for force, s in zip(pull, chain.scale, strict=False)]
+        left = [g.mul(force, g.mul(s, chain.unit)) for force, s in zip(pull, chain.scale, strict=False)]
+        return self._to_space(left)
 
     def _carry(self, rates: Sequence[Node]) -> list[Node]:
         """The accelerations of all variables, those of the forms from the rates that they are made of."""
@@ -237,4 +242,9 @@ class Elimination:
             found[step.index] = parts
         self.rods.answer(found, pull, drift, pushed, moving=moving)
         self.spheres.answer(found, pull, drift, loads, moving=moving)
-        return [g.div(found[i], s) for i, s in enumerate(chain.scale)]
+        return self._to_space([g.div(found[i], s) for i, s in enumerate(chain.scale)])
+
+    def _to_space(self, values: list[Node]) -> list[Node]:
+        for turned in self.chain.turned:
+            turned.to_space(self.graph, values)
+        return values
