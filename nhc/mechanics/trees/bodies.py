@@ -1,9 +1,8 @@
-"""Rigid bodies by angles as a recursion: angular velocities and points in space in place of the derivatives of matrices.
+"""Rigid bodies as a recursion: angular velocities and points in place of the derivatives of matrices.
 
-A point that is fixed at d on axes with omega, beside a point B, has B' + omega x d, and omega is that of the axes before with the
-rates of the joint; T's components of an angular velocity are u . omega with vectors u fixed on the body.  With the rates' own rates
-left out, B'' has omega x (omega x d) added, omega' gets omega_before x n a', and u . omega nothing.  The equations of rotation take
--omega x L, L = sum of the momenta along the u (L. Euler), for which no form has to be differentiated.
+T's points and axes have the velocities of :mod:`nhc.mechanics.trees.velocities`; its components of an angular velocity are
+u . omega with vectors u fixed on the body, and nothing is added to their rates.  The equations of rotation take -omega x L, L = sum
+of the momenta along the u (L. Euler), for which no form has to be differentiated.
 """
 
 from __future__ import annotations
@@ -11,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 
-from nhc.algebra.calculus import gradient, tangent
+from nhc.algebra.calculus import tangent
 from nhc.algebra.exact.field import Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.solving.linear import NotLinear, linear_form
@@ -22,20 +21,20 @@ from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.signatures import Signatures
 from nhc.mechanics.rotations.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.system import System
-from nhc.mechanics.trees.carried import Carried, Turned, find_carriers
-from nhc.mechanics.trees.frames import ZERO, Frame, Frames
+from nhc.mechanics.trees.frames import ROOT, ZERO, Frame, Frames
 from nhc.mechanics.trees.points import Components, Point, Points, Unread
 from nhc.mechanics.trees.rates import Rates
 from nhc.mechanics.trees.recursion import Recursion, Terms
 from nhc.mechanics.trees.triples import list_squares, place_of
+from nhc.mechanics.trees.velocities import STILL, Variables, Velocities
+from nhc.mechanics.trees.views import Turned, Views, list_views
+from nhc.mechanics.trees.weight import field_of, weigh
 from nhc.records import fresh, structure
 
 _FEW = 3  # coordinates of what moves in another way than by turning
 
 
-Variables = tuple[int, int, int]
 Named = dict[tuple[int, ...], tuple[Frame, Vector, int]]
-_STILL = -1
 
 
 @structure
@@ -44,7 +43,8 @@ class Spatial:
     that are ``known`` give to the variables beside the rates of T's slopes.
 
     ``placed`` says what T's forms are of the variables as they are written; the recursion's forms may be their components on other
-    axes, which have the same squares.  ``turned`` are the variables that are no rates.
+    axes, which have the same squares.  ``turned`` are the variables that are no rates; ``offsets`` the accelerations of the
+    definitions that stand for weight, where it is the same for all masses.
     """
 
     kinetic: Kinetic
@@ -54,11 +54,13 @@ class Spatial:
     known: set[int] = fresh(factory=set)
     placed: list[Terms] = fresh(factory=list)
     turned: list[Turned] = fresh(factory=list)
+    offsets: list[Node] = fresh(factory=list)
 
 
 def read_bodies(system: System, motion: Motion) -> list[Spatial]:
-    """The recursions of T's forms along a motion: in space, and on the axes of bodies with a `rotation:` where others stand on
-    them.  None where T has no points in space that turn, or others than these.
+    """The recursions of T's forms along a motion: in space, on the axes of the body that carries the others, and on those of each.
+
+    None where T has no points in space that turn, or others than these.
     """
     kinetic = whole_kinetic(system, system.graph.rate_of)
     squares = list_squares(system, kinetic) if kinetic is not None else []
@@ -79,18 +81,18 @@ def read_bodies(system: System, motion: Motion) -> list[Spatial]:
         if not any(point.turns for _, point in points):
             return []
         signs = {k: sign for k, (_, sign) in places.items()}
-        found = [_Writer(rates, kinetic, atoms, marks, frames, Carried(system, len(motion.w), {})).write(points, signs)]
+        writer = _Writer(rates, kinetic, atoms, marks, frames, points, signs)
+        found = [writer.write(Views(frames, {}))]
         # each on a rotation of its own, in space: T's forms are over the kept velocities as they are written
         if system.rotations and not found[0].known:
             return []
     except (Unread, Unlucky, NotLinear):
         return []
-    carriers = find_carriers(points)
-    for direct in (True, False) if carriers else ():
-        with suppress(Unread, NotLinear):
-            carried = Carried(system, len(motion.w), carriers, direct=direct)
-            found.append(_Writer(rates, kinetic, atoms, marks, frames, carried).write(points, signs))
-            break
+    for views in writer.views():
+        for direct in (True, False):
+            with suppress(Unread, NotLinear):
+                found.append(writer.write(Views(frames, views, direct=direct)))
+                break
     return found
 
 
@@ -108,8 +110,12 @@ def _frames_of(points: Iterable[Point]) -> set[int]:
     return found
 
 
+def _depth(placed: tuple[Components, Point]) -> int:
+    return max((frame.depth for frame, _ in placed[1].arms), default=0)
+
+
 class _Writer:
-    """T's forms over the symbols of ``rates``, with what is ``carried`` on the axes of its rotation."""
+    """T's forms over the symbols of ``rates``."""
 
     def __init__(
         self,
@@ -118,180 +124,67 @@ class _Writer:
         atoms: Sequence[Node],
         marks: Signatures,
         frames: Frames,
-        carried: Carried,
+        points: Sequence[tuple[Components, Point]],
+        signs: dict[int, int],
     ) -> None:
         self.rates, self.system, self.kinetic, self.atoms, self.marks = rates, rates.system, kinetic, atoms, marks
         self.graph: Graph = rates.graph
-        self.frames, self._carried = frames, carried
+        self.frames, self.points, self.signs = frames, points, signs
         self._mask = self.graph.mask(self.system.p)
+        weight = weigh(self.system, kinetic)[2]
+        self._field = field_of(kinetic, [components for components, _ in points], signs, weight)
+        self._inside = {k for components, _ in points for k in components}
+        self._of: dict[int, tuple[Frame, Vector, int]] = {}
+        names = self._angular(_frames_of(point for _, point in points))
+        for k, atom in enumerate(atoms):
+            if k not in self._inside:
+                found = names.get(self.marks.of(atom)) or self._last(atom, names)
+                if found is not None:
+                    self._of[k] = found
+
+    def views(self) -> list[dict[int, Frame]]:
+        """The axes on which the recursion may be written beside those of space."""
+        return list_views((point for _, point in self.points), (frame for frame, _, _ in self._of.values()))
 
     # --- the recursion --------------------------------------------------------------------------------------
 
-    def write(self, points: Sequence[tuple[Components, Point]], signs: dict[int, int]) -> Spatial:
+    def write(self, views: Views) -> Spatial:
         """Points from the root on, each frame when it is first needed; then T's other forms."""
-        g, atoms = self.graph, self.atoms
-        self.made = Spatial(self.kinetic, Recursion(len(self.rates.motion.w)))
-        self._velocities: dict[Node, Terms] = {}
-        self._variables: dict[int, Variables] = {}
-        self._points: dict[int, Variables] = {}
+        g, self._views = self.graph, views
+        self._velocities = Velocities(self.rates, views, None if views.in_space else self._field)
+        self.made = Spatial(self.kinetic, self._velocities.recursion, self._velocities.turns)
         self._momenta: dict[Variables, tuple[Frame, Vector]] = {}
-        of: dict[int, tuple[Frame, Vector, int]] = {}
-        inside = {k for components, _ in points for k in components}
-        names = self._angular(_frames_of(point for _, point in points))
-        for k, atom in enumerate(atoms):
-            if k not in inside:
-                found = names.get(self.marks.of(atom)) or self._last(atom, names)
-                if found is not None:
-                    of[k] = found
-        forms: list[Terms] = [{} for _ in atoms]
+        forms: list[Terms] = [{} for _ in self.atoms]
         in_space: dict[int, Terms] = {}
-        waiting = dict(of)
-        for components, point in points:
-            variables = self._place(point)
+        waiting = dict(self._of)
+        for components, point in self.points if views.in_space else sorted(self.points, key=_depth):
+            variables = self._velocities.place(point)
+            view = views.of_point(point)
+            matrix = views.on_motion(view)
             for axis, component in enumerate(components):
+                if component is None and view is not ROOT and not self._velocities.rests(variables[axis]):
+                    raise Unread  # T has no square of it
                 if component is not None:
-                    sign = g.number(signs[component])
-                    forms[component] = {c: sign for c in variables[axis : axis + 1] if c != _STILL}
-                    in_space[component] = {
-                        c: g.mul(sign, a)
-                        for c, a in zip(variables, self._carried.row(id(point), axis), strict=True)
-                        if a != g.zero and c != _STILL
-                    }
+                    sign = g.number(self.signs[component])
+                    forms[component] = {c: sign for c in variables[axis : axis + 1] if c != STILL}
+                    row = zip(variables, matrix[axis], strict=True)
+                    in_space[component] = {c: g.mul(sign, a) for c, a in row if a != g.zero and c != STILL}
             near = {id(frame) for frame, _ in point.arms}
             for k in [k for k, (frame, _, _) in waiting.items() if id(frame) in near]:
                 forms[k] = self._component(k, *waiting.pop(k))
-        for k, atom in enumerate(atoms):
+        for k, atom in enumerate(self.atoms):
             if k in waiting:
                 forms[k] = self._component(k, *waiting.pop(k))
-            elif k not in inside and k not in of:
+            elif k not in self._inside and k not in self._of:
                 forms[k] = self._plain(atom)
         for variables, (frame, momentum) in self._momenta.items():
-            torque = self._put(cross(g, momentum, frame.omega))
-            self.made.torques += [pair for pair in zip(variables, torque, strict=True) if pair[0] != _STILL]
-        self.made.recursion.forms = [self._put_terms(terms) for terms in forms]
+            torque = self.rates.on_motion(cross(g, momentum, self._velocities.omega(frame)))
+            self.made.torques += [pair for pair in zip(variables, torque, strict=True) if pair[0] != STILL]
+        self.made.recursion.forms = [self._velocities.on_motion(terms) for terms in forms]
         self.made.placed = [in_space.get(k, terms) for k, terms in enumerate(self.made.recursion.forms)]
-        self.made.turned = self._carried.turned(self.made.recursion)
+        self.made.turned = views.turned(self.made.recursion)
+        self.made.offsets = self._velocities.list_offsets()
         return self.made
-
-    def _put(self, nodes: Sequence[Node]) -> list[Node]:
-        """Vectors of what stands on a carrier have no entries of its matrix but those that are nodes already."""
-        return self.rates.on_axes(nodes, self._carried.axes)
-
-    def _put_terms(self, terms: Terms) -> Terms:
-        return dict(zip(terms, self._put(list(terms.values())), strict=True))
-
-    def _define(self, terms: Terms, constant: Node, turn: Node) -> int:
-        """A variable; what is zero for all motions is told by :data:`_STILL`."""
-        constant, turn = self._put([constant, turn])
-        terms = {c: a for c, a in self._put_terms(terms).items() if a and c != _STILL}
-        if not terms and not constant and not turn:
-            return _STILL
-        self.made.turns.append(turn)
-        return self.made.recursion.define(terms, constant)
-
-    def _velocity(self, symbol: Node) -> Terms:
-        """A velocity as a kept one, or as a variable of its own."""
-        if symbol not in self._velocities:
-            g = self.graph
-            terms, constant, turn = self.rates.form(symbol)
-            plain = constant == g.zero and not any(g.deps[a] & ~self._mask for a in terms.values())
-            if not plain or len(terms) > 1:
-                number = self._define(terms, constant, turn)
-                terms = {number: g.one} if number != _STILL else {}
-            self._velocities[symbol] = terms
-        return self._velocities[symbol]
-
-    def _add_velocity(self, row: Terms, symbol: Node, coefficient: Node) -> None:
-        g = self.graph
-        for c, a in self._velocity(symbol).items() if coefficient != g.zero else ():
-            row[c] = g.add(row.get(c, g.zero), g.mul(coefficient, a))
-
-    def _place(self, point: Point) -> Variables:
-        """The variables of a point's velocity, after those of the points below it."""
-        below: list[Point] = []
-        over: Point | None = point
-        while over is not None and id(over) not in self._points:
-            below.append(over)
-            over = over.base
-        for own in reversed(below):
-            self._points[id(own)] = self._hang(own)
-        return self._points[id(point)]
-
-    def _hang(self, point: Point) -> Variables:
-        g, base, carrier = self.graph, point.base, self._carried.carriers.get(id(point))
-        near = base is not None and self._carried.carriers.get(id(base)) == carrier
-        below = self._points[id(base)] if base is not None else None
-        rows: list[Terms] = [{} if below is None or not near else {below[axis]: g.one} for axis in range(3)]
-        constants, turns = list(ZERO), list(ZERO)
-        for frame, d in point.arms:
-            x, y, z = self._spin(frame)
-            for row, one, two, first, second in ((0, y, z, 2, 1), (1, z, x, 0, 2), (2, x, y, 1, 0)):
-                rows[row][one] = g.add(rows[row].get(one, g.zero), d[first])
-                rows[row][two] = g.sub(rows[row].get(two, g.zero), d[second])
-            drift = cross(g, frame.omega, cross(g, frame.omega, d))
-            turns = [g.add(a, b) for a, b in zip(turns, drift, strict=True)]
-        if carrier is None:
-            self._add_loose(point.loose, rows, constants, turns)
-            return self._define_three(rows, constants, turns)
-        outer: list[Terms] = [{} if below is None or near else {below[axis]: g.one} for axis in range(3)]
-        still, growth = list(ZERO), list(ZERO)
-        self._add_loose(point.loose, outer, still, growth)
-        turned = self._carried.turn(outer, still, growth, carrier)
-        for axis, more in enumerate(turned.rows):
-            rows[axis].update(more)
-        turns = [g.add(a, b) for a, b in zip(turns, turned.turns, strict=True)]
-        return self._define_three(rows, turned.constants, turns)
-
-    def _add_loose(self, loose: Vector, rows: list[Terms], constants: list[Node], turns: list[Node]) -> None:
-        """What moves in other ways than by turning, in space."""
-        g, system = self.graph, self.system
-        for axis, node in enumerate(loose):
-            if node == g.zero:
-                continue
-            *slopes, constants[axis] = gradient(g, node, (*system.q, system.t))
-            for v, a in zip(system.v, slopes, strict=True):
-                self._add_velocity(rows[axis], v, a)
-            rate = g.add(g.dot(slopes, system.v), constants[axis])
-            turns[axis] = g.add(turns[axis], tangent(g, [rate], self.rates.seeds)[0])
-
-    def _spin(self, frame: Frame) -> Variables:
-        """The variables of a frame's angular velocity: on the last frame before it that has some."""
-        if id(frame) in self._variables:
-            return self._variables[id(frame)]
-        g = self.graph
-        rows: list[Terms] = [{}, {}, {}]
-        constants, turns = list(ZERO), list(ZERO)
-        top: Frame | None = frame
-        while top is not None and top.parent is not None and id(top) not in self._variables:
-            if self._is_seen_from_space(top) and top is not frame:
-                self._spin(top)
-                continue
-            for spin in top.spins:
-                rate = g.add(g.sum([g.mul(a, v) for v, a in spin.rates]), spin.own)
-                tilt = scale_vector(g, rate, cross(g, top.parent.omega, spin.axis))
-                growth = tangent(g, [rate], self.rates.seeds)[0]
-                for axis in range(3):
-                    for v, a in spin.rates:
-                        self._add_velocity(rows[axis], v, g.mul(spin.axis[axis], a))
-                    constants[axis] = g.add(constants[axis], g.mul(spin.axis[axis], spin.own))
-                    turns[axis] = g.add(g.add(turns[axis], tilt[axis]), g.mul(spin.axis[axis], growth))
-            top = top.parent
-        if top is not None and id(top) in self._variables:
-            for row, variable in zip(rows, self._variables[id(top)], strict=True):
-                row[variable] = g.one
-        if frame.rotation is not None and self._is_seen_from_space(frame):
-            seen = self._carried.turn(rows, constants, turns, frame.rotation)
-            rows, constants, turns = seen.rows, seen.constants, seen.turns
-        self._variables[id(frame)] = self._define_three(rows, constants, turns)
-        return self._variables[id(frame)]
-
-    def _is_seen_from_space(self, frame: Frame) -> bool:
-        """Whether the angular velocity of a carrier has its components in space."""
-        return frame.rotation in self._carried.axes and self.system.rotations[frame.rotation].sign < 0
-
-    def _define_three(self, rows: Sequence[Terms], constants: Sequence[Node], turns: Sequence[Node]) -> Variables:
-        a, b, c = (self._define(row, k, turn) for row, k, turn in zip(rows, constants, turns, strict=True))
-        return a, b, c
 
     # --- T's other forms ------------------------------------------------------------------------------------
 
@@ -320,30 +213,29 @@ class _Writer:
     def _component(self, k: int, frame: Frame, vector: Vector, sign: int) -> Terms:
         """u . omega as a definition, with what it gives to omega: -omega x u times its momentum."""
         g = self.graph
-        variables = self._spin(frame)
+        variables = self._velocities.spin(frame)
+        vector = self._views.local(vector, self._views.of(frame))
         self.made.known.add(k)
         slope = g.mul(g.number(sign), self.kinetic.slope[k])
         total = self._momenta.get(variables, (frame, ZERO))[1]
         self._momenta[variables] = frame, add_vectors(g, total, scale_vector(g, slope, vector))
-        terms = {c: a for c, a in zip(variables, vector, strict=True) if c != _STILL and a != g.zero}
+        terms = {c: a for c, a in zip(variables, vector, strict=True) if c != STILL and a != g.zero}
         if any(g.value(a) is None for a in terms.values()):
-            terms = {self._define(terms, g.zero, g.zero): g.one}
+            terms = {self._velocities.define(terms, g.zero, g.zero): g.one}
         return {c: g.mul(g.number(sign), a) for c, a in terms.items()}
 
     def _plain(self, atom: Node) -> Terms:
         """Other forms, of few rates."""
         g, symbols = self.graph, self.rates.symbols
         coefficients, constant = linear_form(g, atom, symbols)
-        coefficients = tuple(self.rates.on_motion(coefficients))
-        (constant,) = self.rates.on_motion([constant])
         found = [(v, a) for v, a in zip(symbols, coefficients, strict=True) if a != g.zero]
         if len(found) > _FEW:
             raise Unread
         terms: Terms = {}
         for v, a in found:
-            self._add_velocity(terms, v, a)
+            self._velocities.add(terms, v, a)
         if len(found) == 1 and constant == g.zero and not any(g.deps[a] & ~self._mask for a in terms.values()):
             return terms
-        (turn,) = self.rates.on_motion(tangent(g, [atom], self.rates.seeds))
-        number = self._define(terms, constant, turn)
-        return {number: g.one} if number != _STILL else {}
+        (turn,) = tangent(g, [atom], self.rates.seeds)
+        number = self._velocities.define(terms, constant, turn)
+        return {number: g.one} if number != STILL else {}

@@ -12,20 +12,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from nhc.algebra.calculus import gradient, pullback_gradient, tangent
-from nhc.algebra.graph import NEG, Graph, Node
+from nhc.algebra.calculus import pullback_gradient, tangent
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import split_parameters, tidy
 from nhc.algebra.rebuilding import substitute
-from nhc.algebra.walks import count, reachable
+from nhc.algebra.walks import count
 from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.bodies import Spatial
-from nhc.mechanics.trees.carried import Turned
 from nhc.mechanics.trees.covectors import Covector, Sweeps
 from nhc.mechanics.trees.recursion import Recursion, Terms, Weights, read_recursion
 from nhc.mechanics.trees.units import common_mass, scales
+from nhc.mechanics.trees.views import Turned
+from nhc.mechanics.trees.weight import weigh
 from nhc.records import record
 
 _MANY = 6  # forms per rate beyond which no recursion is sought: they are the forms of a few bodies under constraints
@@ -83,8 +84,8 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     to_motion.update(zip(kinetic.u, forms, strict=True))
     placed = recursion.forms if spatial is None else spatial.placed
     weights, pull = _hessian(g, kinetic, recursion, placed, to_motion, sweeps.seeds)
-    potential, places, weight = _weigh(system, kinetic)
-    for k, force in weight.items():
+    potential, places, weight = weigh(system, kinetic)
+    for k, force in weight.items() if spatial is None or not spatial.offsets else ():
         for i, a in placed[k].items():
             pull[i] = g.add(pull[i], g.mul(a, force))
     forces = _forces(kinetic, sweeps, potential, places, to_motion, spatial.known if spatial is not None else ())
@@ -102,7 +103,7 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     torques = substitute(g, [torque for _, torque in spatial.torques], to_motion)
     for (i, _), torque in zip(spatial.torques, torques, strict=True):
         pull[i] = g.add(pull[i], torque)
-    return _in_units(system, motion, recursion, weights, pull, sweeps.seeds, spatial.turns, tuple(spatial.turned))
+    return _in_units(system, motion, recursion, weights, pull, sweeps.seeds, spatial)
 
 
 # --- T's Hessian and the forces --------------------------------------------------------------------------------
@@ -134,28 +135,6 @@ def _hessian(
                     value = g.mul(g.number(twice), g.mul(g.mul(a, b), h))
                     weights[key] = g.add(weights.get(key, g.zero), value)
     return {key: h for key, h in weights.items() if h != g.zero}, pull
-
-
-def _weigh(system: System, kinetic: Kinetic) -> tuple[Node, dict[Node, Node], dict[int, Node]]:
-    """U with symbols for the positions whose rates are forms of T, these symbols' positions, and dU by these, by number of the
-    form.
-    """
-    g = system.graph
-    present = set(reachable(g, [system.U]))
-    places: dict[Node, tuple[int, bool]] = {}
-    for k, atom in enumerate(kinetic.atoms):
-        negative = atom not in g.rate_of
-        place = g.rate_of.get(g.neg(atom) if negative else atom)
-        if place is not None and g.op[place] == NEG:
-            place, negative = g.a[place], not negative
-        if place in present and place not in system.q:
-            places[place] = k, negative
-    symbols = {place: g.symbol(f"place{k}", "held") for place, (k, _) in places.items()}
-    (potential,) = substitute(g, [system.U], symbols)
-    meaning = {symbol: place for place, symbol in symbols.items()}
-    slopes = substitute(g, gradient(g, potential, list(symbols.values())), meaning)
-    found = zip(places.values(), slopes, strict=True)
-    return potential, meaning, {k: g.neg(f) if negative else f for (k, negative), f in found if f != g.zero}
 
 
 def _forces(
@@ -224,8 +203,7 @@ def _in_units(
     weights: Weights,
     pull: list[Node],
     along: dict[Node, Node],
-    turns: Sequence[Node] = (),
-    turned: tuple[Turned, ...] = (),
+    spatial: Spatial | None = None,
     places: Callable[[], dict[int, Node]] = dict,
 ) -> Chain:
     g, rates = system.graph, recursion.rates
@@ -249,6 +227,7 @@ def _in_units(
         for k, terms in enumerate(recursion.definitions)
     )
     kept = list(motion.w)
+    turns, turned, offsets = (spatial.turns, spatial.turned, spatial.offsets) if spatial is not None else ((), (), ())
     for own in turned:
         own.from_space(g, kept)
     velocity, turn, steady = _motion_of(g, motion, recursion, definitions, scale, along, turns, mask, kept)
@@ -259,7 +238,7 @@ def _in_units(
         weights={key: divided(h, unit) for key, h in weights.items()},
         turn=tuple(turn),
         steady=tuple(steady),
-        offset=(g.zero,) * len(definitions),
+        offset=tuple(map(g.mul, scale[rates:], offsets)) if offsets else (g.zero,) * len(definitions),
         force=tuple(divided(f, s, unit) for f, s in zip(pull, scale, strict=True)),
         velocity=tuple(velocity),
         scale=tuple(scale[:rates]),
@@ -268,7 +247,7 @@ def _in_units(
         velocities=motion.w,
         along=along,
         places=places,
-        turned=turned,
+        turned=tuple(turned),
     )
 
 

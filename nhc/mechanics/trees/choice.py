@@ -27,6 +27,8 @@ _SHORT = 30
 """Operations for each rate from which an elimination starts, and those it comes to, up to which no other is looked for."""
 _MANIFOLD = 2
 """How many times as much one recursion may start from as the other to be solved."""
+_MORE = 1.3
+"""How many times as much one recursion of bodies may start from as another to be solved, too."""
 _ENTRY, _CARRIED = 8, 4
 """Operations for an entry of the mass matrix with its share of the forces, and for a rate in a form that holds it by another,
 beside those of the coefficients and of the forces on the rates, which both ways have."""
@@ -46,7 +48,7 @@ def _angles(graph: Graph, nodes: Sequence[Node]) -> int:
 def tree_of(system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[Node] = ()) -> Elimination | None:
     """The elimination along the tree; None where there is no recursion, or a pivot vanishes identically.
 
-    Bodies that turn in space by angles have two: of T's forms as they are written, and of the bodies.
+    Bodies that turn in space have others beside that of T's forms as they are written: of the bodies, on several axes.
     """
     written = find_chain(system, motion, kinetic)
     small = written is not None and _setting(written) <= _SHORT * len(motion.w)
@@ -54,28 +56,33 @@ def tree_of(system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[N
     if tree is not None and (len(motion.w) > _BOTH or _is_short(tree)):
         return tree
     bodies = _chain_of_bodies(system, motion)
-    if bodies is None or small or written is None:
-        return _shorter(tree or _eliminate(written, beside), _eliminate(bodies, beside))
-    least, other = sorted((bodies, written), key=_setting)
-    if _MANIFOLD * _setting(least) < _setting(other):
-        return _eliminate(least, beside) or _eliminate(other, beside)
-    return _shorter(_eliminate(written, beside), _eliminate(bodies, beside))
+    if not bodies or small or written is None:
+        return _shortest([tree or _eliminate(written, beside), *(_eliminate(chain, beside) for chain in bodies)])
+    if _MANIFOLD * _setting(written) < _setting(bodies[0]):
+        return _eliminate(written, beside) or _eliminate(bodies[0], beside)
+    found = _shortest([_eliminate(chain, beside) for chain in bodies])
+    if _MANIFOLD * _setting(bodies[0]) < _setting(written) and found is not None:
+        return found
+    return _shortest([_eliminate(written, beside), found])
 
 
 def _is_short(tree: Elimination) -> bool:
     return count(tree.graph, tree.rates) <= _SHORT * len(tree.rates)
 
 
-def _chain_of_bodies(system: System, motion: Motion) -> Chain | None:
-    """The recursion of bodies in space, or on the axes of a body, that starts from less; None where there is none."""
-    made = [find_chain(system, motion, spatial.kinetic, spatial) for spatial in read_bodies(system, motion)]
-    return min((chain for chain in made if chain is not None), key=_setting, default=None)
+def _chain_of_bodies(system: System, motion: Motion) -> list[Chain]:
+    """The recursions of bodies that start from little: on the axes of one body, or on those of each; else in space."""
+    read = read_bodies(system, motion)
+    made = [find_chain(system, motion, spatial.kinetic, spatial) for spatial in read[1:] or read]
+    found = sorted((chain for chain in made if chain is not None), key=_setting)
+    return [chain for chain in found[:2] if _setting(chain) <= _MORE * _setting(found[0])]
 
 
-def _shorter(one: Elimination | None, other: Elimination | None) -> Elimination | None:
-    if one is None or other is None:
-        return one or other
-    return min((one, other), key=lambda tree: work(tree.graph, tree.rates))
+def _shortest(trees: Sequence[Elimination | None]) -> Elimination | None:
+    found = [tree for tree in trees if tree is not None]
+    if len(found) < 2:
+        return found[0] if found else None
+    return min(found, key=lambda tree: work(tree.graph, tree.rates))
 
 
 def _setting(chain: Chain) -> int:
@@ -105,7 +112,7 @@ def worthwhile_tree(system: System, motion: Motion, kinetic: Kinetic) -> Elimina
         return None  # both ways are compared when the other one is written out
     if written is not None and _setting(written) <= _SHORT * system.n and _is_short(tree):
         return tree
-    return _shorter(tree, _eliminate(_chain_of_bodies(system, motion), ()))
+    return _shortest([tree, *(_eliminate(chain, ()) for chain in _chain_of_bodies(system, motion))])
 
 
 def _is_worthwhile(tree: Elimination, motion: Motion) -> bool:

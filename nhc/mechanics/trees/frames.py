@@ -48,15 +48,19 @@ class _DeepError(Exception):
 
 @identity_record
 class Frame:
-    """Axes that turn on those of ``parent``; ``omega`` is their angular velocity over the velocities; ``rotation`` is the number of
-    the one whose matrix they are, on the axes of space.
+    """Axes that turn on those of ``parent``; ``omega`` is their angular velocity over the velocities.
+
+    They turn by an ``angle`` about the axis of their one spin, or by the matrix of the rotation with this number, counted from
+    three ``axes`` that are fixed on the parent.
     """
 
     parent: Frame | None
     spins: tuple[Spin, ...]
     omega: Vector
     depth: int
+    angle: Node | None = None
     rotation: int | None = None
+    axes: tuple[Vector, ...] = ()
 
     @property
     def axis(self) -> Vector | None:
@@ -246,16 +250,16 @@ class Frames:
         if key not in self._frames:
             *slopes, own = gradient(g, angle, (*system.q, system.t))
             rates = tuple((v, a) for v, a in zip(system.v, slopes, strict=True) if a != g.zero)
-            self._frames[key] = self._spun(parent, (Spin(axis, rates, own),))
+            self._frames[key] = Frame(*self._spun(parent, (Spin(axis, rates, own),)), angle)
         return self._frames[key]
 
-    def _spun(self, parent: Frame, spins: tuple[Spin, ...], rotation: int | None = None) -> Frame:
+    def _spun(self, parent: Frame, spins: tuple[Spin, ...]) -> tuple[Frame, tuple[Spin, ...], Vector, int]:
         g, omega = self.graph, parent.omega
         for spin in spins:
             rate = g.add(g.sum([g.mul(a, v) for v, a in spin.rates]), spin.own)
             x, y, z = spin.axis
             omega = add_vectors(g, omega, (g.mul(x, rate), g.mul(y, rate), g.mul(z, rate)))
-        return Frame(parent, spins, omega, parent.depth + 1, rotation)
+        return parent, spins, omega, parent.depth + 1
 
     # --- a rotation -----------------------------------------------------------------------------------------
 
@@ -318,7 +322,6 @@ class Frames:
                 columns.append(self.as_known((x, y, z)))
             about = columns if self.system.rotations[r].sign > 0 else axes
             spins = [Spin(axis, ((w, g.one),), g.zero) for axis, w in zip(about, omega, strict=True)]
-            in_space = parent is ROOT and columns == [*zip(*matrix, strict=True)]
-            self._frames[key] = self._spun(parent, tuple(spins), r if in_space else None)
+            self._frames[key] = Frame(*self._spun(parent, tuple(spins)), None, r, axes)
             self._bodies += [(self._frames[key], column) for column in columns]
         return self._frames[key]

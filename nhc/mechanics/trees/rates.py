@@ -7,7 +7,7 @@ body, so is its form, and the recursion goes on from it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 
 from nhc.algebra.calculus import tangent
 from nhc.algebra.graph import SYM, Node
@@ -77,21 +77,6 @@ class Rates:
     def on_motion(self, nodes: Sequence[Node]) -> list[Node]:
         """The nodes over coordinates and kept velocities."""
         return substitute(self.graph, nodes, self.meaning, named=False)
-
-    def on_axes(self, nodes: Sequence[Node], rotations: Collection[int]) -> list[Node]:
-        """The same on the axes of these rotations: what was R d is d."""
-        if not rotations:
-            return self.on_motion(nodes)
-        g, meaning = self.graph, dict(self.meaning)
-        for r in rotations:
-            for i, row in enumerate(self.entries[r]):
-                meaning.update((x, g.number(int(i == j))) for j, x in enumerate(row))
-            rotation = self.system.rotations[r]
-            if rotation.sign < 0:
-                turning = self._sweeps.turning[r]
-                columns = zip(*rotation.matrix, strict=True)
-                meaning.update((x, g.dot(own, turning)) for x, own in zip(self.omega[r], columns, strict=True))
-        return substitute(g, nodes, meaning, named=False)
 
     def form(self, symbol: Node) -> tuple[Terms, Node, Node]:
         """A velocity over the kept ones, its constant, and its rate where these have none.
