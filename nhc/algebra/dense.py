@@ -225,15 +225,15 @@ class RowSpace:
         for column, known, right in self.rows:
             factor = row[column]
             if factor:
-                row = [x - factor * y for x, y in zip(row, known, strict=True)]
-                value -= factor * right
+                row, value = _without(row, factor, known, column), value - factor * right
         pivot = max(range(self.size), key=lambda j: abs(row[j]))
         if abs(row[pivot]) <= 1e-9 * max(scale, 1e-300):
             return value
         inverse = 1.0 / row[pivot]
         row, value = [x * inverse for x in row], value * inverse
+        row[pivot] = 1.0
         self.rows = [
-            (c, [x - known[pivot] * y for x, y in zip(known, row, strict=True)], right - known[pivot] * value)
+            (c, _without(known, known[pivot], row, pivot), right - known[pivot] * value)
             for c, known, right in self.rows
         ]
         self.rows.append((pivot, row, value))
@@ -245,6 +245,13 @@ class RowSpace:
         for column, _, value in self.rows:
             result[column] = value
         return result
+
+
+def _without(row: Sequence[float], factor: float, other: Sequence[float], column: int) -> list[float]:
+    """The row less a multiple of another, exactly 0 in that column: a small pivot makes rounding that stays there large."""
+    rest = [x - factor * y for x, y in zip(row, other, strict=True)]
+    rest[column] = 0.0
+    return rest
 
 
 def pivot_signs(matrix: Sequence[Sequence[float]]) -> list[int]:

@@ -219,3 +219,26 @@ def test_axles_that_cannot_stand_across_are_completed_by_the_velocity_along_the_
     (rhs,) = program(source, Options(only=("rhs",))).functions
     assert (rhs.adds + rhs.multiplications < 110) == along
     assert all(a.accelerations and a.reactions for a in certify(made.system, points=1).agreements)
+
+
+KEEL = """nhc: 1
+system: keel
+coordinates: [x, y, th]
+parameters: {m: 2, I: 0.4, a: 0.3, e: 0.5}
+define: {al: th + e*sin(2*t)}
+T: m/2*(x'^2 + y'^2) + I/2*th'^2
+constraints:
+  - keel: -sin(al)*x' + cos(al)*y' - a*th' = 0
+quasi_velocities: {v: cos(al)*x' + sin(al)*y'}
+"""
+
+
+@pytest.mark.parametrize("rudder", ["th + e*sin(2*t)", "th"])
+def test_a_speed_is_completed_by_a_dependent_velocity_where_the_free_ones_are_singular(rudder: str) -> None:
+    """The keel is solved for the yaw rate; along it the rates of both coordinates fail, and the yaw rate never does."""
+    source = Source("keel.yaml", KEEL.replace("th + e*sin(2*t)", rudder))
+    made = model(source)
+    assert [made.system.q_names[i] for i in choose_dependent(made.system).dependent] == ["th"]
+    assert made.formulation.added == ("th'",)
+    assert not check(source).diagnostics
+    assert all(a.accelerations and a.reactions for a in certify(made.system, points=1).agreements)

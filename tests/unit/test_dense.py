@@ -134,3 +134,17 @@ def test_equations_one_by_one() -> None:
     assert space.add([2.0, 0.0, 0.0], 4.0) == pytest.approx(0.0)  # the sum of both
     assert space.add([2.0, 0.0, 0.0], 8.0) == pytest.approx(4.0)  # contradicts it by 4
     assert space.solution() == pytest.approx([2.0, 1.0, 0.0])
+
+
+def test_equations_with_a_small_pivot_keep_each_its_own_column() -> None:
+    """Rounding that stays in the column of an earlier pivot is made large by a small one, and taken for another pivot."""
+    space = RowSpace(3)
+    for row, value in (
+        ([-0.29552020666133955, 0.955336489125606, -1e-7], 0.0),
+        ([1, 0, 0], 1.0),
+        ([0, 1, 0], 0.309336),
+    ):
+        assert space.add(row, value) is None
+    off = space.add([0, 0, 1], 0.0)
+    assert off is not None and abs(off - 2.384612) < 1e-5
+    assert space.solution()[:2] == pytest.approx([1.0, 0.309336])

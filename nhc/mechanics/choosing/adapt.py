@@ -19,6 +19,7 @@ from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.choosing.headings import along_headings
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
+from nhc.mechanics.choosing.orders import list_orders, may_vanish
 from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import (
@@ -37,7 +38,6 @@ _MOST_ROWS = 3
 _MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
 _FEW_COORDINATES = 8  # of mechanisms for which multipliers are short
-_TURNS = 8  # orders of velocities to complete a coframe with that are tried
 
 
 def adapted_forms(system: System) -> tuple[Form, ...] | None:
@@ -212,15 +212,13 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
     (weak, _), best = min(weighed, key=lambda found: found[0])
     if system.l > MANY_ROWS:
         best = _along_rows(system, forms, best, pools[0])
-        if forms:
-            weak = coframe_weakness(system, (*system.constraints, *best))[0]
-    own = pools[0][: -system.n]
-    for k in range(1, min(len(own), _TURNS) if forms else 0):
-        if weak == 0:
-            break
-        (trial, _), made = weigh([*own[k:], *pools[0]])
-        if trial < weak:
-            weak, best = trial, made
+        weak = coframe_weakness(system, (*system.constraints, *best))[0] if forms else 0
+    measure = (weak, bool(forms) and may_vanish(system, [*system.constraints, *best]))
+    for order in list_orders(system, pools[0]) if forms and any(measure) else ():
+        (weak, _), made = weigh([*order, *pools[0]])
+        trial = (weak, weak <= measure[0] and may_vanish(system, [*system.constraints, *made]))
+        if trial < measure:
+            measure, best = trial, made
     return best
 
 
