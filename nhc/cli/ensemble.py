@@ -26,12 +26,14 @@ LARGEST_TABLE = 256 * MIB
 
 
 def check_options(
-    method: str, step: float, until: str, project: bool, values: tuple[str, ...], target: Path | None
+    method: str, step: float, until: str, project: bool, values: tuple[str, ...], target: Path | None, *, twice: bool
 ) -> str:
-    """The method of an ensemble; what an ensemble does not do is refused."""
+    """The method of an ensemble; what an ensemble does not do is refused, and stdin that is to be read ``twice``."""
     from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, is_adaptive
 
     method = DEFAULT if method == "auto" else method
+    if twice:
+        raise click.UsageError("the spec or the table can come from stdin, not both")
     if until or project:
         raise click.UsageError(f"`--ensemble` and `{'--until' if until else '--project'}` exclude one another")
     if values:

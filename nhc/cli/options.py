@@ -103,8 +103,16 @@ def verb(name: str, *examples: str) -> Callable[[Callable[..., Any]], click.Comm
     return click.command(name, cls=Verb, epilog=epilog)
 
 
+def _read_stdin_once(_context: click.Context, _option: click.Parameter, specs: tuple[str, ...]) -> tuple[str, ...]:
+    if specs.count("-") > 1:
+        raise click.UsageError("one of several specs can come from stdin, not more")
+    return specs
+
+
 spec_argument = click.argument("spec", shell_complete=complete_spec)
-specs_argument = click.argument("specs", metavar="SPEC...", nargs=-1, required=True, shell_complete=complete_spec)
+specs_argument = click.argument(
+    "specs", metavar="SPEC...", nargs=-1, required=True, callback=_read_stdin_once, shell_complete=complete_spec
+)
 formulation_option = click.option(
     "--formulation",
     "-f",

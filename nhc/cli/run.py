@@ -144,7 +144,7 @@ def command(
     if ensemble:
         from nhc.cli.ensemble import check_options, run_starts
 
-        method = check_options(method, step, until, project, values, target)
+        method = check_options(method, step, until, project, values, target, twice=spec == ensemble == "-")
     source = open_spec(spec)
     from nhc.simulate.changes import Changes
     from nhc.simulate.opening import open_scene

@@ -44,7 +44,8 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
         UNDERFLOW: "the step size underflows: the motion approaches a singularity, or is not smooth there",
         TOO_MANY: "it takes too many steps",
         STALLED: "the steps become so short that the end is out of reach: the motion comes close to a singularity, or slides along "
-        "a jump of the forces, as friction by `sign(v)` makes it do where it sticks (`tanh(v/eps)` does not)",
+        "a jump of the forces, as friction by `sign(v)` makes it do where it sticks (`tanh(v/eps)` does not), or the scene is very "
+        "long beside its fastest motion",
         NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
     }
     return "failed", reasons.get(outcome.kind, "it fails")

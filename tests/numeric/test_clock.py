@@ -86,6 +86,13 @@ def test_a_row_at_the_very_jump_and_a_scene_of_its_own_values() -> None:
     assert_struck(late.rows[-1], 0.5, 70.35)
 
 
+@pytest.mark.parametrize("compiled", [True, False])
+def test_stops_that_are_nothing_apart_do_not_end_a_run(compiled: bool) -> None:
+    """A saw tooth of period 1: it jumps at a pole, around which stops are some last digits apart, and so are the steps to them."""
+    found = run(open_scene(write("atan(tan(pi*t))"), "go"), Settings(points=2, compiled=compiled))
+    assert found.ended == "done" and found.rows[-1][1] == pytest.approx(0.0, abs=1e-8)
+
+
 def test_an_event_at_a_jump() -> None:
     found = run(open_scene(write(PAIR), "go", until="sign(t - 40.1)"), Settings())
     assert found.ended == "event" and found.outcome.t == pytest.approx(40.1, abs=1e-9)

@@ -54,6 +54,18 @@ def test_a_method_that_is_asked_for_is_kept_and_warned_of() -> None:
     assert pour("-2*(x' - cos(t))", "dop853").notes == ()
 
 
+@pytest.mark.parametrize(("method", "compiled"), [("radau5", True), ("radau5", False), ("auto", True)])
+def test_rounding_of_stiff_slopes_is_damped(method: str, compiled: bool) -> None:
+    """Van der Pol's oscillator on its slow way, t = mu (log(x) - x^2/2) + const: what rounding makes of x'' in a step, if nothing
+    damped it, would be more than the state.
+    """
+    text = SYRUP.replace("FORCE", "1e6*(1 - x^2)*x' - x").replace("y: 1", "x: 2").replace("10]", "7e5]")
+    job = open_scene(Source("syrup.yaml", text), method=method, needs=("x",))
+    found = run(job, Settings(method, 1e-8, points=2, compiled=compiled))
+    x = found.rows[-1][0]
+    assert math.log(x) - x**2 / 2 - (math.log(2) - 2) == pytest.approx(0.7, abs=1e-7)
+
+
 def test_many_steps_say_that_errors_add_up() -> None:
     """Where accuracy makes them many; not where stability does, of which another note speaks."""
     spring = SYRUP.replace("FORCE", "-9*x").replace("y: 1", "x: 1")

@@ -7,7 +7,9 @@ that cancel leave bounds of the size of their rounding, where no relative margin
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
 from nhc.algebra.walks import reachable
@@ -67,8 +69,7 @@ def _bound(g: Graph, node: Node, value: Mapping[Node, Interval], known: Mapping[
     if op == NUM:
         number = g.value(node)
         assert number is not None
-        near = float(number)
-        return (near, near) if near == number else _outwards(near, near)
+        return _enclose(number)
     if op == SYM:
         return known.get(node, EVERYTHING)
     if op == PI:
@@ -83,6 +84,19 @@ def _bound(g: Graph, node: Node, value: Mapping[Node, Interval], known: Mapping[
     if op == POW:
         return _power(value[a], b)
     return _function(op, value[a])
+
+
+def _enclose(number: Fraction) -> Interval:
+    """The doubles next to a number; products of numbers that are written may be larger than any double."""
+    try:
+        near = float(number)
+    except OverflowError:
+        largest = sys.float_info.max
+        return (largest, math.inf) if number > 0 else (-math.inf, -largest)
+    if near == 0.0 != number:
+        least = math.ulp(0.0)
+        return (0.0, least) if number > 0 else (-least, 0.0)
+    return (near, near) if near == number else _outwards(near, near)
 
 
 def _outwards(low: float, high: float) -> Interval:

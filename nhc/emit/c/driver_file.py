@@ -33,6 +33,7 @@ def print_driver(program: Program, context: dict[str, object]) -> File:
             *held,
             *([print_function(program, needed, own)] if needed else []),
         ),
+        "collocations": False,
         "parts": driving.leaps.parts if driving.leaps else (),
         "beats": beats.output.size if beats and beats.output else 0,
         "steady": driving.beats is not None and driving.beats.steady,

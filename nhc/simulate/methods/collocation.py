@@ -80,6 +80,7 @@ def _estimate(s: Step, method: Collocation, jacobian: list[Vector]) -> float:
     n, slope, norm = len(s.y), s.slope, math.inf
     matrix = [[(method.pole if i == j else 0.0) - s.h * jacobian[i][j] for j in range(n)] for i in range(n)]
     factors, allowed = factor(matrix), s.allowed(s.reached)
+    s.damping = factors, method.pole
     for _ in range(2):
         right = resolve(factors, [s.h * f + combine(method.errors, s.k, i) for i, f in enumerate(slope)])
         s.errors = right

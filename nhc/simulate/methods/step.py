@@ -39,6 +39,7 @@ class Step:
       what came meanwhile, ``drift``: the errors meanwhile, added up; ``returns``: how often it did not come and the run went back;
     - ``noise``: what rounding may make of the slopes; ``still``: the length of the step at whose end that was asked, if it had been
       taken (else 0); ``longest``: of the steps since;
+    - ``damping``: of an implicit step, ``pole`` - h J in factors, and ``pole``; None for explicit ones;
     - ``wrong``: the square of the last refused step's error; ``stuck``: how often in a row a shorter step did not lessen it;
     - ``spared``: of each entry, the part of the largest entry that its error may count relative to (empty: of none);
     - ``push``, ``asked``: what clocks do to the slopes, and how often that was asked (:mod:`nhc.simulate.stepping.beating`).
@@ -66,6 +67,7 @@ class Step:
     noise: Vector = field(default_factory=list)
     still: float = 0.0
     longest: float = 0.0
+    damping: tuple[tuple[list[Vector], list[int]], float] | None = None
     wrong: float = 0.0
     stuck: int = 0
     spared: Vector = field(default_factory=list)

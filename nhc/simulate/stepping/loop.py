@@ -311,7 +311,7 @@ def _pass_stop(run: _Run) -> Outcome | None:
     run.stop, run.bound = next_bound(task, s.t, run.stop)
     if s.t == task.times[-1]:
         return run.leave(DONE)
-    s.first, s.longest = True, 0.0
+    s.first, s.longest, run.next = True, 0.0, max(run.next, 4 * _EPSILON * abs(s.t))
     s.slope = s.rhs(s.t, s.y)
     return None
 

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from nhc.program.runs.limits import LIMITS
+from nhc.simulate.methods.linear import resolve
 from nhc.simulate.methods.step import NoSolution, Step, Vector
 
 _PART = 2.0**-40
@@ -30,7 +31,8 @@ def measure_noise(s: Step, t: float, y: Vector, slope: Vector) -> None:
     for share in (8.0, 9.0, 10.0):
         least, both = [math.inf] * len(y), [0.0] * len(y)
         for far in (0.1 * share, -0.1 * share):
-            near = [x + far * (_PART * x + s.h * m) * part for x, m, part in zip(y, moved, parts, strict=False)]
+            rows = zip(y, parts, _carry(s, moved, parts), strict=False)
+            near = [x + far * (_PART * x * part + m) for x, part, m in rows]
             given = [x + far * (_PART * x) * part for x, part in zip(s.p, parts[len(y) :], strict=True)]
             at = _call(s, place, near, given, slope)
             least = [min(a, abs(b - c)) for a, b, c in zip(least, at, slope, strict=True)]
@@ -40,6 +42,15 @@ def measure_noise(s: Step, t: float, y: Vector, slope: Vector) -> None:
     rounded = [min(max(each) - min(each), 4.0 * gone) for gone, *each in zip(moved, *sums, strict=True)]
     usual = [16.0 / _PART * sys.float_info.epsilon * gone for gone in moved]
     s.noise = [max(a, 16.0 * b) for a, b in zip(usual, rounded, strict=True)]
+
+
+def _carry(s: Step, moved: Vector, parts: Vector) -> Vector:
+    """What slopes that went so far make of the state in a step: an implicit one damps it, and the longer the more."""
+    straight = [s.h * m * part for m, part in zip(moved, parts, strict=False)]
+    if s.damping is None:
+        return straight
+    factors, pole = s.damping
+    return [pole * x for x in resolve(factors, straight)]
 
 
 def _shares(count: int) -> Vector:
