@@ -42,6 +42,7 @@ WHOLE = {
     "completed squares": "written_out_top",
     "moving axes": "trailers3",
     "body axes": "chaplygin_ball_quaternion",
+    "own axes": "ball_arm3",
     "leaning joints": "bicycle",
     "trees": "pendulum5",
     "detours": "smooth_tippe_top",

@@ -58,6 +58,11 @@ RULES = (
         "mechanics/moving/on_body.py",
     ),
     Rule(
+        "own axes",
+        "bodies that stand on one another are written on the axes of the one that carries them or of each, not on those of space",
+        "mechanics/trees/views.py",
+    ),
+    Rule(
         "leaning joints",
         "a turn and the constant lean of the joint behind it, in the same plane, become one turn by the sum of both angles",
         "mechanics/moving/askew.py",

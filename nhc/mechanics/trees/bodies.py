@@ -88,7 +88,7 @@ def read_bodies(system: System, motion: Motion) -> list[Spatial]:
             return []
     except (Unread, Unlucky, NotLinear):
         return []
-    for views in writer.views():
+    for views in writer.views() if "own axes" not in g.off else ():
         for direct in (True, False):
             with suppress(Unread, NotLinear):
                 found.append(writer.write(Views(frames, views, direct=direct)))
