@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from nhc.algebra.evaluate import evaluate
 from nhc.mechanics.choosing.choose import Formulation
-from nhc.mechanics.choosing.conditioning import Place
+from nhc.mechanics.choosing.energy import Place
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.starts.scenes import kept_velocities
 from nhc.mechanics.system import System

@@ -242,3 +242,72 @@ def test_a_speed_is_completed_by_a_dependent_velocity_where_the_free_ones_are_si
     assert made.formulation.added == ("th'",)
     assert not check(source).diagnostics
     assert all(a.accelerations and a.reactions for a in certify(made.system, points=1).agreements)
+
+
+EDGE = """nhc: 1
+system: edge
+coordinates: [x, y, th]
+parameters: {m: 2, I: 0.4, a: 0.3}
+T: m/2*(x'^2 + y'^2) + I/2*th'^2
+constraints:
+  - -sin(th)*x' + cos(th)*y' - a*th' = 0
+scenes: {s: {initial: {th: 0.3}, time: [0, 1]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("distance", "name"), [("0.3", "voronec"), ("1e-2", "euler-lagrange"), ("1e-7", "euler-lagrange")]
+)
+def test_a_yaw_rate_over_a_small_distance_is_not_solved_for(distance: str, name: str) -> None:
+    """A knife edge near the centre of mass: with x' and y' kept, the matrix has I/a^2, and digits are lost."""
+    made = model(Source("edge.yaml", EDGE.replace("a: 0.3", f"a: {distance}")))
+    assert made.formulation.name == name
+    assert made.formulation.frame is not None
+    free = [form.name for form in made.formulation.frame.forms[made.system.l :]]
+    assert free == (["x", "y"] if name == "voronec" else ["v", "th"])
+    assert all(a.accelerations and a.reactions for a in certify(made.system, points=1).agreements)
+
+
+PLATFORM = """nhc: 1
+system: platform
+coordinates: [x, y, a, l1, l2, l3]
+parameters: {m: 2, J: 0.3, k: 0.5, g: 9.81}
+bodies:
+  plate: {at: [x, y], turns: [z: a], mass: m, inertia: J}
+points: {A: {parent: plate, at: [-0.3, -0.2]}, B: {parent: plate, at: [0.3, -0.2]}, C: {parent: plate, at: [0, 0.4]}}
+T: k/2*(l1'^2 + l2'^2 + l3'^2)
+gravity: [0, -g]
+dependent: [l1, l2, l3]
+holonomic:
+  - A_x^2 + A_y^2 = l1^2
+  - (B_x - 2)^2 + B_y^2 = l2^2
+  - (C_x - 1)^2 + (C_y - 2)^2 = l3^2
+scenes: {s: {initial: {x: 1, y: 0.8, a: 0.1, l1: {near: 1}, l2: {near: 1}, l3: {near: 1}}, time: [0, 0.5]}}
+"""
+
+
+def test_the_dependent_velocities_of_a_spec_are_taken_where_they_stay_regular() -> None:
+    """Lengths may vanish somewhere, but not at the positions that a motion goes through."""
+    formulation = model(Source("platform.yaml", PLATFORM)).formulation
+    assert formulation.name == "voronec"
+    assert "of the spec" in formulation.reason
+
+
+RODS = """nhc: 1
+system: rods
+coordinates: [x1, y1, x2, y2]
+parameters: {l: 1, k: 1, g: 9.81}
+T: (x1'^2 + y1'^2 + x2'^2 + y2'^2)/2
+V: g*(y1 + y2)
+holonomic:
+  - x1^2 + y1^2 = l^2
+  - (x2 - x1)^2 + (y2 - y1)^2 = k^2
+quasi_velocities: {v: FIRST, w: (x2 - x1)*y2' - (y2 - y1)*x2'}
+scenes: {a: {initial: {x1: 0.6, y1: -0.8, x2: 1.6, y2: -0.8}, time: [0, 5]}}
+"""
+
+
+@pytest.mark.parametrize(("first", "said"), [("x1*y1' - y1*x1'", []), ("x1'", ["W0408"])])
+def test_quasi_velocities_are_singular_only_at_positions_that_are_allowed(first: str, said: list[str]) -> None:
+    """x1^2 + y1^2 is a length; y1 is zero where the first rod is level."""
+    assert [d.code for d in check(Source("rods.yaml", RODS.replace("FIRST", first))).diagnostics] == said

@@ -37,12 +37,12 @@ from nhc.mechanics.system import Form, System
 _MOST_ROWS = 3
 _MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
-_FEW_COORDINATES = 8  # of mechanisms for which multipliers are short
+_FEW_COORDINATES = 8  # of mechanisms up to which multipliers are short
 
 
-def adapted_forms(system: System) -> tuple[Form, ...] | None:
-    """n - l free forms, or None where no small completion is found."""
-    rows, columns = set_pivots_aside(system)
+def adapted_forms(system: System, *, by_numbers: bool = False) -> tuple[Form, ...] | None:
+    """n - l free forms, or None where no small completion is found; ``by_numbers``: no velocity is solved for by a parameter."""
+    rows, columns = set_pivots_aside(system, by_numbers=by_numbers)
     free_columns = [j for j in range(system.n) if j not in columns]
     made: list[Form] = []
     used: set[int] = set()
@@ -94,11 +94,12 @@ def _apart(system: System, rows: Sequence[int], columns: Sequence[int]) -> list[
     return sorted((members for _, members in groups), key=lambda members: members[0])
 
 
-def set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
+def set_pivots_aside(system: System, *, by_numbers: bool = False) -> tuple[list[int], set[int]]:
     """(rows that stay, columns of the pivots): pivots cannot vanish, and the rows that stay do not contain their
-    columns.
+    columns; ``by_numbers``: nor do pivots hold a parameter, which may be small.
     """
     g, known = system.graph, intervals(system)
+    small = g.mask(system.p) if by_numbers else 0
     matrix = rows_in_base(system, system.constraints)
     rows, columns = list(range(system.l)), set[int]()
     held = [sum(row[j] != g.zero for row in matrix) for j in range(system.n)]  # rows that stay with the column
@@ -107,7 +108,7 @@ def set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
         progress = False
         for row in rows:
             for j, entry in enumerate(matrix[row]):
-                if entry == g.zero or j in columns:
+                if entry == g.zero or j in columns or g.depends(entry, small):
                     continue
                 if held[j] == 1 and cannot_vanish(g, normalise(g, entry, 60), known):
                     rows.remove(row)
@@ -249,8 +250,8 @@ def _pools(system: System) -> list[list[Form]]:
     own choice of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
 
     Where all constraints are equations of positions, that of the constraints in turn takes the place of an adapted one: the minors
-    of a row vanish together only where its equation has no slope, as for rods between points.  For small mechanisms multipliers
-    are shorter.
+    of a row vanish together only where its equation has no slope, as for rods between points.  Of three new velocities only two
+    have minors, which may vanish by themselves: small mechanisms of this kind are left to multipliers.
     """
     every = [coordinate_form(system, j) for j in range(system.n)]
     choices = [system.dependent] if system.dependent else []
@@ -258,8 +259,10 @@ def _pools(system: System) -> list[list[Form]]:
     pools = [[every[j] for j in range(system.n) if j not in dependent] + every for dependent in choices]
     adapted = adapted_forms(system)
     held = all(form.equation is not None for form in system.constraints)
-    if adapted is None and held and system.n > _FEW_COORDINATES:
-        adapted = stepwise_forms(system)
+    if adapted is None and held:
+        steps = order_stepwise(system) or ()
+        in_pairs = steps and all(step.pivot is not None or len(step.columns) < 3 for step in steps)
+        adapted = stepwise_forms(system) if in_pairs or system.n > _FEW_COORDINATES else None
     if adapted is not None:
         pools.append([*along_headings(system, adapted), *every])
     return pools

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import Bag, Span, several
-from nhc.mechanics.choosing.adapt import complete, turning_choices
+from nhc.mechanics.choosing.adapt import adapted_forms, complete, turning_choices
+from nhc.mechanics.choosing.energy import SOUND_ENERGY, least_energy
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
 from nhc.mechanics.choosing.reach import are_multipliers_dear, becomes_singular, find_lasting
@@ -253,13 +254,15 @@ def choose(system: System) -> Formulation:
         return build(system, "lagrange")
     choice = dependent_of(system)
     if choice.regular and leaves_digits(system, choice.dependent):
-        return _reduced_or_voronec(system)
+        return _without_small_divisors(system, choice) or _reduced_or_voronec(system)
     try:
         adapted = build(system, "euler-lagrange")
     except NotApplicable:
         return build(system, "multipliers")
     assert adapted.frame is not None
     lost = _where_singular(system, adapted.frame.forms)
+    if lost and system.dependent and not _where_singular(system, coordinate_frame(system, choice.dependent).forms):
+        return _voronec(system, choice, "dependent velocities of the spec, regular on all positions that were tried")
     lasting = find_lasting(system) if lost else None
     if lasting is not None:
         why = "dependent velocities that stay regular on all positions that were tried"
@@ -275,6 +278,25 @@ def choose(system: System) -> Formulation:
     whose = "of the spec" if system.dependent else "that nhc would choose"
     flaw = "leave too few digits of the others" if choice.regular else "are singular somewhere"
     return replace(adapted, reason=f"{adapted.reason}: the dependent velocities {whose} ({names}) {flaw}")
+
+
+def _without_small_divisors(system: System, choice: DependentChoice) -> Formulation | None:
+    """The adapted coframe, where the dependent velocities are divided by parameters that are so small that the kinetic energy of
+    the others is nearly degenerate: of a knife edge a little beside the point whose coordinates the spec has, say.
+    """
+    g = system.graph
+    if system.dependent or choice.determinant is None or not g.depends(choice.determinant, g.mask(system.p)):
+        return None
+    found = least_energy(system, coordinate_frame(system, choice.dependent))
+    forms = adapted_forms(system, by_numbers=True) if found < SOUND_ENERGY else None
+    if forms is None:
+        return None
+    frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
+    names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
+    reason = f"coframe chosen by nhc: solved for {names}, little is left of the energy of the other velocities"
+    added = tuple(f"{form.name}'" if form.name in system.q_names else form.name for form in forms)
+    made = Formulation("euler-lagrange", "I.2.15", frame, None, added, reason)
+    return made if least_energy(system, frame) >= max(SOUND_ENERGY, 2 * found) else None
 
 
 def _where_singular(system: System, forms: Sequence[Form]) -> str:

@@ -9,24 +9,18 @@ from dataclasses import replace
 from itertools import combinations
 from math import comb, sqrt
 
-from nhc.algebra.calculus import gradient
-from nhc.algebra.dense import Singular, solve_double, symmetric_eigenvalues
-from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build, turning_formulations
-from nhc.mechanics.frame import coordinate_form
+from nhc.mechanics.choosing.energy import SOUND_ENERGY, Place, Rows, evaluate_rows, free_energy, least_eigenvalue
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import balanced_units, sampled_rows, trial_points, velocity_units
 from nhc.mechanics.starts.scenes import Start
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
-Place = dict[Node, float]
-Rows = list[list[float]]
 GAIN = 3.0
 """The determinant of a choice that is taken is this many times that of the one it replaces: between the two nothing changes."""
 _NOTHING = 1e-12  # of a determinant, over the lengths of its rows: what the emitted functions refuse
-_REGULAR = 1e-2  # of the kinetic energy of the free velocities, scaled to a diagonal of ones
 _MANY = 250  # choices of dependent velocities that are looked at one by one
 _KEPT = 0.5  # a preferred choice is taken down to this part of the best conditioning
 
@@ -73,12 +67,6 @@ def _usual_length(system: System, form: Form, units: tuple[float, ...]) -> float
         lengths = sorted(_norm(rows[0]) for rows in sampled_rows(system, [form], units=units))
         known[key] = lengths[len(lengths) // 2] if lengths else 1.0
     return known[key]
-
-
-def evaluate_rows(system: System, forms: Sequence[Form], place: Place) -> Rows:
-    """The coefficients of forms at a place."""
-    flat = [float(x) for x in evaluate(system.graph, [a for form in forms for a in form.coefficients], place)]
-    return [flat[k * system.n : (k + 1) * system.n] for k in range(len(forms))]
 
 
 def balanced_rows(system: System, forms: Sequence[Form], place: Place, units: Sequence[float] | None = None) -> Rows:
@@ -204,44 +192,20 @@ def adapted_choices(system: System, place: Place) -> Iterator[Choice]:
 
 def _is_definite(choice: Choice, place: Place) -> bool:
     """Whether the kinetic energy of the free velocities is well conditioned, scaled to a diagonal of ones."""
-    return _is_regular(_free_energy(choice.system, choice.formulation, place))
+    return least_eigenvalue(free_energy(choice.system, choice.formulation.frame, place)) >= SOUND_ENERGY
 
 
 def is_mass_sound(system: System, formulation: Formulation, place: Place) -> bool:
     """Whether the kinetic energy of the free velocities is well conditioned at a place, and none of its squares has become small
     against what it is elsewhere (the angle's of polar coordinates near their centre).
     """
-    here = _free_energy(system, formulation, place)
-    if not _is_regular(here):
+    here = free_energy(system, formulation.frame, place)
+    if least_eigenvalue(here) < SOUND_ENERGY:
         return False
-    elsewhere = [found for point in trial_points(system) if (found := _free_energy(system, formulation, dict(point)))]
+    frame = formulation.frame
+    elsewhere = [found for point in trial_points(system) if (found := free_energy(system, frame, dict(point)))]
     for k in range(len(here)):
         usual = sorted(found[k][k] for found in elsewhere)
-        if not usual or here[k][k] < _REGULAR * usual[len(usual) // 2]:
+        if not usual or here[k][k] < SOUND_ENERGY * usual[len(usual) // 2]:
             return False
     return True
-
-
-def _is_regular(gram: Rows) -> bool:
-    if not gram or any(row[k] <= 0.0 for k, row in enumerate(gram)):
-        return False
-    scaled = [[x / sqrt(gram[i][i] * gram[k][k]) for k, x in enumerate(row)] for i, row in enumerate(gram)]
-    return min(symmetric_eigenvalues(scaled), default=1.0) >= _REGULAR
-
-
-def _free_energy(system: System, formulation: Formulation, place: Place) -> Rows:
-    """The matrix of the kinetic energy in the free velocities; empty where it has no value."""
-    n, frame = system.n, formulation.frame
-    forms = frame.forms if frame is not None else [coordinate_form(system, i) for i in range(n)]
-    momenta = gradient(system.graph, system.T, system.v)
-    flat = [x for p in momenta for x in gradient(system.graph, p, system.v)]
-    try:
-        rows = evaluate_rows(system, forms, place)
-        values = [float(x) for x in evaluate(system.graph, flat, place)]
-        first = system.l if frame else 0
-        vectors = [solve_double(rows, [float(i == k) for i in range(n)]) for k in range(first, n)]
-    except (Singular, ArithmeticError, ValueError):
-        return []
-    mass = [values[k * n : (k + 1) * n] for k in range(n)]
-    moved = [[sum(a * x for a, x in zip(row, e, strict=True)) for row in mass] for e in vectors]
-    return [[sum(a * b for a, b in zip(e, m, strict=True)) for m in moved] for e in vectors]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.evaluate import evaluate
@@ -40,6 +41,14 @@ def _is_zero_as_given(system: System, node: Node) -> bool:
     return abs(value) < _ROUNDING
 
 
+def _meets_equations(system: System, guard: Node) -> bool:
+    """Whether a zero of it is found among the positions that the equations of `holonomic:` allow: not of a rod's own length."""
+    equations = [form.equation for form in system.constraints if form.equation is not None]
+    symbols = (*system.q, system.t)
+    found = find_common_zero(system.graph, [guard, *equations], symbols, trial_points(system)) if equations else {}
+    return found is not None
+
+
 def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag) -> None:
     """Quasi-velocities that lose rank somewhere (W0408), or digits everywhere (W0425)."""
     if formulation.frame is None or not system.quasi:
@@ -47,6 +56,8 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
     _warn_of_lost_digits(system, formulation.frame.forms[system.l :], bag)
     for guard, _ in in_determinants(system.graph, formulation.frame.guards, find_eliminated(system.graph)):
         if never_vanishes(system, guard) or (never_changes(system, guard) and not _is_zero_as_given(system, guard)):
+            continue
+        if not _meets_equations(system, guard):
             continue
         where = entry_text(system, guard) or zero_text(system, guard)
         own = len(system.quasi) > 3 * len(system.rotations)
