@@ -17,7 +17,7 @@ from nhc.pipeline import Options, stability
 from nhc.report.stability import list_charts
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA
 from nhc.study.linearization.linearize import eigenvalues
-from nhc.study.stability.drift import Drift, accumulate
+from nhc.study.stability.drift import Drift, accumulate, find_leaps
 from nhc.study.stability.laboratory import Laboratory, Question
 from nhc.study.stability.sensitivity import fit
 from nhc.study.stability.stepsize import amplification, predict
@@ -439,3 +439,12 @@ def test_what_the_integral_of_a_power_says_of_its_error_is_enough(rate: float) -
     work, told = accumulate(tuple(t), np.exp(-rate * t))
     missed = float(np.max(np.abs(work - (1.0 - np.exp(-rate * t)) / rate)))
     assert missed < 2.0 * told + 1e-13
+
+
+def test_a_balance_that_leaps_between_rows_is_not_resolved() -> None:
+    """Van der Pol's oscillator: its jumps lie between rows, whatever the spacing; a drift or an oscillation does not leap."""
+    t = np.linspace(0, 1, 2001)
+    leaps = 0.5 * np.floor(8 * t + 0.3) + 1e-3 * np.sin(40 * t)
+    assert find_leaps(leaps) == pytest.approx(4, rel=0.1)
+    for smooth in (1e-6 * t, np.sin(300 * t), t**2 + 0.1 * np.cos(50 * t), np.zeros(2001)):
+        assert find_leaps(smooth) == 0.0
