@@ -137,8 +137,8 @@ def _energy(bench: Bench, times: Sequence[float], table: Matrix) -> Drift:
 
 
 def find_leaps(deviations: Series) -> float:
-    """What arises between few neighbouring rows, if that is half of all that arises: a motion that leaps between two rows, as Van der
-    Pol's does, leaps between every second and every fourth, too, so that the rule's own estimate does not see it.
+    """What arises between few neighbouring rows, if that is half of all that arises: a motion that leaps between two rows, as Van
+    der Pol's does, leaps between every second and every fourth, too, so that the rule's own estimate does not see it.
     """
     steps = np.sort(np.abs(np.diff(deviations)))
     few = float(steps[-max(1, len(steps) // _FEW) :].sum())
