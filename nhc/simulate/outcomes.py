@@ -41,8 +41,8 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
         return "failed", job.watch.describe(find_lost(job, outcome))
     reasons = {
         SINGULAR: _why_singular(job, outcome),
-        UNDERFLOW: "the step size underflows: the motion approaches a singularity, is not smooth there, or is faster than the digits of "
-        "the time can tell",
+        UNDERFLOW: "the step size underflows: the motion approaches a singularity, is not smooth there, or is faster than the "
+        "digits of the time can tell",
         TOO_MANY: "it takes too many steps",
         STALLED: "the steps become so short that the end is out of reach: the motion comes close to a singularity, or slides along "
         "a jump of the forces, as friction by `sign(v)` makes it do where it sticks (`tanh(v/eps)` does not), or the scene is very "
