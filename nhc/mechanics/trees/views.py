@@ -11,7 +11,7 @@ The acceleration V of the root's point on the root's axes stands in place of tha
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from itertools import pairwise
 
 from nhc.algebra.graph import Graph, Node
@@ -277,27 +277,39 @@ def list_views(points: Iterable[Point], angular: Iterable[Frame]) -> list[dict[i
     }
     held = {key: {id(_chain(frame)[0]) for frame in path} for key, path in paths.items()}
     mixed = {family for found in held.values() if len(found) > 1 for family in found}
+    crossed = {id(frame) for path in paths.values() for frame in _crossings(path)}
     carried: dict[int, Frame] = {}
     apart: dict[int, Frame] = {}
-    crossed = {id(frame) for path in paths.values() for frame in _crossings(path)}
+    tops: dict[int, Frame] = {}
     for family, frames in families.items():
         if len(frames) > 1 and family not in mixed:
-            chains = [_chain(frame) for frame in frames.values()]
-            shared = [f for k, f in enumerate(chains[0]) if all(f in chain[k : k + 1] for chain in chains)]
-            carried.update(dict.fromkeys(frames, shared[-1]))
-            every_one = {id(f): f for chain in chains for f in chain[len(shared) - 1 :]}
-            for key, frame in every_one.items():
-                apart[key] = next(
-                    f for f in (*_chain(frame)[::-1], shared[-1]) if id(f) not in crossed or f is shared[-1]
-                )
-    for key, own in every.items():  # a body's own point in space goes with what stands on it
-        hanging = [held[k] for k, other in every.items() if other.base is own]
-        above = set[int]().union(*hanging)
-        if not own.arms and own.base is None and len(above) == 1 and all(hanging):
-            top = next((carried[k] for k in families[above.pop()] if k in carried), None)
-            if top is not None:
-                carried[key] = apart[key] = top
+            tops[family], own = _views_of([*frames.values()], crossed)
+            carried.update(dict.fromkeys(frames, tops[family]))
+            apart.update(own)
+    for key, point in every.items():  # a body's own point in space goes with what stands on it, or begins as it does
+        if not point.arms and point.base is None:
+            above = [held[k] for k, other in every.items() if other.base is point or _begins_alike(point, other)]
+            families_above = set[int]().union(*above)
+            if all(above) and len(families_above) == 1 and families_above <= tops.keys():
+                carried[key] = apart[key] = tops[families_above.pop()]
     return [carried, *([apart] if apart != carried else [])] if carried else []
+
+
+def _views_of(frames: Sequence[Frame], crossed: Container[int]) -> tuple[Frame, dict[int, Frame]]:
+    """The frame that carries all of these, and each one's own for those from that one on; the one below where it is crossed."""
+    chains = [_chain(frame) for frame in frames]
+    shared = [frame for k, frame in enumerate(chains[0]) if all(frame in chain[k : k + 1] for chain in chains)]
+    found: dict[int, Frame] = {}
+    for chain in chains:
+        view = shared[-1]
+        for frame in chain[len(shared) - 1 :]:
+            view = view if id(frame) in crossed else frame
+            found[id(frame)] = view
+    return shared[-1], found
+
+
+def _begins_alike(own: Point, other: Point) -> bool:
+    return own is not other and own.base is other.base is None and own.loose == other.loose and bool(other.arms)
 
 
 def _foundations(point: Point) -> list[Point]:
