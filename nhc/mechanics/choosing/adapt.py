@@ -60,6 +60,17 @@ def adapted_forms(system: System, *, by_numbers: bool = False) -> tuple[Form, ..
     return (*made, *(coordinate_form(system, j) for j in free_columns if j not in used))
 
 
+def are_headings(system: System, forms: Sequence[Form]) -> bool:
+    """Whether each of such forms, by numbers alone, completes one constraint, and has the same length everywhere, as v along a
+    knife edge has.
+    """
+    g = system.graph
+    rows, _ = set_pivots_aside(system, by_numbers=True)
+    own = [form for form in forms if form.name not in system.q_names]
+    lengths = (normalise(g, g.sum(g.power(a, 2) for a in form.coefficients), 60) for form in own)
+    return len(own) == len(rows) and all(g.value(length) is not None for length in lengths)
+
+
 def stepwise_forms(system: System) -> tuple[Form, ...] | None:
     """n - l free forms where each constraint in turn is solved for a velocity of its own, or completed by the row of its minors on
     two of them; None where one has no velocity of its own.

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import Bag, Span, several
-from nhc.mechanics.choosing.adapt import adapted_forms, complete, turning_choices
+from nhc.mechanics.choosing.adapt import adapted_forms, are_headings, complete, turning_choices
 from nhc.mechanics.choosing.energy import SOUND_ENERGY, least_energy
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
@@ -281,22 +281,25 @@ def choose(system: System) -> Formulation:
 
 
 def _without_small_divisors(system: System, choice: DependentChoice) -> Formulation | None:
-    """The adapted coframe, where the dependent velocities are divided by parameters that are so small that the kinetic energy of
-    the others is nearly degenerate: of a knife edge a little beside the point whose coordinates the spec has, say.
+    """The adapted coframe, where the dependent velocities are divided by parameters: along knife edges that stand beside the point
+    whose coordinates the spec has, or where these parameters are so small that the energy of the others is nearly degenerate.
     """
     g = system.graph
     if system.dependent or choice.determinant is None or not g.depends(choice.determinant, g.mask(system.p)):
         return None
-    found = least_energy(system, coordinate_frame(system, choice.dependent))
-    forms = adapted_forms(system, by_numbers=True) if found < SOUND_ENERGY else None
+    forms = adapted_forms(system, by_numbers=True)
     if forms is None:
         return None
     frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
-    reason = f"coframe chosen by nhc: solved for {names}, little is left of the energy of the other velocities"
+    reason = f"coframe chosen by nhc: along each edge in place of solving for {names}"
+    if not are_headings(system, forms):
+        found = least_energy(system, coordinate_frame(system, choice.dependent))
+        if found >= SOUND_ENERGY or least_energy(system, frame) < max(SOUND_ENERGY, 2 * found):
+            return None
+        reason = f"coframe chosen by nhc: solved for {names}, little is left of the energy of the other velocities"
     added = tuple(f"{form.name}'" if form.name in system.q_names else form.name for form in forms)
-    made = Formulation("euler-lagrange", "I.2.15", frame, None, added, reason)
-    return made if least_energy(system, frame) >= max(SOUND_ENERGY, 2 * found) else None
+    return Formulation("euler-lagrange", "I.2.15", frame, None, added, reason)
 
 
 def _where_singular(system: System, forms: Sequence[Form]) -> str:

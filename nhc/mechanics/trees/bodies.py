@@ -131,7 +131,7 @@ class _Writer:
         self.graph: Graph = rates.graph
         self.frames, self.points, self.signs = frames, points, signs
         self._mask = self.graph.mask(self.system.p)
-        weight = weigh(self.system, kinetic)[2]
+        _, _, weight = weigh(self.system, kinetic, coordinates=True)
         self._field = field_of(kinetic, [components for components, _ in points], signs, weight)
         self._inside = {k for components, _ in points for k in components}
         self._of: dict[int, tuple[Frame, Vector, int]] = {}

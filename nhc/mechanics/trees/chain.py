@@ -84,7 +84,7 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     to_motion.update(zip(kinetic.u, forms, strict=True))
     placed = recursion.forms if spatial is None else spatial.placed
     weights, pull = _hessian(g, kinetic, recursion, placed, to_motion, sweeps.seeds)
-    potential, places, weight = weigh(system, kinetic)
+    potential, places, weight = weigh(system, kinetic, coordinates=spatial is not None)
     for k, force in weight.items() if spatial is None or not spatial.offsets else ():
         for i, a in placed[k].items():
             pull[i] = g.add(pull[i], g.mul(a, force))

@@ -14,9 +14,11 @@ from nhc.mechanics.system import System
 from nhc.mechanics.trees.points import Components
 
 
-def weigh(system: System, kinetic: Kinetic) -> tuple[Node, dict[Node, Node], dict[int, Node]]:
+def weigh(
+    system: System, kinetic: Kinetic, *, coordinates: bool = False
+) -> tuple[Node, dict[Node, Node], dict[int, Node]]:
     """U with symbols for the positions whose rates are forms of T, these symbols' positions, and dU by these, by number of the
-    form.
+    form; ``coordinates``: also where the position is one of these.
     """
     g = system.graph
     present = set(reachable(g, [system.U]))
@@ -26,7 +28,7 @@ def weigh(system: System, kinetic: Kinetic) -> tuple[Node, dict[Node, Node], dic
         place = g.rate_of.get(g.neg(atom) if negative else atom)
         if place is not None and g.op[place] == NEG:
             place, negative = g.a[place], not negative
-        if place in present and place not in system.q:
+        if place in present and (coordinates or place not in system.q):
             places[place] = k, negative
     symbols = {place: g.symbol(f"place{k}", "held") for place, (k, _) in places.items()}
     (potential,) = substitute(g, [system.U], symbols)
