@@ -20,6 +20,7 @@ from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.choosing.headings import along_headings
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
 from nhc.mechanics.choosing.orders import list_orders, may_vanish
+from nhc.mechanics.choosing.pivots import set_pivots_aside
 from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import (
@@ -30,7 +31,6 @@ from nhc.mechanics.regular.regularity import (
     weak_where_constraints_are_not,
 )
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
-from nhc.mechanics.rotations.turning import rows_in_base
 from nhc.mechanics.row_factors import without_common
 from nhc.mechanics.system import Form, System
 
@@ -58,17 +58,6 @@ def adapted_forms(system: System, *, by_numbers: bool = False) -> tuple[Form, ..
         made.append(best[0])
         used.update(best[1])
     return (*made, *(coordinate_form(system, j) for j in free_columns if j not in used))
-
-
-def are_headings(system: System, forms: Sequence[Form]) -> bool:
-    """Whether each of such forms, by numbers alone, completes one constraint, and has the same length everywhere, as v along a
-    knife edge has.
-    """
-    g = system.graph
-    rows, _ = set_pivots_aside(system, by_numbers=True)
-    own = [form for form in forms if form.name not in system.q_names]
-    lengths = (normalise(g, g.sum(g.power(a, 2) for a in form.coefficients), 60) for form in own)
-    return len(own) == len(rows) and all(g.value(length) is not None for length in lengths)
 
 
 def stepwise_forms(system: System) -> tuple[Form, ...] | None:
@@ -103,33 +92,6 @@ def _apart(system: System, rows: Sequence[int], columns: Sequence[int]) -> list[
         merged = seen.union(*(group[0] for group in joined))
         groups.append((merged, sorted([*(r for group in joined for r in group[1]), row])))
     return sorted((members for _, members in groups), key=lambda members: members[0])
-
-
-def set_pivots_aside(system: System, *, by_numbers: bool = False) -> tuple[list[int], set[int]]:
-    """(rows that stay, columns of the pivots): pivots cannot vanish, and the rows that stay do not contain their
-    columns; ``by_numbers``: nor do pivots hold a parameter, which may be small.
-    """
-    g, known = system.graph, intervals(system)
-    small = g.mask(system.p) if by_numbers else 0
-    matrix = rows_in_base(system, system.constraints)
-    rows, columns = list(range(system.l)), set[int]()
-    held = [sum(row[j] != g.zero for row in matrix) for j in range(system.n)]  # rows that stay with the column
-    progress = True
-    while progress:
-        progress = False
-        for row in rows:
-            for j, entry in enumerate(matrix[row]):
-                if entry == g.zero or j in columns or g.depends(entry, small):
-                    continue
-                if held[j] == 1 and cannot_vanish(g, normalise(g, entry, 60), known):
-                    rows.remove(row)
-                    columns.add(j)
-                    held = [count - (x != g.zero) for count, x in zip(held, matrix[row], strict=True)]
-                    progress = True
-                    break
-            if progress:
-                break
-    return rows, columns
 
 
 def _minor_form(

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import Bag, Span, several
-from nhc.mechanics.choosing.adapt import adapted_forms, are_headings, complete, turning_choices
+from nhc.mechanics.choosing.adapt import adapted_forms, complete, turning_choices
 from nhc.mechanics.choosing.energy import SOUND_ENERGY, least_energy
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
+from nhc.mechanics.choosing.pivots import are_headings
 from nhc.mechanics.choosing.reach import are_multipliers_dear, becomes_singular, find_lasting
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import Choice as DependentChoice

@@ -21,7 +21,7 @@ from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.shared import find_shared
 from nhc.algebra.solving.blocks import determinant_of
-from nhc.mechanics.choosing.adapt import set_pivots_aside
+from nhc.mechanics.choosing.pivots import set_pivots_aside
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.rotations.turning import along, from_base, rows_in_base
 from nhc.mechanics.system import System
