@@ -298,23 +298,3 @@ def test_the_dependent_velocities_of_a_spec_are_taken_where_they_stay_regular() 
     formulation = model(Source("platform.yaml", PLATFORM)).formulation
     assert formulation.name == "voronec"
     assert "of the spec" in formulation.reason
-
-
-RODS = """nhc: 1
-system: rods
-coordinates: [x1, y1, x2, y2]
-parameters: {l: 1, k: 1, g: 9.81}
-T: (x1'^2 + y1'^2 + x2'^2 + y2'^2)/2
-V: g*(y1 + y2)
-holonomic:
-  - x1^2 + y1^2 = l^2
-  - (x2 - x1)^2 + (y2 - y1)^2 = k^2
-quasi_velocities: {v: FIRST, w: (x2 - x1)*y2' - (y2 - y1)*x2'}
-scenes: {a: {initial: {x1: 0.6, y1: -0.8, x2: 1.6, y2: -0.8}, time: [0, 5]}}
-"""
-
-
-@pytest.mark.parametrize(("first", "said"), [("x1*y1' - y1*x1'", []), ("x1'", ["W0408"])])
-def test_quasi_velocities_are_singular_only_at_positions_that_are_allowed(first: str, said: list[str]) -> None:
-    """x1^2 + y1^2 is a length; y1 is zero where the first rod is level."""
-    assert [d.code for d in check(Source("rods.yaml", RODS.replace("FIRST", first))).diagnostics] == said

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from nhc.diagnostics import Source
-from nhc.pipeline import Options, emit, model
+from nhc.pipeline import Options, check, emit, model
 from tests.support import python_model
 
 HEAD = "nhc: 1\nsystem: s\n"
@@ -205,3 +205,10 @@ def test_long_chains_of_rods_between_points_hang_at_rest(count: int, axes: str) 
     hanging = [float(-k - 1) if axis == "y" else 0.0 for k in range(count) for axis in axes]
     rates = written.rhs(0.0, [*hanging, *[0.0] * len(free.free)])
     assert max(map(abs, rates)) == 0.0
+
+
+@pytest.mark.parametrize(("first", "said"), [("x1*y1' - y1*x1'", []), ("x1'", ["W0408"])])
+def test_quasi_velocities_are_singular_only_at_positions_that_are_allowed(first: str, said: list[str]) -> None:
+    """x1^2 + y1^2 is a length; y1 is zero where the first rod is level."""
+    quasi = f"quasi_velocities: {{v: {first}, w: (x2 - x1)*y2' - (y2 - y1)*x2'}}\n"
+    assert [d.code for d in check(Source("s.yaml", HEAD + DOUBLE + quasi)).diagnostics] == said

@@ -1,4 +1,4 @@
-"""Velocities that constraints are solved for because their factors never vanish, and the lengths of forms that complete the others."""
+"""Velocities that constraints are solved for as their factors never vanish, and lengths of the forms that complete the others."""
 
 from __future__ import annotations
 
