@@ -293,7 +293,7 @@ def _without_small_divisors(system: System, choice: DependentChoice) -> Formulat
         return None
     frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
-    reason = f"coframe chosen by nhc: along each edge in place of solving for {names}"
+    reason = f"coframe chosen by nhc: along the edges, since {names} would be divided by parameters"
     if not are_headings(system, forms):
         found = least_energy(system, coordinate_frame(system, choice.dependent))
         if found >= SOUND_ENERGY or least_energy(system, frame) < max(SOUND_ENERGY, 2 * found):
