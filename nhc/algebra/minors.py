@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from operator import mul
 
 _PASSES = 20  # of the means of rows and columns
@@ -97,33 +97,45 @@ def float_determinant(block: Sequence[Sequence[float]]) -> float:
 
 
 def _take_lone_entries(block: Sequence[Sequence[float]]) -> tuple[float, list[list[float]]]:
-    """The product of entries that are alone in their row or column, one after the other, with the sign that it has in the
-    determinant, and what is left of the block; 0 where a row or column has none.
+    """The product of entries that are alone, with the sign that it has in the determinant, and what is left of the block."""
+    size, product = len(block), 1.0
+    place = dict(find_lone_entries([[j for j, x in enumerate(row) if x] for row in block], size))
+    for i, j in place.items():
+        product *= block[i][j]
+    rows, gone = [i for i in range(size) if i not in place], {*place.values()}
+    columns = [j for j in range(size) if j not in gone]
+    place.update(zip(rows, columns, strict=True))
+    odd = _is_odd([place[i] for i in range(size)])
+    return -product if odd else product, [[block[i][j] for j in columns] for i in rows]
+
+
+def find_lone_entries(
+    rows: Sequence[Sequence[int]], width: int, fits: Callable[[int, int], bool] | None = None
+) -> list[tuple[int, int]]:
+    """Entries (row, column) of a matrix with these columns in its rows that are alone in their row or column, each in what those
+    before it leave, and that ``fits``.  With them taken nothing is added to the rest.
 
     The rows of a chain of bodies are triangular but for a few, and nothing of them is left.
     """
-    size = len(block)
-    held = [[{j for j, x in enumerate(row) if x} for row in block]]
-    held.append([{i for i in range(size) if block[i][j]} for j in range(size)])
-    alone = [(k, line) for k in (0, 1) for line in range(size) if len(held[k][line]) < 2]
-    taken: list[dict[int, int]] = [{}, {}]  # row -> column, column -> row
-    product = 1.0
+    held: list[list[set[int]]] = [[set(row) for row in rows], [set() for _ in range(width)]]
+    for i, row in enumerate(rows):
+        for j in row:
+            held[1][j].add(i)
+    alone = [(k, line) for k in (0, 1) for line, met in enumerate(held[k]) if len(met) == 1]
+    found: list[tuple[int, int]] = []
     for k, line in alone:
-        if line in taken[k]:
-            continue
-        if not held[k][line]:
-            return 0.0, []
-        (other,) = held[k][line]
-        product *= block[line][other] if k == 0 else block[other][line]
-        taken[k][line], taken[1 - k][other] = other, line
-        for met in held[1 - k][other]:  # they lose an entry
-            held[k][met].discard(other)
-            if len(held[k][met]) < 2 and met != line:
-                alone.append((k, met))
-    rows, columns = ([line for line in range(size) if line not in taken[k]] for k in (0, 1))
-    place = {**taken[0], **dict(zip(rows, columns, strict=True))}
-    odd = _is_odd([place[i] for i in range(size)])
-    return -product if odd else product, [[block[i][j] for j in columns] for i in rows]
+        for other in [*held[k][line]]:  # none where its row or column is taken
+            entry = (line, other) if k == 0 else (other, line)
+            if fits is not None and not fits(*entry):
+                continue
+            found.append(entry)
+            for side, own in ((0, entry[0]), (1, entry[1])):
+                for met in held[side][own]:
+                    held[1 - side][met].discard(own)
+                    if len(held[1 - side][met]) == 1:
+                        alone.append((1 - side, met))
+                held[side][own] = set()
+    return found
 
 
 def _is_odd(permutation: Sequence[int]) -> bool:

@@ -15,13 +15,14 @@ from hashlib import blake2b
 from zlib import crc32
 
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, Graph, Node, Symbol
+from nhc.algebra.minors import find_lone_entries
 
 _Bounded = tuple[list[float], list[float]]  # values and their bounds
 UNIT = 2.0**-52
 _CLEAR = 1e4
 _CLEAR_PIVOT = 100.0  # times its bound
 _SIGNED_PROBES = 8
-_MANY = 8  # rows beyond which entries are looked for that are alone in their column
+_MANY = 8  # rows beyond which entries are looked for that are alone in their row or column
 
 
 class Probe:
@@ -66,21 +67,12 @@ class Probe:
         return all(_take_pivot(work, sizes, step) for step in range(min(len(work), len(work[0][0])) if work else 0))
 
     def _without_lone_entries(self, rows: Sequence[Sequence[Node]]) -> list[Sequence[Node]]:
-        """The rows that are left without those, in turn, that have a clear entry alone in its column: these are independent of what
-        is left, whatever that is.
-        """
-        left = dict(enumerate(rows))
-        held: list[set[int]] = [{i for i, row in left.items() if row[j]} for j in range(len(rows[0]))]
-        alone = [j for j, met in enumerate(held) if len(met) == 1]
-        for j in alone:
-            for i in [*held[j]]:  # none where its row is taken
-                if self.is_clear(rows[i][j]):
-                    del left[i]
-                    for c in (c for c, x in enumerate(rows[i]) if x):
-                        held[c].remove(i)
-                        if len(held[c]) == 1:
-                            alone.append(c)
-        return list(left.values())
+        """What is left beside clear entries that are alone in their row or column: those rows are independent, whatever is left."""
+        held = [[j for j, x in enumerate(row) if x] for row in rows]
+        taken = dict(find_lone_entries(held, len(rows[0]), lambda i, j: self.is_clear(rows[i][j])))
+        gone = {*taken.values()}
+        columns = [j for j in range(len(rows[0])) if j not in gone]
+        return [[row[j] for j in columns] for i, row in enumerate(rows) if i not in taken]
 
     def _extend(self) -> None:
         self._fill(range(len(self.values), len(self._graph_lists[0])))

@@ -104,7 +104,7 @@ class Joints:
 def made(text: str) -> tuple[Model, list[Elimination]]:
     """The model, and the eliminations along the bodies: in space, and on the axes of bodies where these are chains."""
     found, trees = model(Source("tree.yaml", text)), list[Elimination]()
-    for spatial in read_bodies(found.system, found.equations.motion):
+    for spatial in read_bodies(found.system, found.equations.motion, every=True):
         chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)
         assert chain is not None
         assert spatial.known
@@ -163,7 +163,7 @@ def test_vectors_that_only_look_like_turned_ones_are_not_taken_for_such(far: str
     """A length that changes, a sum of two turned vectors with one factor, T written in squares of the rates."""
     found = model(Source("arms.yaml", SINGLE.replace("FAR", far)))
     g = found.system.graph
-    for spatial in read_bodies(found.system, found.equations.motion):
+    for spatial in read_bodies(found.system, found.equations.motion, every=True):
         chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)
         assert chain is not None
         dense = solve_factored(g, factor(g, found.equations.mass), list(found.equations.force))
@@ -202,7 +202,7 @@ def test_arms_whose_centres_lie_on_their_joints(axes: str, count: int, centre: s
     g = found.system.graph
     dense = solve_factored(g, factor(g, found.equations.mass), list(found.equations.force))
     assert all(are_equal(g, tree.rates, dense) for tree in trees)
-    known = [len(spatial.known) for spatial in read_bodies(found.system, found.equations.motion)]
+    known = [len(spatial.known) for spatial in read_bodies(found.system, found.equations.motion, every=True)]
     assert known == [known[0]] * 3
     assert known[0] >= 3 * (count - 2)
 

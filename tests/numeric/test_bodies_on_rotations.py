@@ -151,7 +151,7 @@ class Mixed:
 def made(text: str) -> tuple[Model, list[Elimination]]:
     """The model, and the eliminations along the bodies: in space, on the axes of one body and on those of each."""
     found, trees = model(Source("mixed.yaml", text)), list[Elimination]()
-    for spatial in read_bodies(found.system, found.equations.motion):
+    for spatial in read_bodies(found.system, found.equations.motion, every=True):
         assert spatial.known
         chain = find_chain(found.system, found.equations.motion, spatial.kinetic, spatial)
         assert chain is not None

@@ -21,7 +21,7 @@ from nhc.mechanics.choosing.headings import along_headings
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
 from nhc.mechanics.choosing.orders import list_orders, may_vanish
 from nhc.mechanics.choosing.pivots import set_pivots_aside
-from nhc.mechanics.choosing.stepwise import order_stepwise
+from nhc.mechanics.choosing.stepwise import Step, order_stepwise
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import (
     choose_dependent,
@@ -40,9 +40,9 @@ _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (
 _FEW_COORDINATES = 8  # of mechanisms up to which multipliers are short
 
 
-def adapted_forms(system: System, *, by_numbers: bool = False) -> tuple[Form, ...] | None:
-    """n - l free forms, or None where no small completion is found; ``by_numbers``: no velocity is solved for by a parameter."""
-    rows, columns = set_pivots_aside(system, by_numbers=by_numbers)
+def adapted_forms(system: System, aside: tuple[list[int], set[int]] | None = None) -> tuple[Form, ...] | None:
+    """n - l free forms, or None where no small completion is found; ``aside`` are the pivots, if not the usual ones."""
+    rows, columns = aside or set_pivots_aside(system)
     free_columns = [j for j in range(system.n) if j not in columns]
     made: list[Form] = []
     used: set[int] = set()
@@ -60,11 +60,10 @@ def adapted_forms(system: System, *, by_numbers: bool = False) -> tuple[Form, ..
     return (*made, *(coordinate_form(system, j) for j in free_columns if j not in used))
 
 
-def stepwise_forms(system: System) -> tuple[Form, ...] | None:
+def stepwise_forms(system: System, steps: Sequence[Step] | None) -> tuple[Form, ...] | None:
     """n - l free forms where each constraint in turn is solved for a velocity of its own, or completed by the row of its minors on
-    two of them; None where one has no velocity of its own.
+    two of them; None where there are no such ``steps``, as one has no velocity of its own.
     """
-    steps = order_stepwise(system)
     if steps is None:
         return None
     made: list[Form] = []
@@ -206,7 +205,8 @@ def _along_rows(
     are not: its tail swings out by a power of the number of wagons.  Then some of the head and some of the tail are better.
     """
     wanted, points = system.n - system.l, ordinary_points(system)
-    ordered = _extend(system, forms, wanted, [*(adapted_forms(system) or stepwise_forms(system) or ()), *pool])
+    along = adapted_forms(system) or stepwise_forms(system, order_stepwise(system)) or ()
+    ordered = _extend(system, forms, wanted, [*along, *pool])
     least = weak_where_constraints_are_not(system, (*system.constraints, *best))
     if (
         weak_where_constraints_are_not(system, (*system.constraints, *ordered)) <= least
@@ -233,9 +233,9 @@ def _pools(system: System) -> list[list[Form]]:
     adapted = adapted_forms(system)
     held = all(form.equation is not None for form in system.constraints)
     if adapted is None and held:
-        steps = order_stepwise(system) or ()
-        in_pairs = steps and all(step.pivot is not None or len(step.columns) < 3 for step in steps)
-        adapted = stepwise_forms(system) if in_pairs or system.n > _FEW_COORDINATES else None
+        steps = order_stepwise(system)
+        in_pairs = all(step.pivot is not None or len(step.columns) < 3 for step in steps or ())
+        adapted = stepwise_forms(system, steps) if in_pairs or system.n > _FEW_COORDINATES else None
     if adapted is not None:
         pools.append([*along_headings(system, adapted), *every])
     return pools

@@ -13,7 +13,7 @@ from nhc.mechanics.choosing.adapt import adapted_forms, complete, turning_choice
 from nhc.mechanics.choosing.energy import SOUND_ENERGY, least_energy
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
-from nhc.mechanics.choosing.pivots import are_headings
+from nhc.mechanics.choosing.pivots import are_headings, set_pivots_aside
 from nhc.mechanics.choosing.reach import are_multipliers_dear, becomes_singular, find_lasting
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import Choice as DependentChoice
@@ -288,13 +288,14 @@ def _without_small_divisors(system: System, choice: DependentChoice) -> Formulat
     g = system.graph
     if system.dependent or choice.determinant is None or not g.depends(choice.determinant, g.mask(system.p)):
         return None
-    forms = adapted_forms(system, by_numbers=True)
+    aside = set_pivots_aside(system, by_numbers=True)
+    forms = adapted_forms(system, aside)
     if forms is None:
         return None
     frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     reason = f"coframe chosen by nhc: along the edges, since {names} would be divided by parameters"
-    if not are_headings(system, forms):
+    if not are_headings(system, forms, aside[0]):
         found = least_energy(system, coordinate_frame(system, choice.dependent))
         if found >= SOUND_ENERGY or least_energy(system, frame) < max(SOUND_ENERGY, 2 * found):
             return None

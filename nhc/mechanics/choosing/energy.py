@@ -42,11 +42,9 @@ def free_energy(system: System, frame: Frame | None, place: Place) -> Rows:
     """The matrix of the kinetic energy in the free velocities of a frame, or in all; empty where it has no value."""
     n = system.n
     forms = frame.forms if frame is not None else [coordinate_form(system, i) for i in range(n)]
-    momenta = gradient(system.graph, system.T, system.v)
-    flat = [x for p in momenta for x in gradient(system.graph, p, system.v)]
     try:
         rows = evaluate_rows(system, forms, place)
-        values = [float(x) for x in evaluate(system.graph, flat, place)]
+        values = [float(x) for x in evaluate(system.graph, _mass(system), place)]
         first = system.l if frame else 0
         vectors = [solve_double(rows, [float(i == k) for i in range(n)]) for k in range(first, n)]
     except (Singular, ArithmeticError, ValueError):
@@ -54,3 +52,12 @@ def free_energy(system: System, frame: Frame | None, place: Place) -> Rows:
     mass = [values[k * n : (k + 1) * n] for k in range(n)]
     moved = [[sum(a * x for a, x in zip(row, e, strict=True)) for row in mass] for e in vectors]
     return [[sum(a * b for a, b in zip(e, m, strict=True)) for m in moved] for e in vectors]
+
+
+def _mass(system: System) -> list[Node]:
+    """The entries of T's matrix in all velocities, row by row; the graph keeps them for the next place."""
+    known: dict[Node, list[Node]] = system.graph.memory.setdefault("masses", {})
+    if system.T not in known:
+        momenta = gradient(system.graph, system.T, system.v)
+        known[system.T] = [x for p in momenta for x in gradient(system.graph, p, system.v)]
+    return known[system.T]

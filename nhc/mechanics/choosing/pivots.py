@@ -38,12 +38,11 @@ def set_pivots_aside(system: System, *, by_numbers: bool = False) -> tuple[list[
     return rows, columns
 
 
-def are_headings(system: System, forms: Sequence[Form]) -> bool:
-    """Whether each of such forms, by numbers alone, completes one constraint, and has the same length everywhere, as v along a
-    knife edge has.
+def are_headings(system: System, forms: Sequence[Form], rows: Sequence[int]) -> bool:
+    """Whether each of the forms that complete the ``rows`` completes one, and has the same length everywhere, as v along a knife
+    edge has.
     """
     g = system.graph
-    rows, _ = set_pivots_aside(system, by_numbers=True)
     own = [form for form in forms if form.name not in system.q_names]
     lengths = (normalise(g, g.sum(g.power(a, 2) for a in form.coefficients), 60) for form in own)
     return len(own) == len(rows) and all(g.value(length) is not None for length in lengths)

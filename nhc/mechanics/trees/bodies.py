@@ -28,7 +28,7 @@ from nhc.mechanics.trees.recursion import Recursion, Terms
 from nhc.mechanics.trees.triples import list_squares, place_of
 from nhc.mechanics.trees.velocities import STILL, Variables, Velocities
 from nhc.mechanics.trees.views import Turned, Views, list_views
-from nhc.mechanics.trees.weight import field_of, weigh
+from nhc.mechanics.trees.weight import Weighed, field_of, weigh
 from nhc.records import fresh, structure
 
 _FEW = 3  # coordinates of what moves in another way than by turning
@@ -55,10 +55,12 @@ class Spatial:
     placed: list[Terms] = fresh(factory=list)
     turned: list[Turned] = fresh(factory=list)
     offsets: list[Node] = fresh(factory=list)
+    weighed: Weighed | None = None
 
 
-def read_bodies(system: System, motion: Motion) -> list[Spatial]:
-    """The recursions of T's forms along a motion: in space, on the axes of the body that carries the others, and on those of each.
+def read_bodies(system: System, motion: Motion, *, every: bool = False) -> list[Spatial]:
+    """The recursions of T's forms along a motion on the axes of the body that carries the others, and on those of each; in space
+    where these are not to be had, or with ``every``.
 
     None where T has no points in space that turn, or others than these.
     """
@@ -82,18 +84,23 @@ def read_bodies(system: System, motion: Motion) -> list[Spatial]:
             return []
         signs = {k: sign for k, (_, sign) in places.items()}
         writer = _Writer(rates, kinetic, atoms, marks, frames, points, signs)
-        found = [writer.write(Views(frames, {}))]
-        # each on a rotation of its own, in space: T's forms are over the kept velocities as they are written
-        if system.rotations and not found[0].known:
-            return []
     except (Unread, Unlucky, NotLinear):
         return []
-    for views in writer.views() if "own axes" not in g.off else ():
-        for direct in (True, False):
-            with suppress(Unread, NotLinear):
-                found.append(writer.write(Views(frames, views, direct=direct)))
-                break
-    return found
+    # each on a rotation of its own, in space: T's forms are over the kept velocities as they are written
+    if system.rotations and not writer.turning:
+        return []
+    views = writer.views() if "own axes" not in g.off else []
+    found = [made for own in views if (made := _write(writer, frames, own, (True, False))) is not None]
+    in_space = _write(writer, frames, {}, (False,)) if every or not found else None
+    return [*found, *([in_space] if in_space is not None else [])]
+
+
+def _write(writer: _Writer, frames: Frames, views: dict[int, Frame], ways: Sequence[bool]) -> Spatial | None:
+    """The recursion on these views, direct where it can be."""
+    for direct in ways:
+        with suppress(Unread, NotLinear):
+            return writer.write(Views(frames, views, direct=direct))
+    return None
 
 
 def _frames_of(points: Iterable[Point]) -> set[int]:
@@ -131,8 +138,8 @@ class _Writer:
         self.graph: Graph = rates.graph
         self.frames, self.points, self.signs = frames, points, signs
         self._mask = self.graph.mask(self.system.p)
-        _, _, weight = weigh(self.system, kinetic, coordinates=True)
-        self._field = field_of(kinetic, [components for components, _ in points], signs, weight)
+        self._weighed = weigh(self.system, kinetic, coordinates=True)
+        self._field = field_of(kinetic, [components for components, _ in points], signs, self._weighed[2])
         self._inside = {k for components, _ in points for k in components}
         self._of: dict[int, tuple[Frame, Vector, int]] = {}
         names = self._angular(_frames_of(point for _, point in points))
@@ -141,6 +148,11 @@ class _Writer:
                 found = names.get(self.marks.of(atom)) or self._last(atom, names)
                 if found is not None:
                     self._of[k] = found
+
+    @property
+    def turning(self) -> bool:
+        """Whether T has components of angular velocities."""
+        return bool(self._of)
 
     def views(self) -> list[dict[int, Frame]]:
         """The axes on which the recursion may be written beside those of space."""
@@ -184,6 +196,7 @@ class _Writer:
         self.made.placed = [in_space.get(k, terms) for k, terms in enumerate(self.made.recursion.forms)]
         self.made.turned = views.turned(self.made.recursion)
         self.made.offsets = self._velocities.list_offsets()
+        self.made.weighed = self._weighed
         return self.made
 
     # --- T's other forms ------------------------------------------------------------------------------------

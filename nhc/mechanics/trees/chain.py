@@ -84,7 +84,8 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     to_motion.update(zip(kinetic.u, forms, strict=True))
     placed = recursion.forms if spatial is None else spatial.placed
     weights, pull = _hessian(g, kinetic, recursion, placed, to_motion, sweeps.seeds)
-    potential, places, weight = weigh(system, kinetic, coordinates=spatial is not None)
+    weighed = spatial.weighed if spatial is not None else None
+    potential, places, weight = weighed or weigh(system, kinetic)
     for k, force in weight.items() if spatial is None or not spatial.offsets else ():
         for i, a in placed[k].items():
             pull[i] = g.add(pull[i], g.mul(a, force))

@@ -72,8 +72,7 @@ def _is_short(tree: Elimination) -> bool:
 
 def _chain_of_bodies(system: System, motion: Motion) -> list[Chain]:
     """The recursions of bodies that start from little: on the axes of one body, or on those of each; else in space."""
-    read = read_bodies(system, motion)
-    made = [find_chain(system, motion, spatial.kinetic, spatial) for spatial in read[1:] or read]
+    made = [find_chain(system, motion, spatial.kinetic, spatial) for spatial in read_bodies(system, motion)]
     found = sorted((chain for chain in made if chain is not None), key=_setting)
     return [chain for chain in found[:2] if _setting(chain) <= _MORE * _setting(found[0])]
 

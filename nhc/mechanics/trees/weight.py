@@ -13,10 +13,10 @@ from nhc.mechanics.rotations.turns import Vector
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.points import Components
 
+Weighed = tuple[Node, dict[Node, Node], dict[int, Node]]
 
-def weigh(
-    system: System, kinetic: Kinetic, *, coordinates: bool = False
-) -> tuple[Node, dict[Node, Node], dict[int, Node]]:
+
+def weigh(system: System, kinetic: Kinetic, *, coordinates: bool = False) -> Weighed:
     """U with symbols for the positions whose rates are forms of T, these symbols' positions, and dU by these, by number of the
     form; ``coordinates``: also where the position is one of these.
     """
