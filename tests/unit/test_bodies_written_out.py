@@ -116,6 +116,16 @@ def test_a_round_body_is_written_without_its_spin() -> None:
     assert made["w_T"] == "k/2*phi'^2 + I/2*f_w3^2"
 
 
+def test_a_ball_that_turns_in_space_is_written_without_its_orientation() -> None:
+    ball = "bodies: {B: {at: [x, z, a], rotation: R, mass: m, inertia: I}}\npoints: {c: {of: B, at: [x, z, 0]}}\n"
+    rolling = ball + "constraints: [c_vx = 0, c_vy = 0]\nT: phi'^2\n"
+    by_hand = "T: phi'^2 + m/2*(x'^2 + z'^2) + I/2*(R_wx^2 + R_wy^2 + R_wz^2)\n"
+    by_hand += "constraints: [x' - a*R_wy = 0, z' + a*R_wx = 0]\n"
+    made = spec("rotation: {R: {frame: space}}\n", rolling)
+    assert not any("R_x1" in unparse(d.value) for d in made.definitions if d.name in ("B_T", "c_vx", "c_vy"))
+    assert same(made, spec("rotation: {R: {frame: space}}\n", by_hand))
+
+
 @pytest.mark.parametrize(("height", "kind"), [("0", "body"), ("a", "line")])
 def test_a_box_on_a_body_that_stays_level(height: str, kind: str) -> None:
     """Corners above the plane are seen in space, though the body only turns about the vertical."""

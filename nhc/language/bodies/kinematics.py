@@ -57,9 +57,9 @@ class Frame:
     """``axes[k]`` are the components in space of the axis k, ``omega`` the angular velocity on the axes, ``origin`` in space.
 
     ``at`` is the origin on the axes of ``on``, and ``relative`` the angular velocity against them, on them.  ``before`` is the
-    angular velocity on the axes before the last turn of these axes, that turn included, and ``last`` its axis, None where no
-    turn stands last (on the axes of space, after a rotation).  ``heading`` is the whole angle about the z axis of space where
-    there are no other turns.
+    angular velocity on the axes before the last turn of these axes, that turn included, and ``last`` its axis; all three after a
+    rotation whose velocities are in space, none on the axes of space and after a rotation with velocities on its body's axes,
+    where ``before`` would be longer.  ``heading`` is the whole angle about the z axis of space where there are no other turns.
     """
 
     name: str
@@ -72,7 +72,7 @@ class Frame:
     relative: Triple
     spin: Spin | None
     before: Triple
-    last: int | None
+    last: tuple[int, ...]
     heading: Piece | None
 
 
@@ -127,24 +127,24 @@ def space(place: int = 0) -> Frame:
     zero, one = write("0", place), write("1", place)
     still = zero, zero, zero
     axes = (one, zero, zero), (zero, one, zero), (zero, zero, one)
-    return Frame("", place, "", still, still, axes, still, still, None, still, None, zero)
+    return Frame("", place, "", still, still, axes, still, still, None, still, (), zero)
 
 
 def place_frame(name: Text, on: Frame, at: Triple, turns: Sequence[Turn] | Turning, ledger: Ledger) -> Frame:
     """The frame of a body at ``at`` on the axes of ``on``; its origin, axes and angular velocity are defined by name."""
     here, span = name.span.start, name.span
     origin = _spot(name, on, at, ledger)
-    spin, last, heading = None, None, None
+    spin, last, heading = None, tuple[int, ...](), None
     if isinstance(turns, Turning):
         axes, omega, relative = _rotated(on, turns, here)
-        before = omega
+        before, last = (omega, ()) if turns.on_body else (pieces.plus(on.omega, relative, here), (0, 1, 2))
     elif not turns:
         axes, omega, relative, spin, heading = on.axes, on.omega, space(here).omega, on.spin, on.heading
         before, last = on.before, on.last
     else:
         spin, before, relative = _spin(on, turns, ledger, here)
         angle = ledger.name(f"{name.value}_angle", spin.angle, span)
-        spin, last = Spin(spin.axis, angle, spin.axes, spin.omega), spin.axis
+        spin, last = Spin(spin.axis, angle, spin.axes, spin.omega), (spin.axis,)
         axes, omega = _after(spin, ledger, here)
         if on.heading is not None and all(step.axis == 2 for step in turns):
             heading = add([on.heading, *(step.angle for step in turns)], here)
@@ -258,7 +258,8 @@ def place_point(name: Text, on: Frame, of: Frame | None, at: Triple, ledger: Led
             turned = pieces.cross(omega, arm, here)
             swept = each(lambda k: pieces.dot(turned, _row(on.axes, k), here))
         else:
-            omega = each(lambda k: pieces.dot(of.omega, _row(of.axes, k), here))
+            is_known = of.on == "" and len(of.last) == 3
+            omega = of.before if is_known else each(lambda k: pieces.dot(of.omega, _row(of.axes, k), here))
             swept = pieces.cross(omega, pieces.minus(spot, of.origin, here), here)
         velocity = pieces.plus(carried, swept, here)
     moving = ledger.rates(f"{name.value}_v", AXES, velocity, span)
@@ -289,7 +290,8 @@ class Inertia:
 def kinetic_energy(frame: Frame, mass: Piece | None, centre: Triple, inertia: Inertia | None, ledger: Ledger) -> Piece:
     """m v^2/2 of the centre of mass and omega.J omega/2 about it.
 
-    What is round about the axis of the last turn is the same before it, where the angular velocity is shorter.
+    What is round about the axis of the last turn, or a ball after a rotation, is the same before it, where the angular velocity
+    is shorter.
     """
     here = frame.place
     terms = []
@@ -298,7 +300,7 @@ def kinetic_energy(frame: Frame, mass: Piece | None, centre: Triple, inertia: In
         terms.append(multiply(pieces.halve(mass, here), add(squares, here), here))
     if inertia is not None:
         (xx, yy, zz), omega = inertia.diagonal, frame.omega
-        if frame.last is not None and inertia.is_round(frame.last):
+        if frame.last and all(map(inertia.is_round, frame.last)):
             omega = frame.before
         (yz, xz, xy), (p, q, r) = inertia.products, omega
         if xx.shown.text == yy.shown.text == zz.shown.text:
