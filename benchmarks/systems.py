@@ -19,8 +19,7 @@ Section = tuple[str, list[str] | str]
 
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
-    ``ball_arm<N>``, ``satellite<N>`` or
-    ``written_out_top``.
+    ``ball_arm<N>``, ``satellite<N>``, ``bowl`` or ``written_out_top``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -312,6 +311,33 @@ def _satellite(count: int, _: bool) -> str:
     )
 
 
+def _bowl(_: int, __: bool) -> str:
+    """A ball rolls in a spherical bowl; its angular velocity is on its own axes."""
+    normal = ["sin(theta)*cos(phi)", "sin(theta)*sin(phi)", "-cos(theta)"]
+    return _assemble(
+        "bowl",
+        [
+            ("coordinates", "[phi, theta]"),
+            ("rotation", ["B: {velocities: [p, q, r]}"]),
+            ("parameters", "{m: 1, a: 0.2, J: 0.016, R: 1, g: 9.81}"),
+            (
+                "bodies",
+                [f"ball: {{at: [{', '.join(f'(R-a)*{n}' for n in normal)}], rotation: B, mass: m, inertia: J}}"],
+            ),
+            ("gravity", "[0, 0, -g]"),
+            ("points", [f"contact: {{of: ball, at: [{', '.join(f'R*{n}' for n in normal)}]}}"]),
+            (
+                "constraints",
+                [
+                    "- contact_vy*cos(phi) - contact_vx*sin(phi) = 0",
+                    "- (contact_vx*cos(phi) + contact_vy*sin(phi))*cos(theta) + contact_vz*sin(theta) = 0",
+                ],
+            ),
+            _scene("theta: 0.4, r: 2"),
+        ],
+    )
+
+
 def _written_out_top(_: int, __: bool) -> str:
     """A heavy top, its T multiplied out as one finds it in books."""
     return _assemble(
@@ -345,5 +371,6 @@ _FAMILIES = {
     "ball_arm": _ball_arm,
     "satellite": _satellite,
     "bicycle": _bicycle,
+    "bowl": _bowl,
     "written_out_top": _written_out_top,
 }

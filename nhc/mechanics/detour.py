@@ -28,22 +28,25 @@ _MOST = 20
 
 @record
 class Detour:
-    """``equations`` over the quasi-velocities u of ``frame``; ``values`` are theirs by q', and ``drift`` is W' q'."""
+    """``equations`` over the quasi-velocities u of ``frame``; ``values`` are theirs by the state's velocities w = ``back`` (u), and
+    ``drift`` is W' w for u = W w.
+    """
 
     equations: Equations
     frame: Frame
     values: dict[Node, Node]
     drift: tuple[Node, ...]
+    back: tuple[Node, ...]
 
     @property
     def graph(self) -> Graph:
         return self.frame.graph
 
     def accelerations(self, rates: Sequence[Node]) -> list[Node]:
-        """q'' = W^-1 (u' - W' q') from the rates of u."""
+        """w' = W^-1 (u' - W' w) from the rates of u."""
         g = self.graph
         changed = [g.sub(rate, own) for rate, own in zip(rates, self.drift, strict=True)]
-        return tangent(g, self.frame.kinematics, dict(zip(self.frame.omega, changed, strict=True)))
+        return tangent(g, self.back, dict(zip(self.frame.free, changed, strict=True)))
 
 
 def find_detour(equations: Equations) -> Detour | None:
@@ -81,6 +84,7 @@ def _make_detour(system: System) -> Detour | None:
         frame,
         {symbol: form.value for symbol, form in zip(frame.omega, forms, strict=True) if form.value is not None},
         tuple(tangent(g, [form.value], moving)[0] if form.value is not None else g.zero for form in forms),
+        frame.kinematics,
     )
 
 

@@ -46,6 +46,7 @@ WHOLE = {
     "leaning joints": "bicycle",
     "trees": "pendulum5",
     "detours": "smooth_tippe_top",
+    "spherical tops": "bowl",
     "order of pivots": "satellite3",
     "still pivots": "smooth_tippe_top",
     "pieces": "voronec_particle",

@@ -78,6 +78,11 @@ RULES = (
         "mechanics/detour.py",
     ),
     Rule(
+        "spherical tops",
+        "the angular velocity of a body with three equal moments of inertia is solved for in space, and brought back to its axes",
+        "mechanics/spherical_tops.py",
+    ),
+    Rule(
         "order of pivots",
         "L D L^T takes rows with few entries first, if this creates fewer new entries",
         "program/plan.py",

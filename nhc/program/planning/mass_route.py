@@ -10,6 +10,7 @@ from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.detour import Detour, find_detour
+from nhc.mechanics.spherical_tops import find_in_space
 from nhc.mechanics.system import Form
 from nhc.mechanics.trees import FEW
 from nhc.program.plan import factor, solve_factored
@@ -63,9 +64,7 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
         held = _along_held(full, put_in, kept, dense)
         if held is not None:
             found.append(held)
-    detour = find_detour(full)
-    if detour is not None:
-        found.append(_by(detour, equations, put_in))
+    found += [_by(way, equations, put_in) for way in (find_detour(full), find_in_space(full, kept)) if way is not None]
     if len(found) == 1:
         return found[0]
     from nhc.mechanics.trees.choice import CHAINED, work
@@ -113,7 +112,7 @@ def _along(equations: Equations, tree: Elimination, put_in: Mapping[Node, Node])
 
 def _by(detour: Detour, equations: Equations, put_in: Mapping[Node, Node]) -> MassRoute:
     g = equations.system.graph
-    inner = mass_route(detour.equations, detour.equations, {}, detour.frame.forms)
+    inner = mass_route(detour.equations, detour.equations, {}, detour.frame.forms[detour.equations.system.l :])
     values = shorten(g, detour.accelerations(substitute(g, inner.values, detour.values)))
     pivots = _in_pairs(g, _in_pairs(g, inner.pivots, detour.values), put_in)
     turned = _in_pairs(g, detour.frame.guards, put_in)
