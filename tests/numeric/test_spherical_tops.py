@@ -10,6 +10,7 @@ import pytest
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.rules import WithoutRules
+from nhc.algebra.solving.sizes import size_of
 from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import decode
@@ -120,3 +121,12 @@ def test_what_is_no_spherical_top_is_left_alone(change: tuple[str, str]) -> None
     text = f"{PLANE}{ROLLING}".replace(*change)
     assert text != f"{PLANE}{ROLLING}"
     assert not is_found(text)
+
+
+def test_entries_of_the_matrix_count_as_one() -> None:
+    """What a pivot is measured against does not hold the quaternion again."""
+    made = resolve(decode(Source("s.yaml", PLANE)))
+    g, (rotation,) = made.graph, made.rotations
+    for row in rotation.matrix:
+        assert [size_of(g, x) for x in row] == [g.one] * 3
+        assert size_of(g, g.neg(g.mul(made.p[0], row[0]))) == g.function("abs", made.p[0])

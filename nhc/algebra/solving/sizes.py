@@ -48,7 +48,7 @@ def size_of(graph: Graph, root: Node) -> Node:
 
     A component over the length of its vector, x/sqrt(x^2 + y^2), counts 1 as well.
     """
-    size: dict[Node, Node] = graph.memory.setdefault("sizes", {})
+    size = _sizes(graph)
     if root in size:
         return size[root]
     for node in reachable(graph, [root]):
@@ -71,6 +71,18 @@ def size_of(graph: Graph, root: Node) -> Node:
         else:
             size[node] = graph.function("abs", node)
     return size[root]
+
+
+def know_size(graph: Graph, node: Node, bound: int) -> None:
+    """|node| <= ``bound``, whatever its terms add up to: an entry of a rotation's matrix is at most 1."""
+    factor, core = graph.split_coefficient(node)
+    size = _sizes(graph)
+    size[node], size[core] = graph.number(bound), graph.number(bound / abs(factor))
+
+
+def _sizes(graph: Graph) -> dict[Node, Node]:
+    known: dict[Node, Node] = graph.memory.setdefault("sizes", {})
+    return known
 
 
 def _unit_component(graph: Graph, node: Node) -> list[Node] | None:

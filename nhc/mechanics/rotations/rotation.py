@@ -21,6 +21,7 @@ from fractions import Fraction
 from nhc.algebra.calculus import tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
+from nhc.algebra.solving.sizes import know_size
 from nhc.mechanics.rotations.turns import Vector, cross
 from nhc.records import fresh, identity_record, record
 
@@ -207,6 +208,8 @@ def make_rotation(
         entries[i - 1][j - 1], entries[j - 1][i - 1] = g.sub(mixed, spun), g.add(mixed, spun)
         sums.append(g.add(squares[i], squares[j]))
         entries[k][k] = g.sub(g.one, sums[k])
+    for node in (*(x for row in entries for x in row), *sums):
+        know_size(g, node, 2 if node in sums else 1)
     growth = tangent(g, [g.sub(square(g, e), g.one)], dict(zip(e, v, strict=True)))[0]
     a, b, c, d = places
     made = tuple((row[0], row[1], row[2]) for row in entries)
