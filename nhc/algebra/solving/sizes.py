@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.parts import list_factors
@@ -77,7 +78,7 @@ def know_size(graph: Graph, node: Node, bound: int) -> None:
     """|node| <= ``bound``, whatever its terms add up to: an entry of a rotation's matrix is at most 1."""
     factor, core = graph.split_coefficient(node)
     size = _sizes(graph)
-    size[node], size[core] = graph.number(bound), graph.number(bound / abs(factor))
+    size[node], size[core] = graph.number(bound), graph.number(abs(bound / Fraction(factor)))
 
 
 def _sizes(graph: Graph) -> dict[Node, Node]:
