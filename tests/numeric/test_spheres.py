@@ -143,3 +143,9 @@ def test_what_is_almost_a_rod(more: str) -> None:
 def test_the_work_of_each_rod_is_a_few_dozen_operations() -> None:
     few, many = (count(tree.graph, tree.rates) for _, tree in (made(hanging("cart", n)) for n in (4, 8)))
     assert (many - few) / 4 < 95
+
+
+def test_what_carries_a_rod_is_not_multiplied_out() -> None:
+    """The squares of a body's weights, which its rates need anyway, cost less than one polynomial in its quaternion."""
+    _, tree = made(hanging("drone", 1))
+    assert count(tree.graph, tree.rates) < 280

@@ -15,10 +15,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.graph import Node
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.mechanics.rotations.turns import Vector
 from nhc.mechanics.trees.chain import Chain
-from nhc.mechanics.trees.sphere import SHORT, Sphere, find_spheres
+from nhc.mechanics.trees.sphere import Sphere, find_spheres
 from nhc.records import structure
 
 
@@ -184,7 +184,8 @@ class Spheres:
         squares: dict[Node, list[Node]] = {}
         for i, x in h.items():
             squares.setdefault(self._inertia(i), []).append(g.power(x, 2))
-        eased = g.sum(g.div(normalise(g, g.sum(parts), SHORT), own) for own, parts in squares.items())
+        sums = shorten(g, [g.sum(parts) for parts in squares.values()], [*h.values()])
+        eased = g.sum(g.div(total, own) for total, own in zip(sums, squares, strict=True))
         moved = g.sum(g.div(g.mul(x, pull[i]), self._inertia(i)) for i, x in h.items())
         force = g.div(g.add(g.mul(rod.stiffness, moved), pushed), g.add(g.one, g.mul(rod.stiffness, eased)))
         for i, x in h.items():
