@@ -33,7 +33,8 @@ ladder = simplify(read(sys.argv[2]), "small", 1e-3)
 print([(rung.dropped, rung.errors, rung.size) for rung in ladder.rungs], ladder.kept, ladder.runs)
 """
 ENDED = """
-import os, sys, time
+import os, signal, sys, time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored where the tests run in the background
 from nhc.cli import _heard
 from nhc.study.simplify import abreast
 abreast._processors = lambda: 2

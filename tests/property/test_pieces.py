@@ -77,3 +77,37 @@ def test_random_trees_keep_their_values(trees: list[Tree], point: tuple[Fraction
         assume(False)
     assert found == values
     assert count(g, made) <= count(g, roots)
+
+
+def turned_back(g: Graph, *, number: bool) -> Node:
+    """The first component of a sum of two vectors, given on axes that are turned by two more angles, turned back by the first."""
+    theta, steer, hitch = (g.symbol(name) for name in ("theta", "steer", "hitch"))
+    thrust, drag = g.symbol("thrust"), g.symbol("drag")
+    c, s = g.function("cos", theta), g.function("sin", theta)
+
+    def in_space(length: Node, angle: Node) -> tuple[Node, Node]:
+        a, b = g.function("cos", angle), g.function("sin", angle)
+        return (
+            g.mul(length, g.sub(g.mul(c, a), g.mul(s, b))),
+            g.mul(length, g.add(g.mul(s, a), g.mul(c, b))),
+        )
+
+    (x, y), (u, v) = in_space(thrust, steer), in_space(g.power(drag, 3) if number else g.function("exp", drag), hitch)
+    return g.add(g.mul(c, g.sub(x, u)), g.mul(s, g.sub(y, v)))
+
+
+@pytest.mark.parametrize("number", [True, False])
+def test_a_vector_that_is_turned_and_turned_back(number: bool) -> None:
+    g = Graph()
+    node = turned_back(g, number=number)
+    (made,) = shorten_pieces(g, [node])
+    assert are_equal(g, [made], [node])
+    assert count(g, [made]) <= 7 < 18 <= count(g, [node])
+    assert not g.depends(made, g.deps[g.symbol("theta")])
+
+
+def test_squares_by_themselves_are_left_alone() -> None:
+    g = Graph()
+    a, b, m, n = (g.symbol(name) for name in "abmn")
+    total = g.add(g.mul(m, g.power(g.sub(a, b), 2)), g.mul(n, g.power(g.add(a, g.function("exp", b)), 2)))
+    assert shorten_pieces(g, [total]) == [total]

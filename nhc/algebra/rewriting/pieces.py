@@ -25,6 +25,9 @@ _FEW = 25
 _LARGE, _DENSE, _SPARE = 1000, 40, 8
 """Nodes, altogether and for each sine and cosine, from which smaller trees are tried in an expression without numbers: bodies in
 space have that many, and become up to four percent shorter, where plane chains have nothing to win."""
+_SMALL, _REPEATED = 80, 2
+"""In other expressions without numbers: leaves of a tree, and how many of them repeat others, the squares not counted.  A vector
+that is turned and turned back has its sine and cosine twice."""
 _OPEN = frozenset({ADD, MUL, NEG, POW})
 """What a canonical form looks into."""
 
@@ -35,18 +38,18 @@ def shorten_pieces(graph: Graph, roots: Sequence[Node]) -> list[Node]:
         return list(roots)
     nodes = reachable(graph, roots)
     op, first = graph.op, graph.a
+    most, spare, repeated = _LEAVES, _LEAVES, 0
     numbers = sum(op[node] == MUL and op[first[node]] == NUM for node in nodes)
     numbers += sum(op[node] == POW and graph.b[node] > 2 for node in nodes)
-    if numbers * _FEW >= len(nodes):
-        spare = _LEAVES
-    elif len(nodes) >= max(_LARGE, _DENSE * sum(op[node] in ("sin", "cos") for node in nodes)):
-        spare = _SPARE
-    else:
-        return list(roots)
+    if numbers * _FEW < len(nodes):
+        if len(nodes) >= max(_LARGE, _DENSE * sum(op[node] in ("sin", "cos") for node in nodes)):
+            spare = _SPARE
+        else:
+            most, repeated = _SMALL, _REPEATED
     whole = _list_shared(graph, nodes, roots)
     new: dict[Node, Node] = {}
     for node in nodes:
-        made = _shorten(graph, node, whole, new, spare) if node in whole else None
+        made = _shorten(graph, node, whole, new, (most, spare, repeated)) if node in whole else None
         if made is not None:
             graph.pass_label(node, made)
         else:
@@ -69,21 +72,27 @@ def _list_shared(graph: Graph, nodes: Sequence[Node], roots: Sequence[Node]) -> 
     return found
 
 
-def _shorten(graph: Graph, node: Node, whole: Container[Node], new: Mapping[Node, Node], spare: int) -> Node | None:
+def _shorten(
+    graph: Graph, node: Node, whole: Container[Node], new: Mapping[Node, Node], limits: tuple[int, int, int]
+) -> Node | None:
     """The shorter form of the tree below a node, over what the tree's leaves have become; None where there is none.
 
-    A tree has one operation less than leaves, and cannot have fewer than one less than different leaves; where there could be
-    more than ``spare`` to win, the tree is a large one, and not tried.
+    A tree has one operation less than leaves, and cannot have fewer than one less than different leaves.  ``limits``: how many
+    leaves a tree may have, how many operations there may be to win (where more could be, the tree is a large one), and how many
+    leaves must repeat others.
     """
     op, kids = graph.op, graph.kids
     if op[node] not in (ADD, MUL) or not any([_is_inner(graph, kid, whole) for kid in kids[node]]):
         return None
-    leaves = _list_leaves(graph, node, whole)
+    leaves, squares = _list_leaves(graph, node, whole)
+    most, spare, repeated = limits
     symbolic = [leaf for leaf in leaves if op[leaf] != NUM]
     distinct = dict.fromkeys(symbolic)
     if len(symbolic) == len(distinct) and len(leaves) - len(symbolic) < 2:
         return None
-    if len(leaves) > _LEAVES or len(leaves) - len(distinct) > spare:
+    if len(leaves) > most or len(leaves) - len(distinct) > spare:
+        return None
+    if len(symbolic) - squares - len(distinct) < repeated and len(leaves) - len(symbolic) < repeated:
         return None
     opaque = [leaf for leaf in distinct if op[leaf] in _OPEN]
     places = {leaf: graph.symbol(f"piece {k}") for k, leaf in enumerate(opaque)}
@@ -103,18 +112,19 @@ def _is_inner(graph: Graph, node: Node, whole: Container[Node]) -> bool:
     return node not in whole and (graph.op[node] in (ADD, MUL, NEG) or (graph.op[node] == POW and graph.b[node] > 0))
 
 
-def _list_leaves(graph: Graph, node: Node, whole: Container[Node]) -> list[Node]:
-    """The leaves of the tree below a node, each as often as it occurs."""
-    found, stack = list[Node](), list(graph.kids[node])
+def _list_leaves(graph: Graph, node: Node, whole: Container[Node]) -> tuple[list[Node], int]:
+    """The leaves of the tree below a node, each as often as it occurs, in a power twice; how many powers there are."""
+    found, powers, stack = list[Node](), 0, list(graph.kids[node])
     while stack:
         top = stack.pop()
         if _is_inner(graph, top, whole):
             stack += graph.kids[top]
             if graph.op[top] == POW:
                 found.append(graph.a[top])
+                powers += 1
         else:
             found.append(top)
-    return found
+    return found, powers
 
 
 def _copy(graph: Graph, node: Node, whole: Container[Node], places: Mapping[Node, Node]) -> Node:

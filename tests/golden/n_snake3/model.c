@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:29ff0a9de59fa152)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:eac3ac03489fcd90)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -239,6 +239,7 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *restrict dy
     const double k3 = k1 * k2;
     const double k4 = m * a;
     const double k5 = a * k4;
+    const double k6 = k * k1;
 
     /* from the state */
     const double z3 = c1 * c2 + s1 * s2;
@@ -270,10 +271,10 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *restrict dy
     const double z28 = s2 * z25;
     const double z29 = v1_x2 * z26 - s2 * z27 + (z18 * z28 - c2 * z24);
     const double z30 = v1_x2 * z28 + c2 * z27 - (z18 * z26 + s2 * z24);
-    const double z31 = k3 * (s1 * z24 + z6 * z29) - m * (c1 * z27 + z3 * z30) - k * (k1 * (z1 * s1 - z2 * (s1
-        - z6)));
-    const double z32 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11)) - m * (z30 * (a * z6));
-    const double z33 = (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32 - z15 * z31) / z16;
+    const double z31 = k3 * (s1 * z24 + z6 * z29) - m * (c1 * z27 + z3 * z30) - k6 * (s1 * (z1 - z2) + z2 *
+        z6);
+    const double z32 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11)) - k4 * (z6 * z30);
+    const double z33 = (z31 * z15 - (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32)) / z16;
     /* (I.2.4) */
     dydt[0] = c_theta1 * v; /* x' */
     dydt[1] = s_theta1 * v; /* y' */
@@ -281,10 +282,10 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *restrict dy
     dydt[3] = z19; /* theta2' */
     dydt[4] = k1 * z20; /* theta3' */
     /* (I.2.15) 22:4 */
-    dydt[5] = z15 * z33 - z14 * z31; /* v' */
-    dydt[6] = -z33; /* w' */
+    dydt[5] = -(z14 * z31 + z15 * z33); /* v' */
+    dydt[6] = z33; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z16) > 1e-13 * z9)) {
+    if (!(fabs(dydt[4] + dydt[5]) <= DBL_MAX && fabs(z16) > 1e-13 * z9)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
@@ -412,8 +413,8 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double z30 = v1_x2 * z27 + c2 * z25 - (z21 * z28 + s2 * z29);
     const double z31 = v1_x2 * z28 + z21 * z27;
     const double z32 = z31 - (s2 * z25 + c2 * z29);
-    const double z33 = k * (k1 * (z1 * s1 - z2 * (s1 - z6))) + (m * (c1 * z25 + z3 * z30) - k3 * (s1 * z29 +
-        z6 * z32));
+    const double z33 = m * (c1 * z25 + z3 * z30) - k3 * (s1 * z29 + z6 * z32) + k * (k1 * (z1 * s1 - z2 * (s1
+        - z6)));
     const double z34 = m * (z11 * z30) + (k4 * (s1 * z25) + (k2 * (c1 * z29) - k3 * (z10 * z32)));
     const double z35 = (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z34 - z17 * z33) / z18;
     const double z36 = z16 * z33 - z17 * z35;
@@ -889,6 +890,7 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const double k3 = fixed[6];
     const double k4 = fixed[7];
     const double k5 = fixed[8];
+    const double k6 = fixed[9];
     const n_snake3_lanes theta1 = n_snake3_get(y + 2 * stride);
     const n_snake3_lanes theta2 = n_snake3_get(y + 3 * stride);
     const n_snake3_lanes theta3 = n_snake3_get(y + 4 * stride);
@@ -939,10 +941,10 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const n_snake3_lanes z28 = s2 * z25;
     const n_snake3_lanes z29 = v1_x2 * z26 - s2 * z27 + (z18 * z28 - c2 * z24);
     const n_snake3_lanes z30 = v1_x2 * z28 + c2 * z27 - (z18 * z26 + s2 * z24);
-    const n_snake3_lanes z31 = k3 * (s1 * z24 + z6 * z29) - m * (c1 * z27 + z3 * z30) - k * (k1 * (z1 * s1 -
-        z2 * (s1 - z6)));
-    const n_snake3_lanes z32 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11)) - m * (z30 * (a * z6));
-    const n_snake3_lanes z33 = (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32 - z15 * z31) / z16;
+    const n_snake3_lanes z31 = k3 * (s1 * z24 + z6 * z29) - m * (c1 * z27 + z3 * z30) - k6 * (s1 * (z1 - z2)
+        + z2 * z6);
+    const n_snake3_lanes z32 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11)) - k4 * (z6 * z30);
+    const n_snake3_lanes z33 = (z31 * z15 - (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32)) / z16;
     /* (I.2.4) */
     const n_snake3_lanes slope1 = c_theta1 * v;
     n_snake3_put(dydt, slope1);
@@ -956,11 +958,10 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     sum += slope5;
     n_snake3_put(dydt + 4 * stride, slope5);
     /* (I.2.15) 22:4 */
-    const n_snake3_lanes slope6 = z15 * z33 - z14 * z31;
+    const n_snake3_lanes slope6 = -(z14 * z31 + z15 * z33);
     sum += slope6;
     n_snake3_put(dydt + 5 * stride, slope6);
-    const n_snake3_lanes slope7 = -z33;
-    sum += slope7;
+    const n_snake3_lanes slope7 = z33;
     n_snake3_put(dydt + 6 * stride, slope7);
     n_snake3_put(check, n_snake3_mark(far + (sum - sum), bad));
 }
@@ -989,7 +990,8 @@ int n_snake3_rhs_batch(size_t count, const double *t, const double *y, const dou
     const double k3 = k1 * k2;
     const double k4 = m * a;
     const double k5 = a * k4;
-    const double fixed[] = {m, J, a, k, k1, k2, k3, k4, k5};
+    const double k6 = k * k1;
+    const double fixed[] = {m, J, a, k, k1, k2, k3, k4, k5, k6};
     double check[1 * N_SNAKE3_LANES];
     int status = N_SNAKE3_OK;
     for (size_t i = 0; i < count; i += N_SNAKE3_LANES) {

@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:d300f1e1f72378fb)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:e52514524cd082c7)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -26,7 +26,7 @@
  * 2: wheel3 [N]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 42 +-, 79 *, 3 /, 6 calls
+ * rhs: 42 +-, 78 *, 3 /, 6 calls
  * velocities: 5 +-, 11 *, 1 /, 6 calls
  * accelerations: 53 +-, 97 *, 3 /, 6 calls
  * state: 1 +-, 2 *, 0 /, 2 calls

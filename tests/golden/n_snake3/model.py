@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:1b30f86a8e9383d7).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:e1f1016784f48269).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -27,7 +27,7 @@ Constraints, with the units of their reactions:
 2: wheel3 [N]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 42 +-, 79 *, 3 /, 6 calls
+rhs: 42 +-, 78 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 1 /, 6 calls
 accelerations: 53 +-, 97 *, 3 /, 6 calls
 state: 1 +-, 2 *, 0 /, 2 calls
@@ -124,6 +124,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k3 = k1 * k2
         k4 = m * a
         k5 = a * k4
+        k6 = k * k1
         # from the state
         z1 = theta1 - theta2
         c1 = math.cos(z1)
@@ -169,10 +170,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z29 = v1_x2 * z26 - s2 * z27 + (z18 * z28 - c2 * z24)
         z30 = v1_x2 * z28 + c2 * z27 - (z18 * z26 + s2 * z24)
         s3 = k3 * (s1 * z24 + z6 * z29) - m * (c1 * z27 + z3 * z30)
-        z31 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
+        z31 = s3 - k6 * (s1 * (z1 - z2) + z2 * z6)
         s4 = k4 * (s1 * z27) + (k2 * (c1 * z24) - k3 * (z29 * z11))
-        z32 = s4 - m * (z30 * (a * z6))
-        s5 = k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32 - z15 * z31
+        z32 = s4 - k4 * (z6 * z30)
+        s5 = z31 * z15 - (k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z32)
         z33 = s5 / z16
         dydt: list[float] = [
             # x' (I.2.4)
@@ -186,9 +187,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta3' (I.2.4)
             k1 * z20,
             # v' (I.2.15) 22:4
-            z15 * z33 - z14 * z31,
+            -(z14 * z31 + z15 * z33),
             # w' (I.2.15) 22:4
-            -z33,
+            z33,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -321,7 +322,7 @@ def accelerations(
         z31 = v1_x2 * z28 + z21 * z27
         z32 = z31 - (s2 * z25 + c2 * z29)
         s3 = m * (c1 * z25 + z3 * z30) - k3 * (s1 * z29 + z6 * z32)
-        z33 = k * (k1 * (z1 * s1 - z2 * (s1 - z6))) + s3
+        z33 = s3 + k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
         s4 = k4 * (s1 * z25) + (k2 * (c1 * z29) - k3 * (z10 * z32))
         z34 = m * (z11 * z30) + s4
         s5 = k * (z1 * (1.0 + c1) - z2 * (c1 + z3)) - z34 - z17 * z33

@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:e0967c82d6827bf2)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:02798638225b7a55)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -327,16 +327,16 @@ int rattleback_rhs(double t, const double *y, const double *p, double *restrict 
     const double z38 = c_alpha * z28;
     const double z39 = c_beta * z36 + z1 * z31;
     const double z40 = (z9 * z37 - z5 * z38 + z3 * z39) * (z2 * (z2 * z2));
-    const double z41 = z3 * z40 - k3 * (z2 * z39);
-    const double z42 = k1 * (z2 * z37) - z9 * z40;
-    const double z43 = g * mu2 - (w3 * u1 + w1 * z24 + (w1 * z41 - w3 * z42));
-    const double z44 = z5 * z40 + k2 * (z2 * z38);
-    const double z45 = g * mu3 + (w1 * z23 + w2 * u1 - (w2 * z42 - w1 * z44));
-    const double z46 = w2 * z32 - (s_beta * z34 - (c_beta * z35 + (r3 * z43 + z6 * z45)));
+    const double z41 = z24 + (z3 * z40 - k3 * (z2 * z39));
+    const double z42 = u1 - (k1 * (z2 * z37) - z9 * z40);
+    const double z43 = w1 * z41 - (g * mu2 - w3 * z42);
+    const double z44 = z23 + (z5 * z40 + k2 * (z2 * z38));
+    const double z45 = w2 * z42 + (g * mu3 + w1 * z44);
+    const double z46 = w2 * z32 - (s_beta * z34 - (c_beta * z35 - (r3 * z43 - z6 * z45)));
     const double z47 = I_d * w2 + I_a * w1;
-    const double z48 = g * z1 - (w2 * z24 - w3 * z23 + (w2 * z41 - w3 * z44));
-    const double z49 = w3 * z47 - w1 * z32 + (r3 * z48 + r1 * z45) - z14 * z46;
-    const double z50 = w2 * z47 - (c_beta * z34 + (s_beta * z35 + (z6 * z48 - r1 * z43))) - z18 * z46;
+    const double z48 = w2 * z41 - (g * z1 + w3 * z44);
+    const double z49 = w3 * z47 - w1 * z32 - (r3 * z48 - r1 * z45) - z14 * z46;
+    const double z50 = w2 * z47 - (c_beta * z34 + (s_beta * z35 - (z6 * z48 - r1 * z43))) - z18 * z46;
     const double z51 = (z50 + z21 * z49) / z22;
     const double z52 = z20 * z49 + z21 * z51;
     /* (I.2.4) */
@@ -1557,16 +1557,16 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes z38 = c_alpha * z28;
     const rattleback_lanes z39 = c_beta * z36 + z1 * z31;
     const rattleback_lanes z40 = (z9 * z37 - z5 * z38 + z3 * z39) * (z2 * (z2 * z2));
-    const rattleback_lanes z41 = z3 * z40 - k3 * (z2 * z39);
-    const rattleback_lanes z42 = k1 * (z2 * z37) - z9 * z40;
-    const rattleback_lanes z43 = g * mu2 - (w3 * u1 + w1 * z24 + (w1 * z41 - w3 * z42));
-    const rattleback_lanes z44 = z5 * z40 + k2 * (z2 * z38);
-    const rattleback_lanes z45 = g * mu3 + (w1 * z23 + w2 * u1 - (w2 * z42 - w1 * z44));
-    const rattleback_lanes z46 = w2 * z32 - (s_beta * z34 - (c_beta * z35 + (r3 * z43 + z6 * z45)));
+    const rattleback_lanes z41 = z24 + (z3 * z40 - k3 * (z2 * z39));
+    const rattleback_lanes z42 = u1 - (k1 * (z2 * z37) - z9 * z40);
+    const rattleback_lanes z43 = w1 * z41 - (g * mu2 - w3 * z42);
+    const rattleback_lanes z44 = z23 + (z5 * z40 + k2 * (z2 * z38));
+    const rattleback_lanes z45 = w2 * z42 + (g * mu3 + w1 * z44);
+    const rattleback_lanes z46 = w2 * z32 - (s_beta * z34 - (c_beta * z35 - (r3 * z43 - z6 * z45)));
     const rattleback_lanes z47 = I_d * w2 + I_a * w1;
-    const rattleback_lanes z48 = g * z1 - (w2 * z24 - w3 * z23 + (w2 * z41 - w3 * z44));
-    const rattleback_lanes z49 = w3 * z47 - w1 * z32 + (r3 * z48 + r1 * z45) - z14 * z46;
-    const rattleback_lanes z50 = w2 * z47 - (c_beta * z34 + (s_beta * z35 + (z6 * z48 - r1 * z43))) - z18 *
+    const rattleback_lanes z48 = w2 * z41 - (g * z1 + w3 * z44);
+    const rattleback_lanes z49 = w3 * z47 - w1 * z32 - (r3 * z48 - r1 * z45) - z14 * z46;
+    const rattleback_lanes z50 = w2 * z47 - (c_beta * z34 + (s_beta * z35 - (z6 * z48 - r1 * z43))) - z18 *
         z46;
     const rattleback_lanes z51 = (z50 + z21 * z49) / z22;
     const rattleback_lanes z52 = z20 * z49 + z21 * z51;

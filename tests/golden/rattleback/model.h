@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:c01fab9f7760f4e4)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:c2301b2dfbe6f55c)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,7 +36,7 @@
  * out[0] = spin [rad/s]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 64 +-, 118 *, 5 /, 7 calls
+ * rhs: 61 +-, 112 *, 5 /, 7 calls
  * velocities: 15 +-, 40 *, 2 /, 7 calls
  * accelerations: 94 +-, 161 *, 5 /, 7 calls
  * state: 3 +-, 6 *, 0 /, 4 calls

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:905ddcf27d5df375).
+"""rattleback, emitted by nhc 0.1.0 (nhc:531b5d079471cb68).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -37,7 +37,7 @@ Outputs:
 out[0] = spin [rad/s]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 64 +-, 118 *, 5 /, 7 calls
+rhs: 61 +-, 112 *, 5 /, 7 calls
 velocities: 15 +-, 40 *, 2 /, 7 calls
 accelerations: 94 +-, 161 *, 5 /, 7 calls
 state: 3 +-, 6 *, 0 /, 4 calls
@@ -199,17 +199,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z38 = c_alpha * z28
         z39 = c_beta * z36 + z1 * z31
         z40 = (z9 * z37 - z5 * z38 + z3 * z39) * (z2 * (z2 * z2))
-        z41 = z3 * z40 - k3 * (z2 * z39)
-        z42 = k1 * (z2 * z37) - z9 * z40
-        z43 = g * mu2 - (w3 * u1 + w1 * z24 + (w1 * z41 - w3 * z42))
-        z44 = z5 * z40 + k2 * (z2 * z38)
-        z45 = g * mu3 + (w1 * z23 + w2 * u1 - (w2 * z42 - w1 * z44))
-        s2 = s_beta * z34 - (c_beta * z35 + (r3 * z43 + z6 * z45))
+        z41 = z24 + (z3 * z40 - k3 * (z2 * z39))
+        z42 = u1 - (k1 * (z2 * z37) - z9 * z40)
+        z43 = w1 * z41 - (g * mu2 - w3 * z42)
+        z44 = z23 + (z5 * z40 + k2 * (z2 * z38))
+        z45 = w2 * z42 + (g * mu3 + w1 * z44)
+        s2 = s_beta * z34 - (c_beta * z35 - (r3 * z43 - z6 * z45))
         z46 = w2 * z32 - s2
         z47 = I_d * w2 + I_a * w1
-        z48 = g * z1 - (w2 * z24 - w3 * z23 + (w2 * z41 - w3 * z44))
-        z49 = w3 * z47 - w1 * z32 + (r3 * z48 + r1 * z45) - z14 * z46
-        s3 = c_beta * z34 + (s_beta * z35 + (z6 * z48 - r1 * z43))
+        z48 = w2 * z41 - (g * z1 + w3 * z44)
+        z49 = w3 * z47 - w1 * z32 - (r3 * z48 - r1 * z45) - z14 * z46
+        s3 = c_beta * z34 + (s_beta * z35 - (z6 * z48 - r1 * z43))
         z50 = w2 * z47 - s3 - z18 * z46
         z51 = (z50 + z21 * z49) / z22
         z52 = z20 * z49 + z21 * z51

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:91ebfe06442cb919)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:c24274818c88f789)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -258,9 +258,10 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
-    const double k5 = J + J_r;
-    const double k6 = 1.0 / J_r;
-    const double k7 = 1.0 / J_w;
+    const double k5 = 1.0 / J_r;
+    const double k6 = 1.0 / J_w;
+    const double k7 = J + J_w;
+    const double k8 = J_r - J_w;
 
     /* from the state */
     const double z1 = s_p_f * s_p_f;
@@ -282,51 +283,52 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     const double z18 = z7 * z17;
     const double z19 = c1 * z15 + z16 * z11;
     const double z20 = z7 * z19;
-    const double z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
-    const double z22 = v * z7;
-    const double z23 = z22 * z13;
-    const double z24 = p_b_dot * c_p_b;
-    const double z25 = p_f_dot * c_p_f;
-    const double z26 = s_p_f * z25;
-    const double z27 = k1 * z26;
-    const double z28 = p_b_dot * s_p_b;
-    const double z29 = p_f_dot * s_p_f;
-    const double z30 = z3 * z24 - 4.0 * (s_p_b * (z26 - z27)) - 2.0 * (k2 * (z4 * z25 - s_p_f * (c_p_f * z28
-        + c_p_b * z29)));
-    const double z31 = z7 * z7 * (z5 * z24 + s_p_b * z30 + (2.0 * z26 - 6.0 * z27));
-    const double z32 = l * z29;
-    const double z33 = p_b_dot - z23;
+    const double z21 = z17 * z18 + z19 * z20;
+    const double z22 = J * (z14 * z14) + m * (z7 * z21);
+    const double z23 = v * z7;
+    const double z24 = z23 * z13;
+    const double z25 = p_b_dot * c_p_b;
+    const double z26 = p_f_dot * c_p_f;
+    const double z27 = s_p_f * z26;
+    const double z28 = k1 * z27;
+    const double z29 = p_b_dot * s_p_b;
+    const double z30 = p_f_dot * s_p_f;
+    const double z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29
+        + c_p_b * z30)));
+    const double z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const double z33 = p_b_dot - z24;
     const double z34 = s1 * z33;
-    const double z35 = l * z28;
-    const double z36 = p_f_dot - z23;
-    const double z37 = z12 * z36;
-    const double z38 = m * v;
-    const double z39 = (z31 * z19 + z7 * (c1 * z32 + z15 * z34 + (z35 * z11 + z16 * z37))) * (z20 * z38);
-    const double z40 = c1 * z33;
-    const double z41 = z11 * z36;
-    const double z42 = (z31 * z17 + z7 * (s1 * z32 - z15 * z40 + (z35 * z12 - z16 * z41))) * (z18 * z38);
-    const double z44 = v * (z31 * z13 - z7 * (z11 * z40 - s1 * z37 + (z12 * z34 - c1 * z41)));
-    const double z45 = tau * s2 - J_r * z44;
-    const double z46 = (z39 + (z42 + z14 * (z45 + k5 * z44))) / z21;
+    const double z35 = l * z29;
+    const double z36 = l * z30;
+    const double z37 = p_f_dot - z24;
+    const double z38 = z12 * z37;
+    const double z39 = c1 * z33;
+    const double z40 = z11 * z37;
+    const double z41 = z20 * (z15 * z34 + (z35 * z11 + (c1 * z36 + z16 * z38))) - z18 * (z15 * z39 - (z35 *
+        z12 + (s1 * z36 - z16 * z40)));
+    const double z42 = v * (z32 * z13 - z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40)));
+    const double z44 = tau * s2 - J_r * z42;
+    const double z45 = m * (v * (z32 * z21 + z7 * z41)) + z14 * (k7 * z42 + (z44 + k8 * z42));
+    const double z46 = z45 / z22;
     const double z47 = z14 * z46;
     const double z48 = sigma * c2;
-    const double z49 = J_w * z44;
+    const double z49 = J_w * z42;
     /* (I.2.4) */
-    dydt[0] = z22 * z19; /* x' */
-    dydt[1] = z22 * z17; /* y' */
-    dydt[2] = -z23; /* theta' */
+    dydt[0] = z23 * z19; /* x' */
+    dydt[1] = z23 * z17; /* y' */
+    dydt[2] = -z24; /* theta' */
     dydt[3] = psi_dot; /* psi' */
     dydt[4] = p_b_dot; /* p_b' */
     dydt[5] = p_f_dot; /* p_f' */
     /* (I.2.15) 22:4 */
     dydt[6] = z46; /* v' */
-    dydt[7] = k6 * z45 + z47; /* psi'' */
-    dydt[8] = k7 * (z48 - z49) + z47; /* p_b'' */
-    dydt[9] = z47 - k7 * (z48 + z49); /* p_f'' */
+    dydt[7] = k5 * z44 + z47; /* psi'' */
+    dydt[8] = k6 * (z48 - z49) + z47; /* p_b'' */
+    dydt[9] = z47 - k6 * (z48 + z49); /* p_f'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z21) > 1e-13 * z21)) {
+        && fabs(z22) > 1e-13 * z22)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -340,8 +342,8 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
             return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z21) > 1e-13 * z21)) {
-            return snakeboard_refuse(fabs(z21), 1e-13 * z21, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z22) > 1e-13 * z22)) {
+            return snakeboard_refuse(fabs(z22), 1e-13 * z22, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(10, dydt);
     }
@@ -941,19 +943,19 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z86 = sigma * c2;
     const double z87 = J_w * z84;
     const double z88 = tau * s2 - z85 + (z85 + (z86 - z87 + (z87 - (z86 + z87 - k5 * z84))));
-    const double z89 = l * z70;
-    const double z90 = s1 * z89;
-    const double z91 = l * z69;
-    const double z92 = z91 * z12;
-    const double z93 = z90 - z15 * z77 + (z92 - z17 * z81);
-    const double z94 = z74 * z19 + z7 * z93;
-    const double z95 = m * v;
-    const double z96 = z94 * z95;
-    const double z97 = c1 * z89;
-    const double z98 = z91 * z11;
+    const double z89 = m * v;
+    const double z90 = l * z70;
+    const double z91 = s1 * z90;
+    const double z92 = l * z69;
+    const double z93 = z92 * z12;
+    const double z94 = z91 - z15 * z77 + (z93 - z17 * z81);
+    const double z95 = z74 * z19 + z7 * z94;
+    const double z96 = z89 * z95;
+    const double z97 = c1 * z90;
+    const double z98 = z92 * z11;
     const double z99 = z97 + z15 * z80 + (z98 + z17 * z79);
     const double z100 = z74 * z23 + z7 * z99;
-    const double z101 = z100 * z95;
+    const double z101 = z89 * z100;
     const double z102 = z14 * z88 + z20 * z96 + z24 * z101;
     const double z103 = z62 * z62 * z102;
     const double z104 = J_2 * z14;
@@ -969,12 +971,12 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z113 = z73 * (z30 * z7);
     const double z114 = z30 * z112 - 2.0 * (z34 * z113);
     const double z115 = v * (z110 + (z82 * z35 + z13 * z114));
-    const double z116 = z20 * z95;
+    const double z116 = z20 * z89;
     const double z117 = l * z64;
-    const double z118 = z93 * z35 - z7 * (z97 + z15 * z105 + (z12 * z117 + (z17 * z108 + z81 * z28)));
+    const double z118 = z35 * z94 - z7 * (z97 + z15 * z105 + (z12 * z117 + (z17 * z108 + z81 * z28)));
     const double z119 = z55 * z88 + z104 * z115 + (z48 * z96 + z116 * (z74 * z47 + z19 * z114 - z118));
-    const double z120 = z24 * z95;
-    const double z121 = z99 * z35 + z7 * (z90 - z15 * z107 - (z11 * z117 - (z17 * z106 + z79 * z28)));
+    const double z120 = z24 * z89;
+    const double z121 = z35 * z99 + z7 * (z91 - z15 * z107 - (z11 * z117 - (z17 * z106 + z79 * z28)));
     const double z122 = (J_2 * (z59 * z35 - z61) + m * (z61 + z25 * z35)) * z103 + z62 * (z119 - (z36 * z101
         + z120 * (z74 * z29 - z23 * z114 + z121)));
     const double z123 = z7 * (z60 + z13 * z57);
@@ -986,14 +988,14 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z128 = v * (z110 - (z82 * z44 + z13 * z127));
     const double z129 = l * z65;
     const double z130 = z7 * (s1 * z129 + (z77 * z38 - z21 * z58) + (z98 + z17 * (z79 - z11 * z58)));
-    const double z131 = z57 * z88 + z104 * z128 - (z51 * z96 - z116 * (z93 * z44 - z130 - (z74 * z50 + z19 *
+    const double z131 = z57 * z88 + z104 * z128 - (z51 * z96 - z116 * (z44 * z94 - z130 - (z74 * z50 + z19 *
         z127)));
-    const double z132 = z7 * (c1 * z129 - (z80 * z38 - z16 * z58) - (z92 - z17 * (z81 + z12 * z58)));
-    const double z133 = z62 * (z131 + (z45 * z101 + z120 * (z99 * z44 - z132 + (z74 * z39 - z23 * z127))));
+    const double z132 = z7 * (c1 * z129 - (z80 * z38 - z16 * z58) - (z93 - z17 * (z81 + z12 * z58)));
+    const double z133 = z62 * (z131 + (z45 * z101 + z120 * (z44 * z99 - z132 + (z74 * z39 - z23 * z127))));
     const double z134 = (J_2 * (z59 * z44 + z123) - m * (z123 - z25 * z44)) * z103 - z133;
     const double z135 = m * z24;
     const double z136 = m * z20;
-    const double z137 = (z100 - z27 * (z19 * z14)) * z135 + ((z94 + z27 * (z23 * z14)) * z136 + z83 * z104);
+    const double z137 = (z100 - z27 * (z19 * z14)) * z135 + ((z95 + z27 * (z23 * z14)) * z136 + z83 * z104);
     const double z138 = z62 * z137;
     const double z139 = z62 * (z56 * z104 + z49 * z136 - z37 * z135);
     const double z140 = z62 * (z58 * z104 - z52 * z136 + z46 * z135);
@@ -1127,6 +1129,7 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const double k5 = fixed[12];
     const double k6 = fixed[13];
     const double k7 = fixed[14];
+    const double k8 = fixed[15];
     const snakeboard_lanes t_ = snakeboard_get(t);
     const snakeboard_lanes theta = snakeboard_get(y + 2 * stride);
     const snakeboard_lanes p_b = snakeboard_get(y + 4 * stride);
@@ -1170,52 +1173,51 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes z18 = z7 * z17;
     const snakeboard_lanes z19 = c1 * z15 + z16 * z11;
     const snakeboard_lanes z20 = z7 * z19;
-    const snakeboard_lanes z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
+    const snakeboard_lanes z21 = z17 * z18 + z19 * z20;
+    const snakeboard_lanes z22 = J * (z14 * z14) + m * (z7 * z21);
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z21)), 1e-13 * z21);
-    const snakeboard_lanes z22 = v * z7;
-    const snakeboard_lanes z23 = z22 * z13;
-    const snakeboard_lanes z24 = p_b_dot * c_p_b;
-    const snakeboard_lanes z25 = p_f_dot * c_p_f;
-    const snakeboard_lanes z26 = s_p_f * z25;
-    const snakeboard_lanes z27 = k1 * z26;
-    const snakeboard_lanes z28 = p_b_dot * s_p_b;
-    const snakeboard_lanes z29 = p_f_dot * s_p_f;
-    const snakeboard_lanes z30 = z3 * z24 - 4.0 * (s_p_b * (z26 - z27)) - 2.0 * (k2 * (z4 * z25 - s_p_f *
-        (c_p_f * z28 + c_p_b * z29)));
-    const snakeboard_lanes z31 = z7 * z7 * (z5 * z24 + s_p_b * z30 + (2.0 * z26 - 6.0 * z27));
-    const snakeboard_lanes z32 = l * z29;
-    const snakeboard_lanes z33 = p_b_dot - z23;
+    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z22)), 1e-13 * z22);
+    const snakeboard_lanes z23 = v * z7;
+    const snakeboard_lanes z24 = z23 * z13;
+    const snakeboard_lanes z25 = p_b_dot * c_p_b;
+    const snakeboard_lanes z26 = p_f_dot * c_p_f;
+    const snakeboard_lanes z27 = s_p_f * z26;
+    const snakeboard_lanes z28 = k1 * z27;
+    const snakeboard_lanes z29 = p_b_dot * s_p_b;
+    const snakeboard_lanes z30 = p_f_dot * s_p_f;
+    const snakeboard_lanes z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f *
+        (c_p_f * z29 + c_p_b * z30)));
+    const snakeboard_lanes z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const snakeboard_lanes z33 = p_b_dot - z24;
     const snakeboard_lanes z34 = s1 * z33;
-    const snakeboard_lanes z35 = l * z28;
-    const snakeboard_lanes z36 = p_f_dot - z23;
-    const snakeboard_lanes z37 = z12 * z36;
-    const snakeboard_lanes z38 = m * v;
-    const snakeboard_lanes z39 = (z31 * z19 + z7 * (c1 * z32 + z15 * z34 + (z35 * z11 + z16 * z37))) * (z20 *
-        z38);
-    const snakeboard_lanes z40 = c1 * z33;
-    const snakeboard_lanes z41 = z11 * z36;
-    const snakeboard_lanes z42 = (z31 * z17 + z7 * (s1 * z32 - z15 * z40 + (z35 * z12 - z16 * z41))) * (z18 *
-        z38);
+    const snakeboard_lanes z35 = l * z29;
+    const snakeboard_lanes z36 = l * z30;
+    const snakeboard_lanes z37 = p_f_dot - z24;
+    const snakeboard_lanes z38 = z12 * z37;
+    const snakeboard_lanes z39 = c1 * z33;
+    const snakeboard_lanes z40 = z11 * z37;
+    const snakeboard_lanes z41 = z20 * (z15 * z34 + (z35 * z11 + (c1 * z36 + z16 * z38))) - z18 * (z15 * z39
+        - (z35 * z12 + (s1 * z36 - z16 * z40)));
+    const snakeboard_lanes z42 = v * (z32 * z13 - z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40)));
     const snakeboard_lanes z43 = t_ * nu;
     snakeboard_lanes sine4, cosine4;
     snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z43), &far, &sine4, &cosine4);
     const snakeboard_lanes s2 = sine4;
-    const snakeboard_lanes z44 = v * (z31 * z13 - z7 * (z11 * z40 - s1 * z37 + (z12 * z34 - c1 * z41)));
-    const snakeboard_lanes z45 = tau * s2 - J_r * z44;
-    const snakeboard_lanes z46 = (z39 + (z42 + z14 * (z45 + k5 * z44))) / z21;
+    const snakeboard_lanes z44 = tau * s2 - J_r * z42;
+    const snakeboard_lanes z45 = m * (v * (z32 * z21 + z7 * z41)) + z14 * (k7 * z42 + (z44 + k8 * z42));
+    const snakeboard_lanes z46 = z45 / z22;
     const snakeboard_lanes z47 = z14 * z46;
     const snakeboard_lanes c2 = cosine4;
     const snakeboard_lanes z48 = sigma * c2;
-    const snakeboard_lanes z49 = J_w * z44;
+    const snakeboard_lanes z49 = J_w * z42;
     /* (I.2.4) */
-    const snakeboard_lanes slope1 = z22 * z19;
+    const snakeboard_lanes slope1 = z23 * z19;
     sum += slope1;
     snakeboard_put(dydt, slope1);
-    const snakeboard_lanes slope2 = z22 * z17;
+    const snakeboard_lanes slope2 = z23 * z17;
     sum += slope2;
     snakeboard_put(dydt + 1 * stride, slope2);
-    const snakeboard_lanes slope3 = -z23;
+    const snakeboard_lanes slope3 = -z24;
     snakeboard_put(dydt + 2 * stride, slope3);
     const snakeboard_lanes slope4 = psi_dot;
     sum += slope4;
@@ -1227,13 +1229,13 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     /* (I.2.15) 22:4 */
     const snakeboard_lanes slope7 = z46;
     snakeboard_put(dydt + 6 * stride, slope7);
-    const snakeboard_lanes slope8 = k6 * z45 + z47;
+    const snakeboard_lanes slope8 = k5 * z44 + z47;
     sum += slope8;
     snakeboard_put(dydt + 7 * stride, slope8);
-    const snakeboard_lanes slope9 = k7 * (z48 - z49) + z47;
+    const snakeboard_lanes slope9 = k6 * (z48 - z49) + z47;
     sum += slope9;
     snakeboard_put(dydt + 8 * stride, slope9);
-    const snakeboard_lanes slope10 = z47 - k7 * (z48 + z49);
+    const snakeboard_lanes slope10 = z47 - k6 * (z48 + z49);
     sum += slope10;
     snakeboard_put(dydt + 9 * stride, slope10);
     snakeboard_put(check, snakeboard_mark(far + (sum - sum), bad));
@@ -1267,10 +1269,11 @@ int snakeboard_rhs_batch(size_t count, const double *t, const double *y, const d
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
-    const double k5 = J + J_r;
-    const double k6 = 1.0 / J_r;
-    const double k7 = 1.0 / J_w;
-    const double fixed[] = {m, l, J, J_r, J_w, tau, sigma, nu, k1, k2, k3, k4, k5, k6, k7};
+    const double k5 = 1.0 / J_r;
+    const double k6 = 1.0 / J_w;
+    const double k7 = J + J_w;
+    const double k8 = J_r - J_w;
+    const double fixed[] = {m, l, J, J_r, J_w, tau, sigma, nu, k1, k2, k3, k4, k5, k6, k7, k8};
     double check[1 * SNAKEBOARD_LANES];
     int status = SNAKEBOARD_OK;
     for (size_t i = 0; i < count; i += SNAKEBOARD_LANES) {

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:42c6107103522e09).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:48f505494053eafb).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -40,7 +40,7 @@ Outputs:
 out[0] = speed [m/s]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 52 +-, 106 *, 4 /, 9 calls
+rhs: 53 +-, 104 *, 4 /, 9 calls
 velocities: 18 +-, 34 *, 1 /, 7 calls
 accelerations: 62 +-, 117 *, 4 /, 9 calls
 state: 10 +-, 17 *, 0 /, 6 calls
@@ -157,9 +157,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k2 = 1.0 - k1
         k3 = abs(l)
         k4 = 2.0 + k3
-        k5 = J + J_r
-        k6 = 1.0 / J_r
-        k7 = 1.0 / J_w
+        k5 = 1.0 / J_r
+        k6 = 1.0 / J_w
+        k7 = J + J_w
+        k8 = J_r - J_w
         # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
@@ -191,51 +192,52 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z18 = z7 * z17
         z19 = c1 * z15 + z16 * z11
         z20 = z7 * z19
-        z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
+        z21 = z17 * z18 + z19 * z20
+        z22 = J * (z14 * z14) + m * (z7 * z21)
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z21) > 1e-13 * z21:
-            raise _refuse(abs(z21), 1e-13 * z21, 2, "rhs")
-        z22 = v * z7
-        z23 = z22 * z13
-        z24 = p_b_dot * c_p_b
-        z25 = p_f_dot * c_p_f
-        z26 = s_p_f * z25
-        z27 = k1 * z26
-        z28 = p_b_dot * s_p_b
-        z29 = p_f_dot * s_p_f
-        s4 = 2.0 * (k2 * (z4 * z25 - s_p_f * (c_p_f * z28 + c_p_b * z29)))
-        z30 = z3 * z24 - 4.0 * (s_p_b * (z26 - z27)) - s4
-        z31 = z7 * z7 * (z5 * z24 + s_p_b * z30 + (2.0 * z26 - 6.0 * z27))
-        z32 = l * z29
-        z33 = p_b_dot - z23
+        if not abs(z22) > 1e-13 * z22:
+            raise _refuse(abs(z22), 1e-13 * z22, 2, "rhs")
+        z23 = v * z7
+        z24 = z23 * z13
+        z25 = p_b_dot * c_p_b
+        z26 = p_f_dot * c_p_f
+        z27 = s_p_f * z26
+        z28 = k1 * z27
+        z29 = p_b_dot * s_p_b
+        z30 = p_f_dot * s_p_f
+        s4 = 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29 + c_p_b * z30)))
+        z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - s4
+        z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28))
+        z33 = p_b_dot - z24
         z34 = s1 * z33
-        z35 = l * z28
-        z36 = p_f_dot - z23
-        z37 = z12 * z36
-        z38 = m * v
-        s5 = z7 * (c1 * z32 + z15 * z34 + (z35 * z11 + z16 * z37))
-        z39 = (z31 * z19 + s5) * (z20 * z38)
-        z40 = c1 * z33
-        z41 = z11 * z36
-        s6 = z7 * (s1 * z32 - z15 * z40 + (z35 * z12 - z16 * z41))
-        z42 = (z31 * z17 + s6) * (z18 * z38)
+        z35 = l * z29
+        z36 = l * z30
+        z37 = p_f_dot - z24
+        z38 = z12 * z37
+        z39 = c1 * z33
+        z40 = z11 * z37
+        s5 = z20 * (z15 * z34 + (z35 * z11 + (c1 * z36 + z16 * z38)))
+        s6 = z18 * (z15 * z39 - (z35 * z12 + (s1 * z36 - z16 * z40)))
+        z41 = s5 - s6
+        s7 = z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40))
+        z42 = v * (z32 * z13 - s7)
         z43 = t_ * nu
         s2 = math.sin(z43)
-        s7 = z7 * (z11 * z40 - s1 * z37 + (z12 * z34 - c1 * z41))
-        z44 = v * (z31 * z13 - s7)
-        z45 = tau * s2 - J_r * z44
-        z46 = (z39 + (z42 + z14 * (z45 + k5 * z44))) / z21
+        z44 = tau * s2 - J_r * z42
+        s8 = z14 * (k7 * z42 + (z44 + k8 * z42))
+        z45 = m * (v * (z32 * z21 + z7 * z41)) + s8
+        z46 = z45 / z22
         z47 = z14 * z46
         c2 = math.cos(z43)
         z48 = sigma * c2
-        z49 = J_w * z44
+        z49 = J_w * z42
         dydt: list[float] = [
             # x' (I.2.4)
-            z22 * z19,
+            z23 * z19,
             # y' (I.2.4)
-            z22 * z17,
+            z23 * z17,
             # theta' (I.2.4)
-            -z23,
+            -z24,
             # psi' (I.2.4)
             psi_dot,
             # p_b' (I.2.4)
@@ -245,11 +247,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # v' (I.2.15) 22:4
             z46,
             # psi'' (I.2.15) 22:4
-            k6 * z45 + z47,
+            k5 * z44 + z47,
             # p_b'' (I.2.15) 22:4
-            k7 * (z48 - z49) + z47,
+            k6 * (z48 - z49) + z47,
             # p_f'' (I.2.15) 22:4
-            z47 - k7 * (z48 + z49),
+            z47 - k6 * (z48 + z49),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -888,19 +890,19 @@ def jacobian(
         z87 = J_w * z84
         s5 = z85 + (z86 - z87 + (z87 - (z86 + z87 - k5 * z84)))
         z88 = tau * s2 - z85 + s5
-        z89 = l * z70
-        z90 = s1 * z89
-        z91 = l * z69
-        z92 = z91 * z12
-        z93 = z90 - z15 * z77 + (z92 - z17 * z81)
-        z94 = z74 * z19 + z7 * z93
-        z95 = m * v
-        z96 = z94 * z95
-        z97 = c1 * z89
-        z98 = z91 * z11
+        z89 = m * v
+        z90 = l * z70
+        z91 = s1 * z90
+        z92 = l * z69
+        z93 = z92 * z12
+        z94 = z91 - z15 * z77 + (z93 - z17 * z81)
+        z95 = z74 * z19 + z7 * z94
+        z96 = z89 * z95
+        z97 = c1 * z90
+        z98 = z92 * z11
         z99 = z97 + z15 * z80 + (z98 + z17 * z79)
         z100 = z74 * z23 + z7 * z99
-        z101 = z100 * z95
+        z101 = z89 * z100
         z102 = z14 * z88 + z20 * z96 + z24 * z101
         z103 = z62 * z62 * z102
         z104 = J_2 * z14
@@ -917,15 +919,15 @@ def jacobian(
         z113 = z73 * (z30 * z7)
         z114 = z30 * z112 - 2.0 * (z34 * z113)
         z115 = v * (z110 + (z82 * z35 + z13 * z114))
-        z116 = z20 * z95
+        z116 = z20 * z89
         z117 = l * z64
         s8 = z97 + z15 * z105 + (z12 * z117 + (z17 * z108 + z81 * z28))
-        z118 = z93 * z35 - z7 * s8
+        z118 = z35 * z94 - z7 * s8
         s9 = z48 * z96 + z116 * (z74 * z47 + z19 * z114 - z118)
         z119 = z55 * z88 + z104 * z115 + s9
-        z120 = z24 * z95
-        s10 = z90 - z15 * z107 - (z11 * z117 - (z17 * z106 + z79 * z28))
-        z121 = z99 * z35 + z7 * s10
+        z120 = z24 * z89
+        s10 = z91 - z15 * z107 - (z11 * z117 - (z17 * z106 + z79 * z28))
+        z121 = z35 * z99 + z7 * s10
         s11 = z119 - (z36 * z101 + z120 * (z74 * z29 - z23 * z114 + z121))
         s12 = (J_2 * (z59 * z35 - z61) + m * (z61 + z25 * z35)) * z103
         z122 = s12 + z62 * s11
@@ -940,17 +942,17 @@ def jacobian(
         z129 = l * z65
         s15 = s1 * z129 + (z77 * z38 - z21 * z58)
         z130 = z7 * (s15 + (z98 + z17 * (z79 - z11 * z58)))
-        s16 = z116 * (z93 * z44 - z130 - (z74 * z50 + z19 * z127))
+        s16 = z116 * (z44 * z94 - z130 - (z74 * z50 + z19 * z127))
         z131 = z57 * z88 + z104 * z128 - (z51 * z96 - s16)
         s17 = c1 * z129 - (z80 * z38 - z16 * z58)
-        z132 = z7 * (s17 - (z92 - z17 * (z81 + z12 * z58)))
-        s18 = z120 * (z99 * z44 - z132 + (z74 * z39 - z23 * z127))
+        z132 = z7 * (s17 - (z93 - z17 * (z81 + z12 * z58)))
+        s18 = z120 * (z44 * z99 - z132 + (z74 * z39 - z23 * z127))
         z133 = z62 * (z131 + (z45 * z101 + s18))
         s19 = (J_2 * (z59 * z44 + z123) - m * (z123 - z25 * z44)) * z103
         z134 = s19 - z133
         z135 = m * z24
         z136 = m * z20
-        s20 = (z94 + z27 * (z23 * z14)) * z136 + z83 * z104
+        s20 = (z95 + z27 * (z23 * z14)) * z136 + z83 * z104
         z137 = (z100 - z27 * (z19 * z14)) * z135 + s20
         z138 = z62 * z137
         z139 = z62 * (z56 * z104 + z49 * z136 - z37 * z135)
