@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Collection
 
 from nhc.language.expressions.loanwords import ACCELERATIONS
-from nhc.language.expressions.names import ENERGIES
+from nhc.language.expressions.names import ENERGIES, FUNCTIONS
 
 _DOT, _DOTS = "\u0307", "\u0308"  # combining marks of first and second derivatives
 # how a rate is spelled elsewhere; the most telling first
@@ -32,9 +32,10 @@ KEYS: dict[str, tuple[str, str]] = {
     **dict.fromkeys(("variables", "vars", "generalized_coordinates", "states", "state"), ("coordinates", "")),
     **dict.fromkeys(("constants", "const"), ("parameters", "")),
     **dict.fromkeys(("let", "where", "definitions", "expressions", "auxiliary"), ("define", "")),
-    **dict.fromkeys(("force", "torques", "inputs", "generalized_forces"), ("forces", "")),
+    **dict.fromkeys(("holonomic_constraints", "geometric_constraints", "position_constraints"), ("holonomic", "")),
+    **dict.fromkeys(("Q", "force", "torques", "inputs", "generalized_forces"), ("forces", "")),
     **dict.fromkeys(("velocities", "speeds", "pseudo_velocities", "quasivelocities"), ("quasi_velocities", "")),
-    **dict.fromkeys(("nonholonomic", "constraint"), ("constraints", "")),
+    **dict.fromkeys(("nonholonomic", "nonholonomic_constraints", "constraint"), ("constraints", "")),
     **dict.fromkeys(("title", "description", "comment"), ("about", "")),
     **dict.fromkeys(("name",), ("system", "")),
     **dict.fromkeys(("unit", "units", "dimensions"), ("", _UNITS)),
@@ -127,8 +128,11 @@ def advise_need(name: str) -> str:
     return f"show it under `outputs`: `{name if name not in ENERGIES else f'{name}_shown'}: {name}`"
 
 
-def foreign_name(name: str) -> str:
+def foreign_name(name: str, known: Collection[str]) -> str:
     """What to do about a name that means something elsewhere and nothing here; empty for others."""
+    for function in FUNCTIONS:
+        if name.startswith(function) and name.removeprefix(function) in known:
+            return f"write `{function}({name.removeprefix(function)})`"
     if name == "e":
         return "a power of e is written `exp(...)`; another `e` is to be declared"
     if name in ("deg", "degree", "degrees"):

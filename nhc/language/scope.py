@@ -247,7 +247,8 @@ class Scope:
             if place == "equation" and name[0] == "d":
                 rate = rate or self._advise_differential(name[1:])
             where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"
-            help = rate or foreign_name(name) or (f"did you mean `{near}`?" if near else f"declare it under {where}")
+            otherwise = f"did you mean `{near}`?" if near else f"declare it under {where}"
+            help = rate or foreign_name(name, known) or otherwise
         self.bag.error("E0302", message, node.span, help=(help,))
 
     def _advise_differential(self, name: str) -> str:
@@ -318,12 +319,14 @@ def check_name(text: Text, bag: Bag) -> bool:
     help = "a name is made of letters, digits and `_`, and starts with no digit"
     if shown[:1].isdigit() and is_name(f"a{shown}"):
         help = f"a name starts with no digit: write `{shown.lstrip('0123456789_') or 'a'}{shown[:1]}`, for example"
-    parts = shown.replace(",", " ").split()
+    parts = re.split(r"[\s,;]+", shown.strip(" ,;"))
     plain = re.sub(r"_*\W+_*", "_", unicodedata.normalize("NFKC", shown)).strip("_")
     if len(parts) == 1 and "'" not in shown and is_name(plain):  # x₁, l-1, $\mu$
         help = f"write `{plain}`, for example: a name is made of letters, digits and `_`"
     if len(parts) > 1 and all(map(is_name, parts)):
         help = f"a name holds no blanks: write `{'_'.join(parts)}`, or `{', '.join(parts)}` for several names"
+        if ";" in shown:
+            help = f"commas separate names: write `{', '.join(parts)}`"
     bag.error("E0307", f"`{text.value[:40]}` is not a name", text.span, help=(help,))
     return False
 
