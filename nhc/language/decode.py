@@ -288,7 +288,7 @@ class _Decoder:
 
     def _holonomic(self, equations: Equations) -> tuple[Holonomic, ...]:
         return tuple(
-            Holonomic(name, self._check(left, ""), self._check(right, ""), span)
+            Holonomic(name, self._check(left, "holonomic"), self._check(right, "holonomic"), span)
             for name, span, left, right in equations.read("holonomic", "h")
         )
 

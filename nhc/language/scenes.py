@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Span, nearest, quote
 from nhc.language.advice import advise_need, meant_rate, meant_scene_key
+from nhc.language.expressions.loanwords import ACCELERATIONS
 from nhc.language.expressions.names import ENERGIES, fold
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.expressions.syntax import Number, Syntax
@@ -141,8 +142,8 @@ class _SceneReader:
                 help += ", or move it to `quasi_velocities` where it is a velocity"
         elif self.scope.kind(name) == "parameter" and what != _NEEDED:
             help = f"values of parameters stand beside `initial`: `parameters: {{{name}: ...}}`"
-        elif rate:
-            help = rate
+        elif rate or name.endswith("''"):
+            help = rate or ACCELERATIONS
         elif near:
             help = f"did you mean `{near}`?"
         elif known:

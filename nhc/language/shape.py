@@ -197,7 +197,7 @@ class Shapes:
     def interval(self, node: Node, what: str) -> tuple[Fraction, Fraction] | None:
         """Return two numbers of which the second is larger."""
         written = (
-            re.fullmatch(rf"({_PLAIN})(?:\s*(?:\.\.+|-|to)\s*({_PLAIN}))?", node.value)
+            re.fullmatch(rf"({_PLAIN})(?:\s*(?:\.\.+|-|to|,|;)\s*({_PLAIN}))?", node.value)
             if isinstance(node, Text)
             else None
         )

@@ -50,6 +50,7 @@ SLIPS = [
     ("theta: 0.1", "theta: near 1", "E0203", "write `{near: 1}`", "theta: 1"),
     ("time: [0, 10]", "time: 0..10", "E0301", "write `[0, 10]`", "time: [0, 10]"),
     ("time: [0, 10]", "time: [0, 2,5]", "E0301", "decimal numbers are written with `.`", "time: [0, 2.5]"),
+    ("need: [x, y]", "need: [x, theta'']", "E0419", "accelerations are what nhc derives", "need: [x, theta']"),
     ("need: [x, y]", "need: x y", "E0419", "write `need: [x, y]`", "need: [x, y]"),
     ("scenes:\n  go: {", "scenes: {", "E0301", "give the scene a name", "scenes:\n  go: {"),
     ("scenes:\n  go", "scenes:\n\u00a0\u00a0go", "E0104", "indent with plain blanks", "scenes:\n  go"),
@@ -77,3 +78,16 @@ def test_one_slip_one_diagnostic_and_a_help_that_helps(
 def test_a_key_without_its_colon_is_shown_where_it_stands() -> None:
     (found,) = find(SPEC.replace(V, "V = m*a*cos(theta)"))
     assert found.code == "E0104" and found.span.start == SPEC.index(V)
+
+
+def test_parameters_that_are_assigned() -> None:
+    found = find(SPEC.replace("{m: 1, I: 0.3, a: 0.25}", "\n  - m = 1\n  - I = 0.3\n  - a = 0.25"))
+    assert [one.help[0] for one in found][:2] == [
+        f"write `{pair}`, without a `-` before it" for pair in ("m: 1", "I: 0.3")
+    ]
+
+
+def test_a_differential_under_holonomic_belongs_elsewhere() -> None:
+    found = find(SPEC.replace("constraints:", "holonomic:").replace("x' + cos(theta)*y'", "dx + cos(theta)*dy"))
+    assert [one.code for one in found] == ["E0209", "E0209"]
+    assert found[0].help[0].startswith("move the equation to `constraints`")
