@@ -91,3 +91,9 @@ def test_a_differential_under_holonomic_belongs_elsewhere() -> None:
     found = find(SPEC.replace("constraints:", "holonomic:").replace("x' + cos(theta)*y'", "dx + cos(theta)*dy"))
     assert [one.code for one in found] == ["E0209", "E0209"]
     assert found[0].help[0].startswith("move the equation to `constraints`")
+
+
+def test_a_prime_that_was_forgotten_in_the_energy() -> None:
+    (found,) = find(SPEC.replace("theta'^2", "theta^2").replace(SLIP, "- x' = y'"))
+    assert found.code == "E0404"
+    assert found.help == ("write `theta'` where a velocity is meant: `T` contains `theta` without a prime only",)
