@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Collection
 
 from nhc.language.expressions.loanwords import ACCELERATIONS
-from nhc.language.expressions.names import ENERGIES
+from nhc.language.expressions.names import ENERGIES, FUNCTIONS, is_name
 
 _DOT, _DOTS = "\u0307", "\u0308"  # combining marks of first and second derivatives
 # how a rate is spelled elsewhere; the most telling first
@@ -32,9 +32,10 @@ KEYS: dict[str, tuple[str, str]] = {
     **dict.fromkeys(("variables", "vars", "generalized_coordinates", "states", "state"), ("coordinates", "")),
     **dict.fromkeys(("constants", "const"), ("parameters", "")),
     **dict.fromkeys(("let", "where", "definitions", "expressions", "auxiliary"), ("define", "")),
-    **dict.fromkeys(("force", "torques", "inputs", "generalized_forces"), ("forces", "")),
+    **dict.fromkeys(("holonomic_constraints", "geometric_constraints", "position_constraints"), ("holonomic", "")),
+    **dict.fromkeys(("Q", "force", "torques", "inputs", "generalized_forces"), ("forces", "")),
     **dict.fromkeys(("velocities", "speeds", "pseudo_velocities", "quasivelocities"), ("quasi_velocities", "")),
-    **dict.fromkeys(("nonholonomic", "constraint"), ("constraints", "")),
+    **dict.fromkeys(("nonholonomic", "nonholonomic_constraints", "constraint"), ("constraints", "")),
     **dict.fromkeys(("title", "description", "comment"), ("about", "")),
     **dict.fromkeys(("name",), ("system", "")),
     **dict.fromkeys(("unit", "units", "dimensions"), ("", _UNITS)),
@@ -127,8 +128,11 @@ def advise_need(name: str) -> str:
     return f"show it under `outputs`: `{name if name not in ENERGIES else f'{name}_shown'}: {name}`"
 
 
-def foreign_name(name: str) -> str:
+def foreign_name(name: str, known: Collection[str]) -> str:
     """What to do about a name that means something elsewhere and nothing here; empty for others."""
+    for function in FUNCTIONS:
+        if name.startswith(function) and name.removeprefix(function) in known:
+            return f"write `{function}({name.removeprefix(function)})`"
     if name == "e":
         return "a power of e is written `exp(...)`; another `e` is to be declared"
     if name in ("deg", "degree", "degrees"):
@@ -136,6 +140,24 @@ def foreign_name(name: str) -> str:
     if re.fullmatch(r"(lambda|reaction)s?_?\w*", name):
         return "reactions are no part of expressions: a scene asks for them by `need: [reactions]`"
     return ""
+
+
+def meant_name(shown: str) -> str:
+    """What to write for a text that is no name and stands where one is due."""
+    if shown[:1].isdigit() and is_name(f"a{shown}"):
+        return f"a name starts with no digit: write `{shown.lstrip('0123456789_') or 'a'}{shown[:1]}`, for example"
+    parts = re.split(r"[\s,;]+", shown.strip(" ,;"))
+    plain = re.sub(r"_*\W+_*", "_", unicodedata.normalize("NFKC", shown)).strip("_")
+    if len(parts) == 1 and "'" not in shown and is_name(plain):  # x₁, l-1, $\mu$
+        return f"write `{plain}`, for example: a name is made of letters, digits and `_`"
+    if len(parts) > 1 and all(map(is_name, parts)):
+        if ";" in shown:
+            return f"commas separate names: write `{', '.join(parts)}`"
+        return f"a name holds no blanks: write `{'_'.join(parts)}`, or `{', '.join(parts)}` for several names"
+    pair = re.fullmatch(r"(\w+)\s+=\s+([^=]+)", shown)
+    if pair and is_name(pair[1]):
+        return f"write `{pair[1]}: {pair[2].strip()}`, without a `-` before it"
+    return "a name is made of letters, digits and `_`, and starts with no digit"
 
 
 def meant_entry(name: str, known: Collection[str]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, several, suggest
@@ -144,7 +145,8 @@ class _Decoder:
         if text is None:
             return ""
         if not re.fullmatch(SYSTEM_PATTERN, text.value):
-            better = re.sub("[^a-z0-9_]+", "_", fold(text.value).lower()).strip("_")
+            bare = "".join(x for x in unicodedata.normalize("NFKD", fold(text.value)) if not unicodedata.combining(x))
+            better = re.sub("[^a-z0-9_]+", "_", bare.lower()).strip("_")
             help = f"write `{better}`" if re.fullmatch(SYSTEM_PATTERN, better) else "write a name such as `my_system`"
             message = f"`{text.value}` is no name of a system: lower case letters, digits and `_`, a letter first"
             self.bag.error("E0310", message, text.span, help=(help,))
@@ -286,7 +288,7 @@ class _Decoder:
 
     def _holonomic(self, equations: Equations) -> tuple[Holonomic, ...]:
         return tuple(
-            Holonomic(name, self._check(left, ""), self._check(right, ""), span)
+            Holonomic(name, self._check(left, "holonomic"), self._check(right, "holonomic"), span)
             for name, span, left, right in equations.read("holonomic", "h")
         )
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Span, nearest, quote
 from nhc.language.advice import advise_need, meant_rate, meant_scene_key
+from nhc.language.expressions.loanwords import ACCELERATIONS
 from nhc.language.expressions.names import ENERGIES, fold
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.expressions.syntax import Number, Syntax
@@ -51,6 +53,10 @@ def decode_scenes(
         return ()
     reader = _SceneReader(shapes, scope, parameters, rotations, constrained, constraints)
     found: dict[str, Scene] = {}
+    if isinstance(table.get("time"), Items):
+        help = "give the scene a name: `scenes: {go: {initial: {...}, time: [0, 10]}}`"
+        shapes.bag.error("E0301", "a scene without a name", table.entries[0][0].span, help=(help,))
+        return ()
     for text, value in table.entries:
         good = check_name(text, shapes.bag)
         scene = reader.read(text, value)
@@ -125,7 +131,7 @@ class _SceneReader:
         near = nearest(name, known)
         rate = meant_rate(name, [other for other in self.scope.of_kind("coordinate") if f"{other}'" in known])
         defined = self.scope.kind(name) in ("define", "entry", "output")
-        several = [part.strip() for part in text.value.split(",")]
+        several = re.split(r"[\s,;]+", text.value.strip())
         if what == _NEEDED and len(several) > 1 and all(fold(part) in known for part in several):
             help = f"write `need: [{', '.join(several)}]`"
         elif what == _NEEDED and (defined or name in ENERGIES):
@@ -136,8 +142,8 @@ class _SceneReader:
                 help += ", or move it to `quasi_velocities` where it is a velocity"
         elif self.scope.kind(name) == "parameter" and what != _NEEDED:
             help = f"values of parameters stand beside `initial`: `parameters: {{{name}: ...}}`"
-        elif rate:
-            help = rate
+        elif rate or name.endswith("''"):
+            help = rate or ACCELERATIONS
         elif near:
             help = f"did you mean `{near}`?"
         elif known:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import re
-import unicodedata
 from collections.abc import Mapping, Sequence
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
-from nhc.language.advice import foreign_name, meant_entry, meant_force, meant_rate
+from nhc.language.advice import foreign_name, meant_entry, meant_force, meant_name, meant_rate
 from nhc.language.expressions.names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, fold_typed, is_name
 from nhc.language.expressions.syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
 from nhc.language.expressions.unparse import unparse
@@ -226,6 +224,8 @@ class Scope:
                 f"the velocity is `{name[1:]}'`" if name != "dt" else "a velocity is written with a prime, as `x'`"
             )
             help = f"differentials are for `constraints` only; {instead}"
+            if place == "holonomic":
+                help = "move the equation to `constraints`: an equation with velocities or differentials has its place there"
             self.bag.error("E0209", message, node.span, help=(help,))
             return
         help = ""
@@ -247,7 +247,8 @@ class Scope:
             if place == "equation" and name[0] == "d":
                 rate = rate or self._advise_differential(name[1:])
             where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"
-            help = rate or foreign_name(name) or (f"did you mean `{near}`?" if near else f"declare it under {where}")
+            otherwise = f"did you mean `{near}`?" if near else f"declare it under {where}"
+            help = rate or foreign_name(name, known) or otherwise
         self.bag.error("E0302", message, node.span, help=(help,))
 
     def _advise_differential(self, name: str) -> str:
@@ -315,16 +316,7 @@ def check_name(text: Text, bag: Bag) -> bool:
     if is_name(text.value):
         return True
     shown = text.value[:40]
-    help = "a name is made of letters, digits and `_`, and starts with no digit"
-    if shown[:1].isdigit() and is_name(f"a{shown}"):
-        help = f"a name starts with no digit: write `{shown.lstrip('0123456789_') or 'a'}{shown[:1]}`, for example"
-    parts = shown.replace(",", " ").split()
-    plain = re.sub(r"_*\W+_*", "_", unicodedata.normalize("NFKC", shown)).strip("_")
-    if len(parts) == 1 and "'" not in shown and is_name(plain):  # x₁, l-1, $\mu$
-        help = f"write `{plain}`, for example: a name is made of letters, digits and `_`"
-    if len(parts) > 1 and all(map(is_name, parts)):
-        help = f"a name holds no blanks: write `{'_'.join(parts)}`, or `{', '.join(parts)}` for several names"
-    bag.error("E0307", f"`{text.value[:40]}` is not a name", text.span, help=(help,))
+    bag.error("E0307", f"`{shown}` is not a name", text.span, help=(meant_name(shown),))
     return False
 
 

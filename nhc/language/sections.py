@@ -9,7 +9,7 @@ from nhc.language.expressions.names import is_name
 from nhc.language.expressions.syntax import Syntax
 from nhc.language.keys import COORDINATE_KEYS, PARAMETER_KEYS
 from nhc.language.scope import Scope
-from nhc.language.shape import Shapes, undashed
+from nhc.language.shape import Shapes, is_unit, undashed
 from nhc.language.spec import Coordinate, Parameter
 from nhc.language.units.dimensions import UnitError, parse_unit
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
@@ -35,14 +35,6 @@ def _of_parameter(key: str, present: Collection[str]) -> tuple[str, str]:
         if key == "value"
         else ("", "")
     )
-
-
-def _is_unit(text: str) -> bool:
-    try:
-        parse_unit(text)
-    except UnitError:
-        return False
-    return True
 
 
 def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[tuple[Text, Node | None]]:
@@ -88,7 +80,7 @@ def decode_coordinates(node: Node | None, shapes: Shapes, scope: Scope) -> list[
 def _decode_coordinate(name: str, text: Text, value: Node | None, shapes: Shapes) -> Coordinate:
     what = f"coordinate `{text.value}`"
     help = f"write `{text.value}: {{unit: m, about: ...}}`, or list the names: `coordinates: [{text.value}, ...]`"
-    if isinstance(value, Text) and _is_unit(value.value):
+    if isinstance(value, Text) and is_unit(value.value):
         help = f"write `{text.value}: {{unit: {value.value}}}`"
     table = shapes.table(value, f"a mapping for {what}", help) if value is not None else None
     if table is None:

@@ -11,13 +11,14 @@ from nhc.language.expressions.constant import ConstantError, evaluate
 from nhc.language.expressions.names import FUNCTIONS, PI, is_name
 from nhc.language.expressions.numbers import DOUBLES, exact
 from nhc.language.expressions.parser import parse_expression
-from nhc.language.expressions.syntax import Name, Negate, Number, Syntax, walk
+from nhc.language.expressions.syntax import Binary, Name, Negate, Number, Syntax, walk
 from nhc.language.keys import Key
 from nhc.language.units.dimensions import UnitError, parse_unit
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text, describe
 from nhc.language.yaml_tree.reader import is_empty
 
 Elsewhere = Callable[[str, Collection[str]], tuple[str, str]]
+_PLAIN = r"[0-9]{1,9}(?:\.[0-9]{1,9})?"  # a number of few digits
 _MEASURED = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*([^\W\d_][^()]*)")
 
 
@@ -175,6 +176,8 @@ class Shapes:
                 help = f"write the number in place of `{node.name}`"
                 if declares:
                     help += ", or move the expression to `define`, where it may contain other names"
+                if declares and isinstance(tree, Binary) and literal(tree.left) is not None and is_unit(node.name):
+                    help += f"; a unit is written `{{value: ..., unit: {node.name}}}`"
                 self.bag.error("E0314", message, node.span, help=(help,))
                 return False
         try:
@@ -193,8 +196,14 @@ class Shapes:
 
     def interval(self, node: Node, what: str) -> tuple[Fraction, Fraction] | None:
         """Return two numbers of which the second is larger."""
-        single = node.value if isinstance(node, Text) and re.fullmatch("[0-9]{1,9}", node.value) else ""
-        help = f"write `[0, {single}]`" if single else "write `[low, high]`"
+        written = (
+            re.fullmatch(rf"({_PLAIN})(?:\s*(?:\.\.+|-|to|,|;)\s*({_PLAIN}))?", node.value)
+            if isinstance(node, Text)
+            else None
+        )
+        help = "write `[low, high]`"
+        if written:
+            help = f"write `[{written[1]}, {written[2]}]`" if written[2] else f"write `[0, {written[1]}]`"
         items = self.items(node, f"a list of two numbers for {what}", help)
         if items is None:
             return None
@@ -203,6 +212,8 @@ class Shapes:
             only = items.items[0] if len(items.items) == 1 else None
             parts = only.value.split() if isinstance(only, Text) else []
             help = f"write `[{parts[0]}, {parts[1]}]`" if len(parts) == 2 else "write `[low, high]`"
+            if len(items.items) > 2:
+                help += "; decimal numbers are written with `.`"
             self.bag.error("E0301", message, items.span, help=(help,))
             return None
         low, high = (self.number(item, what) for item in items.items)
@@ -215,6 +226,15 @@ class Shapes:
             self.bag.error("E0313", message, items.items[1].span, labels=(first,), help=(help,))
             return None
         return low, high
+
+
+def is_unit(text: str) -> bool:
+    """Whether a text is a unit."""
+    try:
+        parse_unit(text)
+    except UnitError:
+        return False
+    return True
 
 
 def literal(tree: Syntax) -> Fraction | None:

@@ -144,7 +144,7 @@ def make_page(lab: Laboratory) -> str:
 def _describe(job: Job) -> str:
     """What the system is and what happens in the scene, as far as the spec says so."""
     system, scene = job.program.about, job.scene.about
-    told = f"The scene `{job.scene.name}`: {scene}" if scene else ""
+    told = f"The scene `{job.scene.name}`: {scene.rstrip('.')}." if scene else ""
     return f"{system.rstrip('.')}. {told}" if system and told else system or told
 
 

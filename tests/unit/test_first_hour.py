@@ -242,7 +242,7 @@ def test_equality_as_programs_write_it(entry: str) -> None:
 def test_a_constraint_is_no_inequality(sign: str) -> None:
     (found,) = find(SPEC + f"constraints:\n  - x' {sign} l*θ'\n")
     assert (found.code, found.message) == ("E0201", f"unexpected character `{sign[0]}`")
-    assert found.help[0].startswith("the language has no conditions")
+    assert "the language has no conditions" in found.help[0]
 
 
 def test_two_equations_in_one_entry() -> None:
@@ -377,8 +377,8 @@ def test_positions_that_were_forgotten() -> None:
     [
         ("  k: {value: 1}", "    k: {value: 1}", "this does not continue what stands above", "indent the entries"),
         ("dependent: [y, R_0]", "dependent [y, R_0]", "a key without its `:`", "write `key: value`"),
-        ("m: {value: 2}", "m: {value: 2", "expected ',' or '}'", "part the entries by commas"),
-        ("[y, R_0]", "[y, R_0", "expected ',' or ']'", "close the list"),
+        ("m: {value: 2}", "m: {value: 2", "expected ',' or '}'", "separate its entries by commas"),
+        ("[y, R_0]", "[y, R_0", "expected ',' or ']'", "close the `["),
         ("V: k*x^2", "V: k*x^2: 1", "mapping values are not allowed here", "in quotes"),
         ("nhc: 1", "%YAML 9.0\n---\nnhc: 1", "incompatible YAML document", "leave the line out"),
     ],

@@ -215,3 +215,10 @@ def test_long_expressions_in_prose_may_be_broken_and_cut_ones_end_in_dots() -> N
 def test_bars_enclose_as_parentheses_do() -> None:
     pieces = LatexMath({}).pieces(Power(Call("abs", (Pi(),)), 3))
     assert "".join(piece.text for piece in pieces) == r"|\pi|^{3}"
+
+
+def test_what_divides_a_sum_with_fractions_stands_ahead_of_it() -> None:
+    half = Binary("+", Pi(), Binary("/", Call("sin", (Pi(),)), Call("cos", (Pi(),))))
+    quotient = Binary("/", Binary("*", Call("sin", (Pi(),)), half), Call("exp", (Pi(),)))
+    text = "".join(piece.text for piece in LatexMath({}).pieces(quotient))
+    assert text.startswith(r"\frac{\sin(\pi)}{\exp(\pi)}\,\Bigl(\pi + \frac{") and "^{-1}" not in text

@@ -87,13 +87,24 @@ class LatexMath:
         return [*sign, *self._quotient(product, over, under)]
 
     def _quotient(self, product: Product, over: list[Piece], under: list[Piece]) -> list[Piece]:
-        """A fraction where both parts are narrow and flat, else its denominator with a negative exponent."""
+        """A fraction where both parts are narrow and flat, else one before the factors in parentheses.
+
+        A denominator that is neither has a negative exponent.
+        """
         top, bottom = product.parts
         below = self.pieces(product.under[0]) if len(product.under) == 1 and not bottom else under
         above = self.pieces(product.over[0]) if len(product.over) == 1 and not top else over
         width = max(total(above), total(below))
-        if width <= _FRACTION and not any(r"\frac" in piece.text for piece in (*above, *below)):
+        if width <= _FRACTION and _is_flat((*above, *below)):
             return [Piece(rf"\frac{{{_join(above)}}}{{{_join(below)}}}", width + 4.0)]
+        sums = tuple(factor for factor in product.over if isinstance(factor, Binary | Negate))
+        ahead = self._factors(tuple(factor for factor in product.over if factor not in sums))
+        if top or not ahead:
+            ahead = [_piece(top or "1"), *(_thin(ahead) if ahead else [])]
+        width = max(total(ahead), total(below))
+        if sums and width <= _FRACTION and _is_flat((*ahead, *below)):
+            fraction = Piece(rf"\frac{{{_join(ahead)}}}{{{_join(below)}}}", width + 4.0)
+            return [fraction, *_thin(self._factors(sums))]
         inverse = self._inverse(product, below)
         if [piece.text for piece in over] == ["1"]:
             return inverse
@@ -175,6 +186,10 @@ def _number(value: Fraction) -> Piece:
     if not below:
         return _piece(above or "1")
     return Piece(rf"\tfrac{{{above or '1'}}}{{{below}}}", 4.0 * max(len(above), len(below)) + 3.0)
+
+
+def _is_flat(pieces: Sequence[Piece]) -> bool:
+    return not any(r"\frac" in piece.text for piece in pieces)
 
 
 def _thin(pieces: list[Piece]) -> list[Piece]:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 
 CONDITIONS = "the language has no conditions: write them with `sign`, `min` or `max`"
+COMMENT = "a comment begins with a blank and `#`"
+_INEQUALITIES = "write a constraint with `=`; " + CONDITIONS
 ACCELERATIONS = "a spec speaks of positions and velocities only; accelerations are what nhc derives"
 _GRAMMAR = "expressions hold numbers, names, `+ - * / ^ ( ) , '` and `=`"
 _SIGNS = {
@@ -38,12 +41,13 @@ _SIGNS = {
     "}": "use round parentheses",
     "|": "write `abs(...)`",
     '"': "write `'` twice only for a second derivative, which the language has not",
-    "%": "the language has no remainder; a comment begins with a blank and `#`",
-    "#": "a comment begins with a blank and `#`",
+    "%": f"the language has no remainder; {COMMENT}",
+    "#": COMMENT,
     ";": "leave the `;` out",
     "$": "leave the `$` out: expressions are not LaTeX",
     "<": CONDITIONS,
     ">": CONDITIONS,
+    **dict.fromkeys("\u2264\u2265", _INEQUALITIES),
 }
 _MODULES = ("np", "numpy", "jnp", "math", "cmath", "Math", "sp", "sympy", "sym", "std")
 _LATEX = {
@@ -92,7 +96,28 @@ def meant_sign(text: str, at: int) -> str:
     )
     if share:
         return f"write `{share[1]}/100`"
-    return _meant_latex(text[at + 1 :]) if text[at] == "\\" else _SIGNS.get(text[at], _GRAMMAR)
+    if text[at] == "\\":
+        return _meant_latex(text[at + 1 :])
+    return _meant_pair(text, at) or _SIGNS.get(text[at]) or _meant_wide(text[at])
+
+
+def _meant_pair(text: str, at: int) -> str:
+    """What to do about a sign that means something together with its neighbours."""
+    pair = text[at : at + 2]
+    if pair in ("<=", ">="):
+        return _INEQUALITIES
+    if pair == ":=":
+        return "write `=`"
+    whose, index = re.search(r"[^\W\d]\w*$", text[:at]), re.match(r"\[(\d+)\]", text[at:])
+    return f"there are no arrays here: write `{whose.group()}{index[1]}`" if whose and index else ""
+
+
+def _meant_wide(sign: str) -> str:
+    """What to do about a blank or a sign that only looks like one of this language."""
+    if unicodedata.category(sign) in ("Zs", "Cf"):
+        return "replace it by a plain blank: it looks like one, or like nothing"
+    plain = unicodedata.normalize("NFKC", sign)
+    return f"write `{plain}`" if plain != sign and plain in "+-*/^(),'=" else _GRAMMAR
 
 
 def _meant_dot(text: str, at: int) -> str:
@@ -118,6 +143,23 @@ def _meant_latex(rest: str) -> str:
     return known or (
         f"write `{word.group()}`, without the `\\`" if word.group() not in ("", "left", "right") else "leave it out"
     )
+
+
+def within(text: str) -> str:
+    """What stands in the parentheses with which a text begins; `x` where it is long, or they are never closed."""
+    depth = 0
+    for at, sign in enumerate(text[:24]):
+        depth += (sign == "(") - (sign == ")")
+        if not depth:
+            return text[1:at].strip()
+    return "x"
+
+
+def meant_power(function: str, argument: str, power: str) -> str:
+    """What to write where the power stands behind the name of a function: `sin^2(x)`, `sin^-1(x)`."""
+    if power == "-1" and function in ("sin", "cos", "tan"):
+        return f"write `a{function}({argument})`, or `1/{function}({argument})` for the reciprocal"
+    return f"write `{function}({argument})^{power}`"
 
 
 def meant_call(name: str, rest: str) -> str:

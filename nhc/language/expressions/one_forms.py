@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from nhc.diagnostics import Bag, Label
+from nhc.language.expressions.names import TIME
 from nhc.language.expressions.syntax import (
     Binary,
     Call,
@@ -87,7 +88,10 @@ class _Degrees:
             case Binary() if 1 in parts:
                 if node.op == "^":
                     return self._refuse(node, "a power with a differential is no 1-form")
+                found = next((part for part in walk(node.left) if isinstance(part, Differential)), None)
                 help = "a constraint on velocities is written with a prime: `x' - y*z' = 0`"
+                if found and found.name != TIME and isinstance(node.right, Differential) and node.right.name == TIME:
+                    help = f"write `{found.name}'` in place of `d{found.name}/dt`"
                 return self._refuse(node, "a quotient by a differential is no 1-form", help)
             case Call() if 1 in parts:
                 return self._refuse(node, f"`{node.function}` of a differential is no 1-form")

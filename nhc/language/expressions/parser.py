@@ -11,8 +11,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Span, nearest
-from nhc.language.expressions.loanwords import ACCELERATIONS, CONDITIONS, meant_call
-from nhc.language.expressions.names import DOT, FUNCTIONS
+from nhc.language.expressions.loanwords import ACCELERATIONS, COMMENT, CONDITIONS, meant_call, meant_power, within
+from nhc.language.expressions.names import DOT, FUNCTIONS, TIME
 from nhc.language.expressions.numbers import DOUBLES, exact
 from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Prime, Syntax
 from nhc.language.expressions.tokens import LONGEST, ExpressionError, Locate, Token, tokenise
@@ -102,6 +102,8 @@ class _Parser:
             return ExpressionError("E0208", "`==` in place of `=`", self._span(token), "write a single `=`")
         advice = {"+": "leave the `+` out", "prime": "the prime follows a name or a parenthesis: `x'`"}
         help = advice.get(token.kind, f"leave the `{token.text}` out, or write the operand before it")
+        if token.kind == "/" and self.text[: token.start].endswith("/"):
+            help = COMMENT
         return ExpressionError(
             "E0202", f"expected a number, a name or `(`, found `{token.text}`", self._span(token), help
         )
@@ -158,23 +160,28 @@ class _Parser:
 
     def _advise(self, token: Token, node: Syntax, right: str) -> str:
         """What was meant where a function stands without its parentheses, or a number as programming languages write it."""
-        argument = "x" if token.kind == "(" else right
+        argument = within(self.text[token.start :]) if token.kind == "(" else right
         inner = node.operand if isinstance(node, Prime) else node
         if isinstance(inner, Name) and inner.name in _ARITY:
             call = f"{inner.name}({argument})"
             return f"write `{call if inner is node else f'{DOT}({call})'}`"
         if token.text == DOT and isinstance(node, Name):
             return f"write `{node.name}'`"
+        start, end = self.operands[-1][1:]
+        if argument == TIME and isinstance(inner, Name):
+            return f"write `{self.text[start:end]}`: nhc knows which names change in time"
+        if isinstance(node, Name) and node.name == "near" and token.kind == "number":
+            return f"write `{{near: {token.text}}}`"
         if not isinstance(node, Number):
             return ""
         if token.kind == "number":
-            start, end = self.operands[-1][1:]
             return f"write the digits of a number without blanks: `{self.text[start:end]}{token.text}`"
-        base = self.operands[-2][0] if len(self.operands) > 1 and self.frames[-1].kind == "^" else None
+        pending = [frame.kind for frame in self.frames[-2:]]
+        base = self.operands[-2][0] if pending[-1:] == ["^"] or pending == ["^", "negate"] else None
         if isinstance(base, Name) and base.name in _ARITY:
-            return f"write `{base.name}({argument})^{self.text[self.operands[-1][1] : self.operands[-1][2]]}`"
+            return meant_power(base.name, argument, "-" * (pending[-1] == "negate") + self.text[start:end])
         if token.text in ("deg", "degree", "degrees"):
-            return f"angles are in radians: write `{self.text[self.operands[-1][1] : self.operands[-1][2]]}*pi/180`"
+            return f"angles are in radians: write `{self.text[start:end]}*pi/180`"
         if token.text in ("e", "E"):
             return "write the exponent behind the `e`, as in `1e3`"
         if not node.value and token.text[:1] in ("x", "b", "o") and len(token.text) > 1:
@@ -240,6 +247,8 @@ class _Parser:
         around = self.text[max(0, token.start - 1) : token.start], self.text[token.end : token.end + 1]
         if all(x.isdigit() for x in around):
             return "decimal numbers are written with `.`"
+        if not self.text[token.end :].strip():
+            return "leave the `,` out"
         return "write one equation per entry of the list" if self.equation else "write one expression here"
 
     def _equal(self, token: Token) -> None:
@@ -248,9 +257,10 @@ class _Parser:
             help = "close the parenthesis before the `=`"
             raise ExpressionError("E0208", "`=` inside of a parenthesis", self._span(token), help)
         if not self.equation:
-            raise ExpressionError(
-                "E0208", "`=` in an expression", self._span(token), "only constraints and `holonomic` hold equations"
-            )
+            help = "only constraints and `holonomic` hold equations"
+            if isinstance(self.operands[-1][0], Name):
+                help = f"leave `{self.text[: token.end].strip()}` out: {help}"
+            raise ExpressionError("E0208", "`=` in an expression", self._span(token), help)
         if self.equals is not None:
             raise ExpressionError("E0208", "more than one `=`", self._span(token), "write one equation per entry")
         self.equals = token

@@ -91,7 +91,8 @@ def _number(text: str, start: int, end: int, locate: Locate) -> Token:
     if end < len(text) and (text[end] == "." or (text[end] == "_" and text[end + 1 : end + 2].isdigit())):
         while end < len(text) and (text[end] in "._" or text[end].isdigit()):
             end += 1
-        raise ExpressionError(
-            "E0210", f"malformed number `{text[start:end]}`", locate(start, end), "write digits with at most one `.`"
-        )
+        help = "write digits with at most one `.`"
+        if text[start:end].count(".") < 2:
+            help = f"write the digits of a number without `_`: `{text[start:end].replace('_', '')}`"
+        raise ExpressionError("E0210", f"malformed number `{text[start:end]}`", locate(start, end), help)
     return Token("number", text[start:end], start, end)

@@ -36,13 +36,16 @@ _SYNTAX = (
         "indent the entries of one mapping or list alike, each `key: value` on a line of its own",
     ),
     ("could not find expected ':'", "a key without its `:`", "write `key: value`; what goes on is indented below its key"),
-    ("expected ',' or '}'", "", "part the entries by commas, as in `{a: 1, b: 2}`, and put texts with commas between quotes"),
-    ("expected ',' or ']'", "", "close the list, separate its entries by commas, and put texts with commas in quotes"),
+    ("expected ',' or '}'", "", "close the `{`, separate its entries by commas, and put texts with commas in quotes"),
+    ("expected ',' or ']'", "", "close the `[`, separate its entries by commas, and put texts with commas in quotes"),
     ("sequence entries are not allowed", "", "begin each `- ` on its own line below its key; quote a text that begins so"),
     ("expected '<document start>'", "this does not continue what stands above", "let all keys of a spec begin in one column"),
     ("incompatible YAML document", "", "leave the line out"),
+    ("node content, but found ','", "a comma with nothing before it", "leave the `,` out"),
+    ("expected chomping or indentation", "", "write `abs(...)`; the lines of a long text begin below its `|`"),
 )  # fmt: skip
 _PRIME_ENDS = re.compile(r"(?:^|[:,\[{-])\s*'[^'\n]*'\s*$")  # a text in single quotes, up to here
+_WIDE_BLANK = re.compile("(?m)^ *([\u00a0\u2000-\u200b\u202f\u3000])")
 _NO_BLANK = re.compile(r"\s*(?:- )?([\w']+):[^\s/]")
 _FAST: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -107,7 +110,9 @@ def _report_syntax(text: str, error: yaml.MarkedYAMLError, bag: Bag) -> None:
     at = mark.index if mark else 0
     problem = (error.problem or "syntax error").rstrip(".").replace("\n", " ")
     labels: tuple[Label, ...] = ()
-    if error.context_mark and error.context and error.context_mark.index != at:
+    if error.context_mark and "could not find expected ':'" in problem:
+        at = error.context_mark.index  # the key itself: what YAML names is the line below it
+    elif error.context_mark and error.context and error.context_mark.index != at:
         start = error.context_mark.index
         labels = (Label(Span(start, start + 1), str(error.context)),)
     told = ((said or problem, advice) for part, said, advice in _SYNTAX if part in problem)
@@ -127,6 +132,8 @@ def _look_around(text: str, at: int, start: int) -> str:
     if at == len(text) and text[start : start + 1] in ("'", '"'):
         return f"close the text with `{text[start]}`"
     lines = text[:at].split("\n")
+    if any(line.lstrip().startswith(("//", "% ")) for line in (*lines[-2:], text[start:].split("\n")[0])):
+        return "a comment begins with `#`"
     if _PRIME_ENDS.search(lines[-1]):
         return "a prime ends a text between `'`: leave the quotes out, or put it between `\"`"
     for line in (text[text.rfind("\n", 0, start) + 1 :].split("\n")[0], *lines[-2:-1]):
@@ -141,6 +148,11 @@ def _check_characters(source: Source, bag: Bag) -> None:
     if found:
         code = f"U+{ord(found.group()):04X}"
         bag.error("E0102", f"the character {code} is not allowed in a spec", Span(*found.span()), help=("remove it",))
+        raise Stop
+    blank = _WIDE_BLANK.search(source.text)
+    if blank:
+        message = f"YAML: a line is indented with U+{ord(blank[1]):04X}, which is no blank"
+        bag.error("E0104", message, Span(*blank.span(1)), help=("indent with plain blanks",))
         raise Stop
 
 

@@ -27,15 +27,26 @@ def check_determined(system: System, mass: Sequence[Sequence[Node]], *, bordered
         return
     bare = list_bare(system)
     what = quote(bare)
+    still = [name for name in system.q_names if f"{name}'" in bare and _stands_without_prime(system, name)]
+    advice = "give each coordinate an inertia, or remove the coordinate"
+    if still:
+        rates = quote(f"{name}'" for name in still)
+        advice = f"write {rates} where a velocity is meant: `T` contains {quote(still)} without a prime only"
     bag = Bag(system.spec.origin)
     bag.error(
         "E0404",
         f"`T` has no second-order part in {what}" if bare else "the mass matrix is singular for every state",
         _place(system, bare),
         notes=("the accelerations would not be determined by the forces",),
-        help=("give each coordinate an inertia, or remove the coordinate",),
+        help=(advice,),
     )
     bag.raise_if_errors()
+
+
+def _stands_without_prime(system: System, name: str) -> bool:
+    """Whether T depends on a coordinate, and not on its velocity: a prime may have been forgotten."""
+    g, index = system.graph, system.q_names.index(name)
+    return g.depends(system.T, g.deps[system.q[index]]) and not g.depends(system.T, g.deps[system.v[index]])
 
 
 def warn_of_bare(system: System, bag: Bag) -> None:

@@ -191,7 +191,7 @@ def _notation(desk: Desk, sheet: DraftSheet) -> None:
     force = "X_i" if name == "newton" else "Q_i"
     sheet.say(f"In the general formulas {counted}. ${force}$ is the whole force, that of the potential included.")
     if name in NOTATION:
-        sheet.say("The letters stand for")
+        sheet.say("The constraints are written" if name == "multipliers" else "The letters are defined by")
         sheet.add(NOTATION[name])
 
 

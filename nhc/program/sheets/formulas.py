@@ -139,12 +139,14 @@ CONTRACTION_NEWTON = Formula(
 )
 ENERGY_THEOREM = Formula(
     "d/dt (p_i q_i' - T - U) = Q_i q_i' - dT/dt - dU/dt - lambda_alpha a_alpha"
-    "   (Q without the potential's part, d/dt at fixed q, q')",
+    "   (p_i = dT/dq_i', Q without the potential's part, dT/dt and dU/dt at fixed q, q')",
     r"\frac{d}{dt} (p_i \dot q_i - T - U) = Q_i \dot q_i - \frac{\partial T}{\partial t} - \frac{\partial U}{\partial t}"
-    r" - \lambda_\alpha a_\alpha \qquad (Q_i \text{ without the potential's part})",
+    r" - \lambda_\alpha a_\alpha \qquad \Bigl(p_i = \frac{\partial T}{\partial \dot q_i},\ Q_i"
+    r" \text{ without the potential's part}\Bigr)",
 )
 REACTION = Formula(
-    "Q_i becomes Q_i + lambda_alpha a_{alpha,i}",
-    r"Q_i \;\longrightarrow\; Q_i + \lambda_\alpha a_{\alpha i}",
+    "Q_i becomes Q_i + lambda_alpha a_{alpha,i}  for  a_{alpha,i} q_i' + a_alpha = 0",
+    r"Q_i \;\longrightarrow\; Q_i + \lambda_\alpha a_{\alpha i} \quad\text{for}\quad"
+    r" a_{\alpha i}\, \dot q_i + a_\alpha = 0",
     "I.4.1",
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from nhc.algebra.walks import count
 from nhc.diagnostics import Bag
 from nhc.mechanics.choosing.choose import formulate
@@ -31,6 +33,13 @@ def kind_sheet(desk: Desk) -> DraftSheet | None:
     for key in keys:
         line = facts.marked[key]
         sheet.say(line[:1].upper() + line[1:] + ("" if line.endswith(".") else "."))
+    found = (name for name in system.q_names if re.search(rf"\bp_{name}\b", facts.marked.get("conserved", "")))
+    momenta = [name for name in found if f"p_{name}" not in system.q_names]
+    if momenta:
+        first, also = momenta[0], ", and so on" if len(momenta) > 1 else ""
+        sheet.say(
+            f"Here $p_{first}$ is the momentum of ${first}$, the derivative of $T$ with respect to ${first}'${also}."
+        )
     return sheet
 
 
