@@ -7,10 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from nhc.algebra.bounds.common_zero import find_common_zero
-from nhc.algebra.calculus import gradient
-from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
-from nhc.algebra.rebuilding import substitute
-from nhc.algebra.solving.linear import degrees
+from nhc.algebra.exact.modular import Unlucky, is_zero
 from nhc.diagnostics import Bag, several
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.formulations.chaplygin import mark_letters
@@ -23,6 +20,7 @@ from nhc.mechanics.properties.integrals import PositionIntegral, find_position_i
 from nhc.mechanics.properties.named import named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
+from nhc.mechanics.properties.still import describe_affine, describe_kinetic
 from nhc.mechanics.regular.determined import warn_of_bare
 from nhc.mechanics.regular.regularity import Choice, choose_dependent
 from nhc.mechanics.regular.trials import trial_points
@@ -98,19 +96,9 @@ def _list_marked(expressions: Iterable[str]) -> str:
 
 
 def _kinetic(system: System, facts: Facts, explain: bool) -> None:
-    degree = degrees(system.graph, system.v)[system.T]
-    text = "quadratic in the velocities" if degree == 2 else "no polynomial of degree 2 in the velocities"
-    if degree == 2 and explain:
-        text = f"homogeneous {text}" if _is_homogeneous(system) else f"{text}, with terms of lower degree"
+    text = describe_kinetic(system, explain)
     timed = system.graph.depends(system.T, system.graph.deps[system.t])
     facts.say("rheonomic", timed, f"$T$: {text}{', contains the time' if timed else ''}")
-
-
-def _is_homogeneous(system: System) -> bool:
-    """Whether T, of degree 2 in the velocities, has no terms of lower degree: neither it nor a momentum is left at rest."""
-    g, rest = system.graph, dict.fromkeys(system.v, system.graph.zero)
-    at_rest = substitute(g, [system.T, *gradient(g, system.T, system.v)], rest, named=False)
-    return all(are_zero(g, at_rest))
 
 
 def _constraints(
@@ -121,7 +109,8 @@ def _constraints(
     except Unlucky:
         facts.say("hidden", None, f"integrability: {_UNDECIDED}")
         return ()
-    kinds = [word for word, holds in (("affine", found.affine), ("time-dependent", found.rheonomic)) if holds]
+    affine = describe_affine(system) if explain and found.affine else "affine"
+    kinds = [word for word, holds in ((affine, found.affine), ("time-dependent", found.rheonomic)) if holds]
     kind = ", ".join(kinds) or "homogeneous, scleronomic"
     growth = ", ".join(str(r) for r in found.growth)
     facts.say(
