@@ -35,7 +35,7 @@ def test_names_are_those_of_the_document() -> None:
 
 def test_a_momentum_has_the_name_of_its_coordinate_below() -> None:
     names = Names({}, ("rider_x", "phi_1", "p_0"))
-    assert print_inline("p_rider_x + p_phi_1 - p_0", names) == r"$p_{\mathit{rider}_{x}} + p_{\varphi_{1}} - p_{0}$"
+    assert print_inline("p_rider_x + p_phi_1 - p_0", names) == r"$p_{\mathit{rider}\,x} + p_{\varphi_{1}} - p_{0}$"
 
 
 @pytest.mark.parametrize("text", ["50 % of x", "a & b", r"x\y", "$"])

@@ -20,6 +20,7 @@ _SPECIAL |= {f"{base}{OTHER}": rf"\mathcal{{{base}}}" for base in "TUEHQ"}
 _SPECIAL |= {f"Delta{OTHER}": r"\mathcal{D}"}
 _SPECIAL |= {f"p{OTHER}": r"\mathcal{P}", f"lambda{OTHER}": r"\Lambda", f"omega{OTHER}": r"\varpi"}
 _AXES = frozenset("xyz0123456789")
+_WORDS = (r"\mathit{", r"\mathrm{", r"\text{")
 _LONG_WORD = 16
 _LONGEST_PART, _CHUNK = 25, 10  # characters
 _SYMBOLS = {
@@ -69,8 +70,10 @@ def spell_word(word: str) -> str:
 
 
 def spell_index(index: str) -> str:
-    """An index: what stands below a symbol, itself perhaps with an index."""
+    """An index: what stands below a symbol, a letter perhaps with an index of its own, as p_b; the parts of words stand in a row."""
     base, lower = spell_base(index)
+    if lower and base.startswith(_WORDS):
+        return r"\,".join([base, *map(spell_part, lower)])
     return f"{base}_{{{','.join(map(spell_part, lower))}}}" if lower else base
 
 
