@@ -27,7 +27,8 @@ FOOT = {"fixed": ["0", "0", "0"], "free": ["x", "y", "z"], "rolling": ["x", "y",
 
 @dataclass
 class Mixed:
-    """Bodies one on another; ``joints``: "R" a rotation from the body before, "S" one from space, else digits: axes of angles.
+    """Bodies one on another; ``joints``: "R" a rotation from the body before, "S" one from space, else digits: axes of angles, and
+    letters: those of constant ones.
 
     ``alike``: all bodies have one length, which sums then have in front; ``spheres``: the first has energy by components in space.
     """
@@ -114,16 +115,18 @@ class Mixed:
         ]
 
     def _turn(self, i: int, joint: str, old: Matrix, spin: list[str]) -> tuple[Matrix, list[str]]:
-        for place, axis in enumerate(map(int, joint)):
-            q = f"q{i}_{place}"
-            self.coordinates.append(q)
+        for place, sign in enumerate(joint):
+            tilted = sign in AXES
+            axis = AXES.index(sign) if tilted else int(sign)
+            q = self.number(f"b{i}_{place}") if tilted else f"q{i}_{place}"
+            self.coordinates += [] if tilted else [q]
             c, s, j, k = f"cos({q})", f"sin({q})", (axis + 1) % 3, (axis + 2) % 3
             matrix = [list(row) for row in old]
             for a, row in enumerate(old):
                 matrix[a][j] = self.name(f"S{i}_{place}_{a}{j}", f"({row[j]})*{c} + ({row[k]})*{s}")
                 matrix[a][k] = self.name(f"S{i}_{place}_{a}{k}", f"({row[k]})*{c} - ({row[j]})*{s}")
             made = {j: f"({spin[j]})*{c} + ({spin[k]})*{s}", k: f"({spin[k]})*{c} - ({spin[j]})*{s}"}
-            made[axis] = f"{spin[axis]} + {q}'"
+            made[axis] = spin[axis] if tilted else f"{spin[axis]} + {q}'"
             old, spin = matrix, [self.name(f"W{i}_{place}_{n}", made[n]) for n in range(3)]
         return old, spin
 
@@ -167,6 +170,10 @@ CASES = {
     "in space": Mixed(("R", "R"), frame="space"),
     "in space, on angles": Mixed(("12", "R", "0"), frame="space"),
     "angles on a rotation": Mixed(("R", "01", "12"), base="free"),
+    "tilted joints on a rotation": Mixed(("R", "x0", "y1"), base="free"),
+    "a tilted joint, and a tilted body": Mixed(("R", "y2", "0x"), base="free"),
+    "tilted twice": Mixed(("R", "yx2"), base="free"),
+    "a rotation on a tilted joint": Mixed(("R", "x2", "R"), base="free"),
     "a rotation on angles": Mixed(("20", "R", "1")),
     "one of space on the end": Mixed(("R", "S", "0"), base="free"),
     "a tree": Mixed(("R", "01", "R", "2"), base="free", parents=(0, 1, 1, 2)),
@@ -205,6 +212,14 @@ def test_the_work_is_linear(joints: str, base: str, each: int) -> None:
     """Also behind a base that a constraint holds: it stays with the base."""
     sizes = [operations(Mixed(("R", *[joints] * n), base=base, alike=True).text()) for n in (3, 5, 7)]
     assert sizes[2] - sizes[1] <= 1.05 * (sizes[1] - sizes[0]) <= 2 * 1.05 * each
+
+
+@pytest.mark.parametrize(
+    ("joints", "most"), [(("R", "y2", "1"), 1200), (("R", "2y", "1"), 860), (("R", "2", "1"), 800)]
+)
+def test_a_constant_tilt_costs_little(joints: tuple[str, ...], most: int) -> None:
+    """And components of an angular velocity are known with a number in front: a quaternion's are twice a sum of its rates."""
+    assert operations(Mixed(joints, base="free").text()) <= most
 
 
 @pytest.mark.parametrize("alike", [False, True])

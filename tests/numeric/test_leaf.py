@@ -14,6 +14,7 @@ from nhc.mechanics.linearize import hidden_leaf
 from nhc.mechanics.properties.conserved import find_conserved
 from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
+from nhc.mechanics.properties.leaf import Leaf, leaf_of
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
@@ -110,3 +111,21 @@ def test_a_leaf_is_spanned_by_brackets_of_brackets() -> None:
     )
     rows = np.array([float(x) for x in values]).reshape(-1, system.n)
     assert np.allclose(rows @ [0, 0, 1, 0, -1], 0)
+
+
+LOOP = """nhc: 1
+system: loop
+coordinates: [x, y, a, b]
+T: (x'^2 + y'^2 + a'^2 + b'^2)/2
+define: {X: x + cos(a), Y: x + 2*cos(b)}
+constraints: ["-sin(a)*x' + cos(a)*y' = 0"]
+holonomic: [X = Y]
+"""
+
+
+def test_a_floating_loop_does_not_contain_its_place() -> None:
+    """X - Y holds the coordinate x, which cancels: the equation is not one for it, and no point of a field is on its level."""
+    system = build(LOOP)
+    frame = frame_of(system)
+    assert leaf_of(system) == Leaf(())
+    assert classify(system, frame).hidden == 1

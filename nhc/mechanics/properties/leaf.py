@@ -162,7 +162,10 @@ def _last_step(system: System, equations: Sequence[Node]) -> tuple[Node, Step] |
 
 
 def _solve(system: System, equation: Node, x: Node) -> Step | None:
-    """A polynomial whose leading coefficient contains parameters only, so that no factor of it lacks the coordinate; or None."""
+    """A polynomial whose leading coefficient contains parameters only, so that no factor of it lacks the coordinate; or None.
+
+    None, too, where the coordinate cancels, as the place of a floating loop does in the equations that close it.
+    """
     g = system.graph
     holders = [node for node in reachable(g, [equation], g.mask([x])) if g.depends(node, g.deps[x])]
     if any(g.op[node] not in _OPEN or (g.op[node] == POW and g.b[node] < 0) for node in holders):
@@ -171,7 +174,7 @@ def _solve(system: System, equation: Node, x: Node) -> Step | None:
     bend = derivative(g, slope, x)
     linear = is_zero(g, bend)
     leading = slope if linear else bend
-    if g.depends(leading, g.mask((*system.q, system.t))):
+    if g.depends(leading, g.mask((*system.q, system.t))) or is_zero(g, leading):
         return None
     c0, c1, c2 = substitute(g, [equation, slope, bend], {x: g.zero}, named=False)
     return Step(x, (c0, c1, g.div(c2, g.number(2))), not linear)

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
+from fractions import Fraction
 
 from nhc.algebra.calculus import tangent
 from nhc.algebra.exact.field import Unlucky
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.parts import split_parameters
 from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.algebra.walks import reachable
 from nhc.mechanics.energies.kinetic import Kinetic
@@ -32,9 +34,10 @@ from nhc.mechanics.trees.weight import Weighed, field_of, weigh
 from nhc.records import fresh, structure
 
 _FEW = 3  # coordinates of what moves in another way than by turning
+_TILTS = 2  # turns at its end of which no point of a body tells
 
 
-Named = dict[tuple[int, ...], tuple[Frame, Vector, int]]
+Named = dict[tuple[int, ...], tuple[Frame, Vector, Fraction]]
 
 
 @structure
@@ -121,6 +124,12 @@ def _depth(placed: tuple[Components, Point]) -> int:
     return max((frame.depth for frame, _ in placed[1].arms), default=0)
 
 
+def _without_number(graph: Graph, atom: Node) -> tuple[Fraction, Node]:
+    """A form as a number times another: a quaternion's angular velocity is twice a sum of its rates."""
+    outer, rest = split_parameters(graph, atom, 0)
+    return outer.number, rest
+
+
 class _Writer:
     """T's forms over the symbols of ``rates``."""
 
@@ -141,13 +150,14 @@ class _Writer:
         self._weighed = weigh(self.system, kinetic, coordinates=True)
         self._field = field_of(kinetic, [components for components, _ in points], signs, self._weighed[2])
         self._inside = {k for components, _ in points for k in components}
-        self._of: dict[int, tuple[Frame, Vector, int]] = {}
+        self._of: dict[int, tuple[Frame, Vector, Fraction]] = {}
         names = self._angular(_frames_of(point for _, point in points))
         for k, atom in enumerate(atoms):
             if k not in self._inside:
-                found = names.get(self.marks.of(atom)) or self._last(atom, names)
+                number, bare = _without_number(self.graph, atom)
+                found = names.get(self.marks.of(bare)) or self._last(bare, names)
                 if found is not None:
-                    self._of[k] = found
+                    self._of[k] = *found[:2], found[2] * number
 
     @property
     def turning(self) -> bool:
@@ -210,21 +220,26 @@ class _Writer:
     def _add_names(self, found: Named, fixed: Iterable[tuple[Frame, Vector]]) -> None:
         for frame, vector in fixed:
             mark = self.marks.of(self.graph.dot(vector, frame.omega))
-            found.setdefault(mark, (frame, vector, 1))
-            found.setdefault(self.marks.negative(mark), (frame, vector, -1))
+            found.setdefault(mark, (frame, vector, Fraction(1)))
+            found.setdefault(self.marks.negative(mark), (frame, vector, Fraction(-1)))
 
-    def _last(self, atom: Node, names: Named) -> tuple[Frame, Vector, int] | None:
+    def _last(self, atom: Node, names: Named) -> tuple[Frame, Vector, Fraction] | None:
         """A component of an angular velocity that alone tells of the last turn: no point stands beside its axis."""
         g, symbols = self.graph, self.rates.symbols
         if sum(a != g.zero for a in linear_form(g, atom, symbols)[0]) <= _FEW:
             return None
-        angles = {g.a[node] for node in reachable(g, [atom], self.frames.moving) if g.op[node] in ("sin", "cos")}
+        angles = {g.a[node] for node in reachable(g, [atom]) if g.op[node] in ("sin", "cos")}
         turned = sorted(angle for angle in angles if not self.frames.turns_by(angle))
-        self._add_names(names, self.frames.spun_on(self.frames.fixed(), turned))
-        return names.get(self.marks.of(atom))
+        triples = self.frames.fixed()
+        for _ in range(_TILTS):
+            triples = self.frames.spun_on(triples, turned)
+            self._add_names(names, triples)
+            if (found := names.get(self.marks.of(atom))) is not None:
+                return found
+        return None
 
-    def _component(self, k: int, frame: Frame, vector: Vector, sign: int) -> Terms:
-        """u . omega as a definition, with what it gives to omega: -omega x u times its momentum."""
+    def _component(self, k: int, frame: Frame, vector: Vector, sign: Fraction) -> Terms:
+        """u . omega as a definition, with what it gives to omega: -omega x u times its momentum; the form is ``sign`` times it."""
         g = self.graph
         variables = self._velocities.spin(frame)
         vector = self._views.local(vector, self._views.of(frame))

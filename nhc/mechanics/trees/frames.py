@@ -67,6 +67,11 @@ class Frame:
         """The one about which it turns on its parent; None where it turns about all."""
         return self.spins[0].axis if len(self.spins) == 1 else None
 
+    @property
+    def tilted(self) -> bool:
+        """Whether it stands still on its parent, turned by a constant angle."""
+        return self.angle is not None and not self.spins[0].rates and self.spins[0].own == 0
+
 
 ROOT = Frame(None, (), ZERO, 0)
 
@@ -100,16 +105,19 @@ class Frames:
         return list(self._columns.values())
 
     def fixed(self) -> list[tuple[Frame, Vector]]:
-        """Unit vectors on the axes on which they were found, with the axis of each turn, completed to three at right angles."""
-        found: list[tuple[Frame, Vector]] = []
+        """Unit vectors on the axes on which they were found, with the axis of each turn, completed to three at right angles; those
+        of which no two others are known come last.
+        """
+        found, alone = list[tuple[Frame, Vector]](), list[tuple[Frame, Vector]]()
         for vector, frame in list(self._known.items()):
             if frame is None or not self.vanishes([self.graph.sub(self.graph.dot(vector, vector), self.graph.one)]):
                 continue
             own, axis = self.as_known(vector), frame.axis
-            found.append((frame, own))
-            if axis is not None:
-                found += [(frame, axis), (frame, self.as_known(cross(self.graph, axis, own)))]
-        return [*found, *self._bodies]
+            if axis is None:
+                alone.append((frame, own))
+            else:
+                found += [(frame, own), (frame, axis), (frame, self.as_known(cross(self.graph, axis, own)))]
+        return [*found, *self._bodies, *alone]
 
     def turns_by(self, angle: Node) -> bool:
         """Whether axes that turn by this angle are known."""
@@ -120,7 +128,7 @@ class Frames:
 
         So the last body of an arm is read, of which no point is beside the axis: its angular velocity alone knows the angle.
         """
-        g, found = self.graph, list[tuple[Frame, Vector]]()
+        found = list[tuple[Frame, Vector]]()
         for k in range(0, len(triples) - 2, 3):
             (parent, one), (second, two), (third, three) = triples[k : k + 3]
             if not parent is second is third:
@@ -128,16 +136,12 @@ class Frames:
             for x, y in permutations((one, two, three), 2):
                 for angle in angles:
                     frame = self._frame(parent, angle, x, y)
-                    if frame is None or frame.axis is None:
-                        continue
-                    c, s = g.function("cos", angle), g.function("sin", angle)
-                    ahead = add_vectors(g, scale_vector(g, c, x), scale_vector(g, s, y))
-                    aside = add_vectors(g, scale_vector(g, c, y), scale_vector(g, g.neg(s), x))
-                    found += [(frame, ahead), (frame, aside), (frame, frame.axis)]
+                    if frame is not None:
+                        found += [(frame, own) for own in self._turn(angle, x, y)]
         return found
 
     def of(self, vector: Vector) -> Frame | None:
-        """The axes on which the vector is fixed; None where it is not seen to be fixed on any."""
+        """The axes on which the vector is fixed, not tilted ones; None where it is not seen to be fixed on any."""
         waiting = [vector]
         while True:
             try:
@@ -150,6 +154,8 @@ class Frames:
                 continue
             waiting.pop()
             if not waiting:
+                while found is not None and found.tilted and found.parent is not None:
+                    found = found.parent
                 return found
 
     def _follow(self, vector: Vector, depth: int) -> Frame | None:
@@ -178,7 +184,7 @@ class Frames:
         for frame, vector in parts:
             over: Frame | None = deepest
             while over is not None and over is not frame:
-                if over.parent is None or over.axis is None or not self.vanishes(cross(self.graph, over.axis, vector)):
+                if not over.tilted and (over.axis is None or not self.vanishes(cross(self.graph, over.axis, vector))):
                     return None
                 over = over.parent
             if over is None:
@@ -208,11 +214,11 @@ class Frames:
         g = self.graph
         rows = [[list_factors(g, term) for term in list_terms(g, x)] for x in vector]
         angles = {g.a[f] for row in rows for term in row for f in term if g.op[f] in ("sin", "cos")}
-        if len(angles) > _FEW_ANGLES:
+        moving = {angle for angle in angles if g.deps[angle] & self.moving}
+        if len(moving) > _FEW_ANGLES:
             return None  # a sum of vectors, which is taken apart before it comes back
-        for angle in sorted((a for a in angles if g.deps[a] & self.moving), reverse=True):
-            x, y, z = (self._split(row, angle) for row in rows)
-            across, along, still = zip(x, y, z, strict=True)
+        for angle in (*sorted(moving, reverse=True), *sorted(angles - moving, reverse=True)):
+            across, along, still = self._parts(rows, angle)
             if not self._is_turn(across, along, still):
                 continue
             parent = self._parent([v for v in (across, along, still) if any(v)], depth)
@@ -221,6 +227,20 @@ class Frames:
                 self.as_known(along)
                 return self._frame(parent, angle, across, along)
         return None
+
+    def _turn(self, angle: Node, x: Vector, y: Vector) -> tuple[Vector, Vector, Vector]:
+        """What a turn by an angle makes of two unit vectors at right angles, and its axis."""
+        g = self.graph
+        c, s = g.function("cos", angle), g.function("sin", angle)
+        ahead = add_vectors(g, scale_vector(g, c, x), scale_vector(g, s, y))
+        aside = add_vectors(g, scale_vector(g, c, y), scale_vector(g, g.neg(s), x))
+        return self.as_known(ahead), self.as_known(aside), self.as_known(cross(g, x, y))
+
+    def _parts(self, rows: Sequence[Sequence[Sequence[Node]]], angle: Node) -> tuple[Vector, Vector, Vector]:
+        """What a vector has before cos(angle), sin(angle), and beside them."""
+        x, y, z = (self._split(row, angle) for row in rows)
+        across, along, still = zip(x, y, z, strict=True)
+        return across, along, still
 
     def _split(self, row: Sequence[Sequence[Node]], angle: Node) -> Vector:
         """What a component has before cos(angle), sin(angle), and beside them."""

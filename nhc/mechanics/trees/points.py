@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import permutations
 
 from nhc.algebra.graph import ADD, NEG, Node
-from nhc.algebra.parts import list_factors, list_terms, split_parameters
+from nhc.algebra.parts import Factor, list_factors, list_terms, split_parameters
 from nhc.algebra.walks import reachable
 from nhc.mechanics.moving.signatures import Signature
 from nhc.mechanics.rotations.turns import Vector, add_vectors, scale_vector
@@ -177,7 +177,7 @@ class Points:
         for axis, row in enumerate(rows):
             seen: dict[tuple[Node, Node], int] = {}
             for term in row:
-                outer, rest = split_parameters(g, term, self._mask)
+                outer, rest = self._outer(term)
                 key = outer.node(g), rest
                 copy = seen[key] = seen.get(key, -1) + 1  # what a turn leaves as it is stands for the body before, too
                 groups.setdefault((key[0], copy), [[], [], []])[axis].append(rest)
@@ -194,6 +194,13 @@ class Points:
                 self._add(arms, on, part, factor)
             loose = add_vectors(g, loose, scale_vector(g, factor, left))
         return arms, loose
+
+    def _outer(self, term: Node) -> tuple[Factor, Node]:
+        """The parameters in front of a term, and the rest, with the sines and cosines of constant angles."""
+        g, (outer, rest) = self.graph, split_parameters(self.graph, term, self._mask)
+        turns = {node: n for node, n in outer.powers.items() if g.op[node] in ("sin", "cos")}
+        others = {node: n for node, n in outer.powers.items() if node not in turns}
+        return Factor(outer.number, others), g.mul(Factor(powers=turns).node(g), rest)
 
     def _add(self, arms: dict[int, list[Arm]], frame: Frame, own: Vector, factor: Node) -> None:
         if frame is not ROOT:
@@ -249,7 +256,7 @@ class Points:
             while stack:
                 top, factor = stack.pop()
                 for term in reversed(list_terms(g, top)):
-                    outer, rest = split_parameters(g, term, self._mask)
+                    outer, rest = self._outer(term)
                     own = g.mul(factor, outer.node(g))
                     if g.op[g.a[rest] if g.op[rest] == NEG else rest] == ADD:
                         stack.append((rest, own))

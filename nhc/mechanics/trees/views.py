@@ -134,7 +134,9 @@ class Views:
             x, y, z = substitute(g, vector, self._at_rest(view), named=False)
             back = [g.dot(row, (x, y, z)) for row in self.matrix(view)]
             if not all(frames.marks.of(a) == frames.marks.of(b) for a, b in zip(back, vector, strict=True)):
-                raise Unread
+                if not view.tilted or view.parent is None:
+                    raise Unread
+                x, y, z = self.shift_vector(self.local(vector, view.parent), view.parent, view)
             self._local[key] = x, y, z
         return self._local[key]
 
