@@ -70,7 +70,7 @@ def spell_word(word: str) -> str:
 
 
 def spell_index(index: str) -> str:
-    """An index: what stands below a symbol, a letter perhaps with an index of its own, as p_b; the parts of words stand in a row."""
+    """An index: what stands below a symbol, a letter perhaps with an index of its own, as p_b; words stand in a row."""
     base, lower = spell_base(index)
     if lower and base.startswith(_WORDS):
         return r"\,".join([base, *map(spell_part, lower)])
