@@ -214,3 +214,30 @@ def test_arms_of_hinges_take_operations_linear_in_their_length() -> None:
 
     for eight, twelve, sixteen in zip(*map(operations, (8, 12, 16)), strict=True):
         assert sixteen - twelve < 1.2 * (twelve - eight)
+
+
+GYROSCOPE = """nhc: 1
+system: gyroscope
+coordinates: [az, el, spin]
+parameters: {A: 0.02, C: 0.03, P: 0.01, Q: 0.012, S: 0.015, m: 0.4, h: 0.02, W: 0.2, roll: 0.2, n: 200, g: 9.81}
+bodies:
+  earth: {turns: [z: W*t, y: 0.7]}
+  ship: {parent: earth, turns: [x: roll*sin(t)]}
+  outer: {parent: ship, turns: [z: az], inertia: [0, 0, P]}
+  inner: {parent: outer, turns: [y: el], mass: m, centre: [0, 0, -h], inertia: [P, Q, S]}
+  rotor: {parent: inner, turns: [x: spin], inertia: [C, A, A]}
+V: m*g*(inner_cx*earth_x3 + inner_cy*earth_y3 + inner_cz*earth_z3)
+constraints: [rotor_w1 = n]
+"""
+
+
+def test_a_rotor_of_given_speed_leaves_the_bodies_to_the_tree() -> None:
+    """The dense way differentiates the matrices of what carries the gyroscope, and is twice as long."""
+    found = model(Source("gyroscope.yaml", GYROSCOPE))
+    route = Planner(found.equations, found.formulation).route
+    dense = solve_factored(
+        found.system.graph, factor(found.system.graph, found.equations.mass), list(found.equations.force)
+    )
+    assert route.chained
+    assert count(found.system.graph, route.values) <= 200
+    assert are_equal(found.system.graph, list(route.values), dense)

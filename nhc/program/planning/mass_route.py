@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
+from nhc.algebra.walks import count
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.detour import Detour, find_detour
 from nhc.mechanics.spherical_tops import find_in_space
@@ -24,6 +25,11 @@ Solver = Callable[[Sequence[Node]], list[Node]]
 """Of x with mass @ x = right, from ``right``."""
 Residual = Callable[[Sequence[Node]], list[Node]]
 """Of force - mass @ rates, from the rates."""
+
+
+_LONG = (
+    90  # operations of the dense way for each rate, from which a tree is looked for where constraints leave few rates
+)
 
 
 @structure
@@ -56,7 +62,7 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
     else:
         dense = _dense(equations)
         found.append(dense)
-        tree = _other_tree(full)
+        tree = _other_tree(full) if not _is_small(full) or count(g, dense.values) > _LONG * size else None
         if tree is not None:
             along = _along(equations, tree, put_in)
             dense.residual = along.residual
@@ -124,10 +130,16 @@ def _in_pairs(g: Graph, pairs: Sequence[tuple[Node, Node]], put_in: Mapping[Node
     return list(zip(flat[::2], flat[1::2], strict=True))
 
 
+def _is_small(equations: Equations) -> bool:
+    """Whether constraints leave few rates, for which a tree is seldom worth it."""
+    motion = equations.motion
+    return len(motion.w) <= FEW and motion.velocities != motion.w
+
+
 def _other_tree(equations: Equations) -> Elimination | None:
     """A tree that was not surely worth it, or under constraints that leave many rates: it is held against the dense way."""
-    size, motion = len(equations.motion.w), equations.motion
-    if size < 2 or (size <= FEW and motion.velocities != motion.w):
+    motion = equations.motion
+    if len(motion.w) < 2:
         return None
     from nhc.mechanics.energies.whole_forms import whole_kinetic
     from nhc.mechanics.trees.choice import tree_of

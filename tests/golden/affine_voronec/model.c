@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:17dc1fd986aa4e85)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:145c3aa50ff8e709)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -207,10 +207,10 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     const double z = y[2];
 
     /* sines and cosines */
+    const double s_z = sin(z);
+    const double c_z = cos(z);
     const double s_t = sin(t);
     const double c_t = cos(t);
-    const double c_z = cos(z);
-    const double s_z = sin(z);
 
     /* what else is read */
     const double x = y[0];
@@ -219,67 +219,64 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     const double y_dot = y[4];
 
     /* from the state */
-    const double z1 = 1.0 + z * z;
+    const double z1 = 2.0 + s_z;
     const double z2 = 1.0 + 0.2 * s_t;
-    const double z3 = y_2 * c_z;
-    const double z4 = 0.1 * s_t;
+    const double z3 = x * z;
+    const double z4 = x * x;
     const double z5 = 1.0 + z4;
-    const double z6 = z3 * z5;
-    const double z7 = c_z * z2;
-    const double z8 = 0.3 * z7;
-    const double z9 = x * x;
-    const double z10 = 1.0 + z9;
-    const double z11 = z10 * z2;
-    const double z12 = z8 + z6 * z11;
-    const double z13 = z1 * z2 + z6 * (z8 + z12);
-    const double z14 = x * z;
-    const double z15 = z14 * z12;
-    const double z16 = 1.0 / z13;
-    const double z17 = z15 * z16;
-    const double z18 = 2.0 + s_z;
-    const double z19 = z18 * z2 + 0.25 * (z11 * (z14 * z14));
-    const double z20 = 0.25 * (z15 * z17) - z19;
-    const double z21 = y_dot * z14;
-    const double z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
+    const double z6 = z5 * z2;
+    const double z7 = z3 * z6;
+    const double z8 = z1 * z2 + 0.25 * (z3 * z7);
+    const double z9 = y_2 * c_z;
+    const double z10 = 0.1 * s_t;
+    const double z11 = 1.0 + z10;
+    const double z12 = z9 * z11;
+    const double z13 = c_z * z2;
+    const double z14 = 1.0 + z * z;
+    const double z15 = z14 * z2;
+    const double z16 = 0.15 * (z3 * z13) + 0.5 * (z12 * z7);
+    const double z17 = 1.0 / z8;
+    const double z18 = z16 * z17;
+    const double z19 = z12 * (0.6 * z13 + z12 * z6) + (z15 - z16 * z18);
+    const double z20 = 0.3 + 0.5 * y_dot;
+    const double z21 = z3 * z20 + (x_dot * z12 + 0.4 * (c_t * s_t));
+    const double z22 = 0.1 * t;
     const double z23 = 0.06 * (c_z * c_t);
-    const double z24 = s_z * z22;
-    const double z25 = 0.3 * z24;
-    const double z26 = z * x_dot;
-    const double z27 = x * z22;
-    const double z28 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + (0.4 - 0.8 * (s_t * s_t)
-        + (0.3 + 0.5 * y_dot) * (z26 + z27));
-    const double z29 = 0.3 * (z7 * z28) - (0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 * s_t))));
-    const double z30 = z22 * (0.1 * t - z23 + z2 * (z25 - (2.0 * z26 - z27))) - (x_dot * (0.1 + 0.2 * (z1 *
-        c_t)) + z29);
-    const double z31 = c_z * y_dot * y_dot;
-    const double z32 = z * x_dot * x_dot;
-    const double z33 = x_dot * z24;
-    const double z34 = x + t * x_dot;
-    const double z35 = 3.0 * z - (z4 - 0.05 * z22);
-    const double z36 = x_dot * (z23 + z2 * (2.0 * z27 - z25)) + (z11 * z28 + 0.2 * (z10 * c_t * z22));
-    const double z37 = z2 * (0.5 * z31 + (z32 - 0.3 * z33)) - (0.1 * z34 - (0.2 * z9 - (0.3 * y_dot + z35) -
-        z36));
-    const double z38 = z30 + z6 * z37;
-    const double z39 = z2 * (0.25 * z31 + (0.5 * z32 - 0.15 * z33)) - (0.05 * z34 - (0.1 * z9 - 0.5 * z35 -
-        0.5 * z36));
-    const double z40 = 0.15 * z21 - (0.6 * z22 - (2.0 * y_2 - 0.4 * (x_dot * c_t) + 0.5 * (z17 * z38)));
-    const double z41 = (z14 * z39 - (y_dot * (0.2 * (z18 * c_t) + (0.2 + z7 * z22)) + z40)) / z20;
+    const double z24 = z * x_dot;
+    const double z25 = x * z21;
+    const double z26 = z2 * z21;
+    const double z27 = y_dot * c_z;
+    const double z28 = y_dot * (0.3 - 0.5 * (z2 * z27)) - (0.2 * z4 + (z10 - (0.05 * z21 + (0.1 * x + 3.0 *
+        z))));
+    const double z29 = s_z * z21;
+    const double z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z27 - y_2 * z29)) + (0.4 - 0.8 * (s_t * s_t) + z20
+        * (z24 + z25));
+    const double z31 = x_dot * (z23 + z2 * (2.0 * z25 - 0.3 * z29)) + (z6 * z30 + 0.2 * (z5 * c_t * z21));
+    const double z32 = x_dot * (0.3 * (s_z * z26) + (z22 - z2 * z24)) + z28 + z31;
+    const double z33 = y_dot * (0.2 * (z1 * c_t) + (0.2 + c_z * z26)) - (0.6 * z21 - (2.0 * y_2 - 0.4 *
+        (x_dot * c_t)) - 0.5 * (z3 * z32));
+    const double z34 = 0.3 * (z26 * z29) - (0.4 * (y_dot * c_t - y_2 * s_t) + 0.3 * (z13 * z30) - z18 * z33);
+    const double z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) + (z12 * z32 - z34));
+    const double z36 = (z21 * (z22 - z23 - z2 * (2.0 * z24 - z25)) - z35) / z19;
     /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
-    dydt[2] = z22; /* z' */
+    dydt[2] = z21; /* z' */
     /* (I.4.9) 11:4 */
-    dydt[3] = z16 * z38 + 0.5 * (z17 * z41); /* x'' */
-    dydt[4] = -z41; /* y'' */
+    dydt[3] = z36; /* x'' */
+    dydt[4] = -(z18 * z36 + z17 * z33); /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(-z20) > 1e-13 * z19)) {
+    if (!(fabs(dydt[4]) <= DBL_MAX
+        && fabs(z8) > 1e-13 * z8
+        && fabs(z19) > 1e-13 * (z15 + z6 * (z12 * z12)))) {
         /* the mass matrix is singular */
-        if (!(fabs(z13) > 0.0)) {
-            return affine_voronec_refuse(fabs(z13), 0.0, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z8) > 1e-13 * z8)) {
+            return affine_voronec_refuse(fabs(z8), 1e-13 * z8, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z20) > 1e-13 * z19)) {
-            return affine_voronec_refuse(fabs(-z20), 1e-13 * z19, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z19) > 1e-13 * (z15 + z6 * (z12 * z12)))) {
+            return affine_voronec_refuse(fabs(z19), 1e-13 * (z15 + z6 * (z12 * z12)),
+                AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(5, dydt);
     }
@@ -324,10 +321,10 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double z = y[2];
 
     /* sines and cosines */
+    const double s_z = sin(z);
+    const double c_z = cos(z);
     const double s_t = sin(t);
     const double c_t = cos(t);
-    const double c_z = cos(z);
-    const double s_z = sin(z);
 
     /* what else is read */
     const double x = y[0];
@@ -336,69 +333,64 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double y_dot = y[4];
 
     /* from the state */
-    const double z1 = 1.0 + z * z;
+    const double z1 = 2.0 + s_z;
     const double z2 = 1.0 + 0.2 * s_t;
-    const double z3 = y_2 * c_z;
-    const double z4 = 0.1 * s_t;
+    const double z3 = x * z;
+    const double z4 = x * x;
     const double z5 = 1.0 + z4;
-    const double z6 = z3 * z5;
-    const double z7 = c_z * z2;
-    const double z8 = x * x;
-    const double z9 = 1.0 + z8;
-    const double z10 = z9 * z2;
-    const double z11 = 0.3 * z7 + z6 * z10;
-    const double z12 = z1 * z2 + 0.3 * (z6 * z7) + z6 * z11;
-    const double z13 = x * z;
-    const double z14 = z13 * z11;
-    const double z15 = 1.0 / z12;
-    const double z16 = z14 * z15;
-    const double z17 = 2.0 + s_z;
-    const double z18 = z17 * z2 + 0.25 * (z10 * (z13 * z13));
-    const double z19 = 0.25 * (z14 * z16) - z18;
-    const double z20 = x + t * x_dot;
-    const double z21 = y_dot * z13;
-    const double z22 = 0.3 * z13 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
-    const double z23 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z20) + (0.3 * (y_dot * z6) - 0.1 * (t *
-        z22));
-    const double z24 = z2 * z22;
-    const double z25 = s_z * z22;
-    const double z26 = c_z * c_t;
-    const double z27 = 0.3 * (z24 * z25 - 0.2 * (z22 * z26)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z24));
-    const double z28 = z * x_dot + x * z22;
-    const double z29 = y_dot * z28;
-    const double z30 = 0.4 * (c_t * c_t - s_t * s_t) + (x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 *
-        z25)) + 0.3 * z28);
-    const double z31 = 0.5 * z29 + z30;
-    const double z32 = x_dot * z25;
-    const double z33 = (2.0 * (z2 * (x * x_dot)) + 0.2 * (z9 * c_t)) * z22 - 0.3 * (z2 * z32 - 0.2 * (x_dot *
-        z26));
-    const double z34 = z33 + z10 * z31;
-    const double z35 = 3.0 * z - (z4 - 0.05 * z22);
-    const double z36 = z * x_dot * x_dot;
-    const double z37 = c_z * y_dot * y_dot;
-    const double z38 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z6 * z36) + z6 * z37)) - 0.3 * (z6 * z32);
-    const double z39 = x + 0.1 * x_dot + z6 * z35 - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z38);
-    const double z40 = z23 - (z27 - 0.3 * (z7 * z31) - z6 * z34) + z39;
-    const double z41 = 0.3 * z22;
-    const double z42 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z13 * z20) - z41) + 0.5 * (z13 * z34);
-    const double z43 = 0.1 * (z8 * z13) + z2 * (0.5 * (z13 * z36 + 0.5 * (z13 * z37)) - 0.15 * (z13 * z32));
-    const double z44 = y_dot * (0.2 * (z17 * c_t) + c_z * z24) + z42 + (2.0 * y_2 + (0.2 * y_dot - z41) + 0.5
-        * (z13 * z35) - z43);
-    const double z45 = (z44 - 0.5 * (z16 * z40)) / z19;
-    const double z46 = z15 * z40 + 0.5 * (z16 * z45);
+    const double z6 = z5 * z2;
+    const double z7 = z3 * z6;
+    const double z8 = z1 * z2 + 0.25 * (z3 * z7);
+    const double z9 = 1.0 + z * z;
+    const double z10 = y_2 * c_z;
+    const double z11 = 0.1 * s_t;
+    const double z12 = 1.0 + z11;
+    const double z13 = z10 * z12;
+    const double z14 = z9 * z2 + z6 * (z13 * z13);
+    const double z15 = c_z * z2;
+    const double z16 = 0.15 * (z3 * z15) + 0.5 * (z13 * z7);
+    const double z17 = 1.0 / z8;
+    const double z18 = z16 * z17;
+    const double z19 = z14 + (0.6 * (z13 * z15) - z16 * z18);
+    const double z20 = 0.3 * z3 + (x_dot * z13 + 0.5 * (y_dot * z3)) + 0.4 * (c_t * s_t);
+    const double z21 = s_z * z20;
+    const double z22 = x_dot * z2;
+    const double z23 = z21 * z22;
+    const double z24 = x_dot * c_t;
+    const double z25 = z * x_dot + x * z20;
+    const double z26 = y_dot * z25;
+    const double z27 = 0.4 * (c_t * c_t - s_t * s_t) + (x_dot * (0.1 * (c_t * z10) + z12 * (y_dot * c_z - y_2
+        * z21)) + 0.3 * z25);
+    const double z28 = 0.5 * z26 + z27;
+    const double z29 = 0.06 * (c_z * z24) + z20 * (0.2 * (z5 * c_t) + 2.0 * (x * z22)) + z6 * z28;
+    const double z30 = 0.3 * z23 - z29;
+    const double z31 = z * z2;
+    const double z32 = 0.3 * (z2 * z20 * z21) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z20 *
+        z31)));
+    const double z33 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - (0.1 * x_dot + (x + (0.4 * (y_dot *
+        c_t - y_2 * s_t) - z32)));
+    const double z34 = 3.0 * z - (z11 - 0.05 * z20) - (0.2 * z4 + 0.5 * (y_dot * y_dot * z15) + x_dot * x_dot
+        * z31);
+    const double z35 = z34 + (0.1 * (x + t * x_dot) + 0.3 * (y_dot + z23));
+    const double z36 = z13 * z30 - (c_z * (0.06 * (c_t * z20) + 0.3 * (z2 * z28)) - (z33 - z13 * z35));
+    const double z37 = 0.3 * z20;
+    const double z38 = z37 + (z37 - (0.2 * y_dot + (2.0 * y_2 + y_dot * (0.2 * (z1 * c_t) + z15 * z20))));
+    const double z39 = 0.5 * (z3 * z30) + (0.4 * z24 + z38 - 0.5 * (z3 * z35));
+    const double z40 = (z36 - z18 * z39) / z19;
+    const double z41 = z18 * z40 - z17 * z39;
     /* (I.4.9) */
-    qddot[0] = -z46; /* x'' */
-    qddot[1] = z45; /* y'' */
-    qddot[2] = z30 - (z6 * z46 - 0.5 * (z29 + z13 * z45)); /* z'' */
+    qddot[0] = z40; /* x'' */
+    qddot[1] = -z41; /* y'' */
+    qddot[2] = z27 + (z13 * z40 + 0.5 * (z26 - z3 * z41)); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z19) > 1e-13 * z18)) {
+    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(z8) > 1e-13 * z8 && fabs(z19) > 1e-13 * z14)) {
         /* the mass matrix is singular */
-        if (!(fabs(z12) > 0.0)) {
-            return affine_voronec_refuse(fabs(z12), 0.0, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z8) > 1e-13 * z8)) {
+            return affine_voronec_refuse(fabs(z8), 1e-13 * z8, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z19) > 1e-13 * z18)) {
-            return affine_voronec_refuse(fabs(-z19), 1e-13 * z18, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z19) > 1e-13 * z14)) {
+            return affine_voronec_refuse(fabs(z19), 1e-13 * z14, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(3, qddot);
     }
@@ -465,10 +457,10 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z = y[2];
 
     /* sines and cosines */
+    const double s_z = sin(z);
+    const double c_z = cos(z);
     const double s_t = sin(t);
     const double c_t = cos(t);
-    const double c_z = cos(z);
-    const double s_z = sin(z);
 
     /* what else is read */
     const double x = y[0];
@@ -477,68 +469,60 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double y_dot = y[4];
 
     /* from the state */
-    const double z1 = 1.0 + z * z;
+    const double z1 = 2.0 + s_z;
     const double z2 = 1.0 + 0.2 * s_t;
-    const double z3 = y_2 * c_z;
-    const double z4 = 0.1 * s_t;
+    const double z3 = x * z;
+    const double z4 = x * x;
     const double z5 = 1.0 + z4;
-    const double z6 = z3 * z5;
-    const double z7 = c_z * z2;
-    const double z8 = x * x;
-    const double z9 = 1.0 + z8;
-    const double z10 = z9 * z2;
-    const double z11 = 0.3 * z7 + z6 * z10;
-    const double z12 = z1 * z2 + 0.3 * (z6 * z7) + z6 * z11;
-    const double z13 = 2.0 + s_z;
-    const double z14 = x * z;
-    const double z15 = z14 * z10;
-    const double z16 = z13 * z2 + 0.25 * (z14 * z15);
-    const double z17 = z14 * z11;
-    const double z18 = 1.0 / z12;
-    const double z19 = z17 * z18;
-    const double z20 = z16 - 0.25 * (z17 * z19);
-    const double z21 = y_dot * z14;
-    const double z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
-    const double z23 = 3.0 * z - (z4 - 0.05 * z22);
-    const double z24 = z * x_dot * x_dot;
-    const double z25 = c_z * y_dot * y_dot;
-    const double z26 = s_z * z22;
-    const double z27 = x_dot * z26;
-    const double z28 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z6 * z24) + z6 * z25)) - 0.3 * (z6 * z27);
-    const double z29 = x + 0.1 * x_dot + z6 * z23 - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z28);
-    const double z30 = x + t * x_dot;
-    const double z31 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z30) + (0.3 * (y_dot * z6) - 0.1 * (t *
-        z22));
-    const double z32 = z * x_dot + x * z22;
-    const double z33 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z26)) + 0.5 * (y_dot * z32);
-    const double z34 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z32 + z33);
-    const double z35 = z2 * z22;
-    const double z36 = c_z * c_t;
-    const double z37 = 0.3 * (z35 * z26 - 0.2 * (z22 * z36)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z35));
-    const double z38 = (2.0 * (z2 * (x * x_dot)) + 0.2 * (z9 * c_t)) * z22 - 0.3 * (z2 * z27 - 0.2 * (x_dot *
-        z36));
-    const double z39 = z10 * z34 + z38;
-    const double z40 = z29 + (z31 + (0.3 * (z7 * z34) - z37 + z6 * z39));
-    const double z41 = 0.3 * z22;
-    const double z42 = 0.1 * (z8 * z14) + z2 * (0.5 * (z14 * z24 + 0.5 * (z14 * z25)) - 0.15 * (z14 * z27));
-    const double z43 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z14 * z30) - z41) + 0.5 * (z14 * z39);
-    const double z44 = 2.0 * y_2 + (0.2 * y_dot - z41) + 0.5 * (z14 * z23) - z42 + (y_dot * (0.2 * (z13 *
-        c_t) + c_z * z35) + z43);
-    const double z45 = (z44 - 0.5 * (z19 * z40)) / z20;
-    const double z46 = z23 - (0.2 * z8 + z2 * (0.5 * (2.0 * z24 + z25) - 0.3 * z27)) + (0.3 * y_dot + 0.1 *
-        z30 + z39);
+    const double z6 = z5 * z2;
+    const double z7 = z3 * z6;
+    const double z8 = z1 * z2 + 0.25 * (z3 * z7);
+    const double z9 = 1.0 + z * z;
+    const double z10 = y_2 * c_z;
+    const double z11 = 0.1 * s_t;
+    const double z12 = 1.0 + z11;
+    const double z13 = z10 * z12;
+    const double z14 = z9 * z2 + z6 * (z13 * z13);
+    const double z15 = c_z * z2;
+    const double z16 = 0.15 * (z3 * z15) + 0.5 * (z13 * z7);
+    const double z17 = 1.0 / z8;
+    const double z18 = z16 * z17;
+    const double z19 = z14 + (0.6 * (z13 * z15) - z16 * z18);
+    const double z20 = 0.3 * z3 + (x_dot * z13 + 0.5 * (y_dot * z3)) + 0.4 * (c_t * s_t);
+    const double z21 = z * z2;
+    const double z22 = 3.0 * z - (z11 - 0.05 * z20) - (0.2 * z4 + 0.5 * (y_dot * y_dot * z15) + x_dot * x_dot
+        * z21);
+    const double z23 = s_z * z20;
+    const double z24 = x_dot * z2;
+    const double z25 = z23 * z24;
+    const double z26 = z22 + (0.1 * (x + t * x_dot) + 0.3 * (y_dot + z25));
+    const double z27 = z * x_dot + x * z20;
+    const double z28 = x_dot * (0.1 * (c_t * z10) + z12 * (y_dot * c_z - y_2 * z23)) + 0.5 * (y_dot * z27);
+    const double z29 = z28 + (0.4 * (c_t * c_t - s_t * s_t) + 0.3 * z27);
+    const double z30 = x_dot * c_t;
+    const double z31 = z6 * z29 + (0.06 * (c_z * z30) + z20 * (0.2 * (z5 * c_t) + 2.0 * (x * z24)));
+    const double z32 = 0.3 * z25 - z31;
+    const double z33 = 0.3 * (z2 * z20 * z23) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z20 *
+        z21)));
+    const double z34 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - (0.1 * x_dot + (x + (0.4 * (y_dot *
+        c_t - y_2 * s_t) - z33)));
+    const double z35 = z13 * z32 - (c_z * (0.06 * (c_t * z20) + 0.3 * (z2 * z29)) - (z34 - z13 * z26));
+    const double z36 = 0.3 * z20;
+    const double z37 = z36 + (z36 - (0.2 * y_dot + (2.0 * y_2 + y_dot * (0.2 * (z1 * c_t) + z15 * z20))));
+    const double z38 = 0.4 * z30 + z37 - 0.5 * (z3 * z26) + 0.5 * (z3 * z32);
+    const double z39 = (z35 - z18 * z38) / z19;
+    const double z40 = 0.3 * (z15 * z39) + z6 * (z13 * z39 - 0.5 * (z3 * (z18 * z39 - z17 * z38)));
     /* (I.4.1) 18:5 */
-    /* reaction of contact: Q_i gains lambda_1 a_1i */
-    lambda[0] = z46 - (z11 * (z18 * z40 - 0.5 * (z19 * z45)) + 0.5 * (z15 * z45));
+    lambda[0] = z26 - (z32 - z40); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z20) > 1e-13 * z16)) {
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z8) > 1e-13 * z8 && fabs(z19) > 1e-13 * z14)) {
         /* the mass matrix is singular */
-        if (!(fabs(z12) > 0.0)) {
-            return affine_voronec_refuse(fabs(z12), 0.0, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z8) > 1e-13 * z8)) {
+            return affine_voronec_refuse(fabs(z8), 1e-13 * z8, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z20) > 1e-13 * z16)) {
-            return affine_voronec_refuse(fabs(z20), 1e-13 * z16, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z19) > 1e-13 * z14)) {
+            return affine_voronec_refuse(fabs(z19), 1e-13 * z14, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(1, lambda);
     }
@@ -589,10 +573,10 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z = y[2];
 
     /* sines and cosines */
+    const double s_z = sin(z);
+    const double c_z = cos(z);
     const double s_t = sin(t);
     const double c_t = cos(t);
-    const double c_z = cos(z);
-    const double s_z = sin(z);
 
     /* what else is read */
     const double x = y[0];
@@ -601,170 +585,184 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double y_dot = y[4];
 
     /* from the state */
-    const double z1 = 1.0 + z * z;
+    const double z1 = 2.0 + s_z;
     const double z2 = 1.0 + 0.2 * s_t;
-    const double z3 = y_2 * c_z;
-    const double z4 = 0.1 * s_t;
+    const double z3 = x * z;
+    const double z4 = x * x;
     const double z5 = 1.0 + z4;
-    const double z6 = z3 * z5;
-    const double z7 = c_z * z2;
-    const double z8 = z6 * z7;
-    const double z9 = x * x;
-    const double z10 = 1.0 + z9;
-    const double z11 = z10 * z2;
-    const double z12 = 0.3 * z7 + z6 * z11;
-    const double z13 = z1 * z2 + 0.3 * z8 + z6 * z12;
-    const double z14 = 2.0 + s_z;
-    const double z15 = x * z;
-    const double z16 = z15 * z11;
-    const double z17 = z14 * z2 + 0.25 * (z15 * z16);
-    const double z18 = z15 * z12;
-    const double z19 = 1.0 / z13;
-    const double z20 = z18 * z19;
-    const double z21 = z17 - 0.25 * (z18 * z20);
-    const double z22 = 0.3 + 0.5 * y_dot;
-    const double z23 = x_dot * z5;
-    const double z24 = y_dot * z15;
-    const double z25 = 0.3 * z15 + (x_dot * z6 + 0.5 * z24) + 0.4 * (c_t * s_t);
-    const double z26 = z6 * z25;
-    const double z27 = z * x_dot + x * z25;
-    const double z28 = s_z * z25;
-    const double z29 = 0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z28);
-    const double z30 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z27 + (x_dot * z29 + 0.5 * (y_dot * z27)));
-    const double z31 = y_dot * c_t;
-    const double z32 = x + t * x_dot;
-    const double z33 = 0.4 * (z31 - y_2 * s_t) + 0.1 * (z6 * z32) + (0.3 * (y_dot * z6) - 0.1 * (t * z25));
-    const double z34 = z2 * z25;
-    const double z35 = c_t * z25;
-    const double z36 = 0.2 * (z1 * c_t) + 2.0 * (z * z34);
-    const double z37 = x_dot * c_t;
-    const double z38 = x_dot * z2;
-    const double z39 = z28 * z38;
-    const double z40 = 0.2 * (z10 * c_t) + 2.0 * (x * z38);
-    const double z41 = z11 * z30 + (0.3 * (0.2 * (c_z * z37) - z39) + z25 * z40);
-    const double z42 = 0.3 * (z7 * z30) - (0.3 * (z34 * z28 - 0.2 * (c_z * z35)) - x_dot * z36) + z6 * z41;
-    const double z43 = 3.0 * z - (z4 - 0.05 * z25);
-    const double z44 = s_z * z6;
-    const double z45 = x_dot * z44;
-    const double z46 = z25 * z25;
-    const double z47 = x_dot * x_dot;
-    const double z48 = z * z6;
-    const double z49 = y_dot * y_dot;
-    const double z50 = 0.3 * (z45 * z25) - 0.5 * (2.0 * (x * z46) + (2.0 * (z47 * z48) + z6 * (z49 * c_z)));
-    const double z51 = x + 0.1 * x_dot + z6 * z43 - (0.2 * (2.0 * z15 + z9 * z6) - z2 * z50);
-    const double z52 = z33 + z42 + z51;
-    const double z53 = 1.0 / z21;
-    const double z54 = 0.3 * z25;
-    const double z55 = z * z15;
-    const double z56 = c_z * z15;
-    const double z57 = s_z * z15;
-    const double z58 = x_dot * z57;
-    const double z59 = 0.1 * (z9 * z15) + z2 * (0.5 * (z47 * z55 + 0.5 * (z49 * z56)) - 0.15 * (z58 * z25));
-    const double z60 = 0.2 * (z14 * c_t) + c_z * z34;
-    const double z61 = y_dot * z60 + (0.15 * z24 - 0.4 * z37 + (0.05 * (z15 * z32) - z54) + 0.5 * (z15 *
-        z41));
-    const double z62 = 2.0 * y_2 + (0.2 * y_dot - z54) + 0.5 * (z15 * z43) - z59 + z61 - 0.5 * (z20 * z52);
-    const double z63 = z53 * z62;
-    const double z64 = z19 * z52 - 0.5 * (z20 * z63);
-    const double z65 = z6 * z64;
-    const double z66 = z15 * z63;
-    const double z67 = z65 + 0.5 * z66;
-    const double z68 = z30 - z67;
-    const double z69 = 0.3 * z12 + 0.5 * (y_dot * z12);
-    const double z70 = x_dot * z34;
-    const double z71 = z6 * z70;
-    const double z72 = z6 * z40 - (0.1 * t - (0.05 * z6 + 0.3 * (z2 * z45) - 2.0 * (x * z34)));
-    const double z73 = x_dot * z12;
-    const double z74 = z5 * z73;
-    const double z75 = y_2 * z74 + 0.3 * (z34 + z6 * z38);
-    const double z76 = 0.3 * (z2 * z28) - (2.0 * (z * z38) + (0.06 * (c_z * c_t) + z72) - s_z * z75);
-    const double z77 = x * z69 - z76;
-    const double z78 = 0.5 * (y_dot * z77) + (0.3 * z77 - (0.4 + 0.5 * (z12 * z63)));
-    const double z79 = 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z26) + z2 * z6 * z68))) - (z25 * z69 + (2.0 * z71
-        + (0.1 * z6 + (1.0 - z2 * z46))) + z * z78);
-    const double z80 = z15 * z25;
-    const double z81 = z15 * z64;
-    const double z82 = 0.1 * (c_t * z80) + z2 * (0.5 * (z15 * z30) - (0.25 * (z15 * z66) + 0.5 * (z6 * z81)));
-    const double z83 = 0.15 * z16 + 0.25 * (y_dot * z16);
-    const double z84 = y_dot * z2;
-    const double z85 = x_dot * z16;
-    const double z86 = z5 * z85;
-    const double z87 = 0.5 * (y_2 * z86) + 0.15 * (z15 * z38);
-    const double z88 = c_z * z84 - (0.6 - (0.025 * z15 + 0.15 * (z2 * z58)) - 0.5 * (z15 * z40)) - s_z * z87;
-    const double z89 = x * z83 + z88;
-    const double z90 = 0.15 + 0.5 * z89;
-    const double z91 = z12 * z64;
-    const double z92 = z47 * z2;
-    const double z93 = z * z92;
-    const double z94 = 0.25 * (z16 * z63);
-    const double z95 = z49 * z2;
-    const double z96 = c_z * z95;
-    const double z97 = z94 + (z94 - (0.05 * z32 + (0.5 * z41 - (0.25 * z96 + (0.1 * z9 - 0.15 * z39)))));
-    const double z98 = y_dot * z90 + (0.3 * z89 - (0.5 * z91 - (0.5 * z43 - (0.5 * z93 + z97))));
-    const double z99 = 2.0 * (x * (0.1 * z15 - z82)) - (z25 * z83 + z15 * (0.05 + z70) + z * z98);
-    const double z100 = z53 * (z99 - 0.5 * (z20 * z79));
-    const double z101 = 0.1 * z32 + (0.3 * y_dot + (z41 - (z93 + (0.5 * z96 + (0.2 * z9 - z43 - 0.3 *
-        z39)))));
-    const double z102 = 0.1 * (c_t * z73) + z5 * (x_dot * z77 - (0.3 * (z7 * z64) + (z11 * z67 + (z91 -
-        z101))));
-    const double z103 = 0.4 * s_t + z28 * z74 - c_z * z102;
-    const double z104 = 0.05 * (c_t * z85) + z5 * (x_dot * z89 - 0.5 * (z11 * z81));
-    const double z105 = z53 * (2.0 - 0.5 * (z28 * z86) + c_z * z104 + 0.5 * (z20 * z103));
-    const double z106 = c_t * z6;
-    const double z107 = y_dot * z74 + (0.06 * z35 - 0.5 * (z6 * z95)) - 0.3 * (z2 * (z65 - z68)) + y_2 * z102;
-    const double z108 = x_dot * z69 + (2.0 * z70 + z6 * (3.0 - z92)) + x * z78 - s_z * (0.06 * (x_dot * z106)
-        + z107);
-    const double z109 = 2.0 * (z * (0.2 * z37 - z2 * z64)) + (c_z * (0.3 * z71 - z25 * z75) + z108);
-    const double z110 = c_t * z15;
-    const double z111 = 0.5 * (y_dot * z86) - (0.25 * (z15 * z95) - z25 * z84) - 0.15 * (z2 * z81) + y_2 *
-        z104;
-    const double z112 = s_z * (0.03 * (x_dot * z110) + z111) - (1.5 * z15 - 0.5 * (z15 * z92) + x_dot * z83 +
-        x * z98);
-    const double z113 = c_z * (0.15 * (z15 * z70) - z25 * z87 + (0.2 * z31 - z2 * z63)) - z112 - 0.5 * (z20 *
-        z109);
-    const double z114 = z53 * z113;
-    const double z115 = x * z2;
-    const double z116 = 0.3 * (z44 * z34);
-    const double z117 = z12 * z29 + (z * z69 + (2.0 * (z115 * z26) - (z116 - (z36 + (0.1 * (t * z6) +
-        z116)))));
-    const double z118 = 2.0 * (z48 * z38) - (0.06 * (c_z * z106) + (z6 * z77 + (0.1 + z117)));
-    const double z119 = 0.15 * (z57 * z34);
-    const double z120 = 0.4 * c_t;
-    const double z121 = 0.5 * (z16 * z29) + (z * z83 - (z119 - (0.05 * (t * z15) - (z120 - z119)) - z115 *
-        z80));
-    const double z122 = z53 * (z55 * z38 - (0.03 * (c_z * z110) + (z6 * z89 + z121)) - 0.5 * (z20 * z118));
-    const double z123 = y_dot * z8 - (c_z * z74 + (z120 + 0.3 * z6 + 0.5 * (z12 * z27)) + 0.5 * (z15 * z77));
-    const double z124 = 0.5 * (z56 * z84) - (z15 * z90 + (0.2 + (0.5 * (c_z * z86) + (z60 + 0.25 * (z16 *
-        z27)))));
-    const double z125 = z53 * (z124 - 0.5 * (z20 * z123));
+    const double z6 = z5 * z2;
+    const double z7 = z3 * z6;
+    const double z8 = z1 * z2 + 0.25 * (z3 * z7);
+    const double z9 = 1.0 + z * z;
+    const double z10 = y_2 * c_z;
+    const double z11 = 0.1 * s_t;
+    const double z12 = 1.0 + z11;
+    const double z13 = z10 * z12;
+    const double z14 = z13 * z6;
+    const double z15 = z9 * z2 + z13 * z14;
+    const double z16 = c_z * z2;
+    const double z17 = 0.15 * (z3 * z16) + 0.5 * (z13 * z7);
+    const double z18 = 1.0 / z8;
+    const double z19 = z17 * z18;
+    const double z20 = z15 + (0.6 * (z13 * z16) - z17 * z19);
+    const double z21 = 0.3 + 0.5 * y_dot;
+    const double z22 = x_dot * z12;
+    const double z23 = 0.3 * z3 + (x_dot * z13 + 0.5 * (y_dot * z3)) + 0.4 * (c_t * s_t);
+    const double z24 = 1.0 / z20;
+    const double z25 = c_z * z24;
+    const double z26 = z19 * z24;
+    const double z27 = 0.5 * (z3 * z26) - z13 * z24;
+    const double z28 = 0.3 * (z2 * z25) - z6 * z27;
+    const double z29 = 0.3 * z28 + 0.5 * (y_dot * z28);
+    const double z30 = z2 * z23;
+    const double z31 = x_dot * z30;
+    const double z32 = z31 * z27;
+    const double z33 = 0.2 * z + 0.5 * (z2 * (z23 * z23));
+    const double z34 = x_dot * z24;
+    const double z35 = z2 * z34;
+    const double z36 = y_dot * z26;
+    const double z37 = z2 * z36;
+    const double z38 = x * z2;
+    const double z39 = 0.2 * (z5 * c_t) + 2.0 * (x_dot * z38);
+    const double z40 = x * z24;
+    const double z41 = z39 * z27 - (0.6 * z26 - (0.1 * (t * z24) + (0.05 * z27 + 2.0 * (z30 * z40))));
+    const double z42 = x_dot * z28;
+    const double z43 = z12 * z42;
+    const double z44 = x_dot * z2;
+    const double z45 = y_2 * z43 - 0.3 * (z44 * z27 - z30 * z24);
+    const double z46 = s_z * z27;
+    const double z47 = s_z * z23;
+    const double z48 = 2.0 * (z * z35) - (c_z * z37 - (0.06 * (c_t * z25) - z41)) - s_z * z45 - 0.3 * (z2 *
+        (x_dot * z46 + z47 * z24));
+    const double z49 = x * z29 + z48;
+    const double z50 = z47 * z44;
+    const double z51 = 0.1 * (c_t * z10) + z12 * (y_dot * c_z - y_2 * z47);
+    const double z52 = z * x_dot + x * z23;
+    const double z53 = x_dot * z51 + 0.5 * (y_dot * z52) + (0.4 * (c_t * c_t - s_t * s_t) + 0.3 * z52);
+    const double z54 = x_dot * c_t;
+    const double z55 = 0.3 * z50 - (z6 * z53 + (0.06 * (c_z * z54) + z23 * z39));
+    const double z56 = z2 * y_dot * y_dot;
+    const double z57 = z2 * x_dot * x_dot;
+    const double z58 = 0.2 * z4 + 0.5 * (c_z * z56) + z * z57 - (3.0 * z - (z11 - 0.05 * z23));
+    const double z59 = z58 - (0.1 * (x + t * x_dot) + 0.3 * (y_dot + z50));
+    const double z60 = z55 + z59;
+    const double z61 = 0.3 * z23;
+    const double z62 = 0.2 * (z1 * c_t) + z16 * z23;
+    const double z63 = 0.4 * z54 + (z61 + (z61 - (0.2 * y_dot + (2.0 * y_2 + y_dot * z62)))) + 0.5 * (z3 *
+        z59);
+    const double z64 = 0.5 * (z3 * z55) + z63;
+    const double z65 = 0.06 * (c_t * z23) + 0.3 * (z2 * z53);
+    const double z66 = z * z2;
+    const double z67 = 0.2 * (z9 * c_t) + 2.0 * (z23 * z66);
+    const double z68 = 0.4 * (y_dot * c_t - y_2 * s_t) - (0.3 * (z30 * z47) + (0.1 * (t * z23) - x_dot *
+        z67));
+    const double z69 = z13 * z55 - (c_z * z65 - (2.0 * (x * z33) - (0.1 * x_dot + (x + z68)) + z13 * z59));
+    const double z70 = z69 - z19 * z64;
+    const double z71 = z70 * (z24 * z24);
+    const double z72 = z24 * z64 - z17 * z71;
+    const double z73 = z18 * z18;
+    const double z74 = z72 * (z17 * z73);
+    const double z75 = z19 * z71;
+    const double z76 = z75 - z18 * z72;
+    const double z77 = 0.5 * (z13 * z76) + 0.25 * (z3 * z74);
+    const double z78 = 0.3 * z49 + (0.5 * (z26 * z60) - 0.25 * (z7 * z74) - z6 * z77 - 0.15 * (z16 * z76));
+    const double z79 = 0.5 * (y_dot * z49) + z78;
+    const double z80 = z23 * z29 - (2.0 * z32 + (0.1 * z27 - (z24 - 2.0 * (z33 * z24)))) + z * z79;
+    const double z81 = z23 * z27;
+    const double z82 = z13 * z71;
+    const double z83 = 0.2 * z27 - (0.2 * (c_t * z81) + z2 * (z53 * z27 + z3 * z77 - z13 * z82));
+    const double z84 = z14 * z71;
+    const double z85 = z84 - (z24 * z55 + 0.5 * (z7 * z76) - z84 + z24 * z59) + 0.6 * (z16 * z71);
+    const double z86 = 0.1 * (c_t * z42) + z12 * (x_dot * z49 + z85);
+    const double z87 = x_dot * z29 - (3.0 * z27 - (z57 * z27 - 0.4 * z40) - 2.0 * (z23 * z35)) + x * z79;
+    const double z88 = c_t * z27;
+    const double z89 = y_dot * z43 + (0.5 * (z56 * z27) + z65 * z24 - z23 * z37) + z2 * (0.6 * z82 - 0.15 *
+        (z3 * z76));
+    const double z90 = z87 + s_z * (0.06 * (x_dot * z88) - (z89 + y_2 * z86)) - c_z * (0.3 * z32 + z23 * z45
+        + (0.2 * (c_t * z36) + z2 * z74));
+    const double z91 = x_dot * z66;
+    const double z92 = 0.3 * (z30 * z46);
+    const double z93 = 0.4 * (c_t * z26);
+    const double z94 = z * z29 - (2.0 * (z38 * z81) - (z92 - (0.1 * (t * z27) - (z93 - z92) - z67 * z24)));
+    const double z95 = 2.0 * (z27 * z91) - (0.06 * (c_z * z88) - (z13 * z49 + (0.1 * z24 + (z51 * z28 +
+        z94))));
+    const double z96 = y_dot * z16;
+    const double z97 = c_z * z43 - (0.3 * z27 - 0.4 * (c_t * z24) + z62 * z26 - 0.5 * (z52 * z28));
+    const double z98 = c_z * z26;
+    const double z99 = z18 + z19 * z26;
+    const double z100 = 0.5 * (z3 * z99) - z13 * z26;
+    const double z101 = 0.3 * (z2 * z98) - z6 * z100;
+    const double z102 = 0.3 * z101 + 0.5 * (y_dot * z101);
+    const double z103 = z31 * z100;
+    const double z104 = x_dot * z26;
+    const double z105 = z2 * z104;
+    const double z106 = y_dot * z99;
+    const double z107 = z2 * z106;
+    const double z108 = x * z26;
+    const double z109 = z39 * z100 - (0.6 * z99 - (0.1 * (t * z26) + (0.05 * z100 + 2.0 * (z30 * z108))));
+    const double z110 = x_dot * z101;
+    const double z111 = z12 * z110;
+    const double z112 = y_2 * z111 - 0.3 * (z44 * z100 - z30 * z26);
+    const double z113 = s_z * z100;
+    const double z114 = 2.0 * (z * z105) - (c_z * z107 - (0.06 * (c_t * z98) - z109)) - s_z * z112 - 0.3 *
+        (z2 * (x_dot * z113 + z47 * z26));
+    const double z115 = x * z102 + z114;
+    const double z116 = z24 * z70 - z64 * z26 + z17 * z75;
+    const double z117 = z73 * (z64 - z17 * z116);
+    const double z118 = z19 * z75 + z18 * z116;
+    const double z119 = 0.5 * (z13 * z118) + 0.25 * (z3 * z117);
+    const double z120 = 0.3 * z115 + (0.5 * (z99 * z60) - 0.25 * (z7 * z117) - z6 * z119 - 0.15 * (z16 *
+        z118));
+    const double z121 = 0.5 * (y_dot * z115) + z120;
+    const double z122 = z23 * z102 - (2.0 * z103 + (0.1 * z100 - (z26 - 2.0 * (z33 * z26)))) + z * z121;
+    const double z123 = z23 * z100;
+    const double z124 = z13 * z75;
+    const double z125 = 0.2 * z100 - (0.2 * (c_t * z123) + z2 * (z53 * z100 + z3 * z119 - z13 * z124));
+    const double z126 = z14 * z75;
+    const double z127 = z126 - (z59 * z26 + (z55 * z26 + 0.5 * (z7 * z118) - z126)) + 0.6 * (z16 * z75);
+    const double z128 = 0.1 * (c_t * z110) + z12 * (x_dot * z115 + z127);
+    const double z129 = x_dot * z102 - (3.0 * z100 - (z57 * z100 - 0.4 * z108) - 2.0 * (z23 * z105)) + x *
+        z121;
+    const double z130 = c_t * z100;
+    const double z131 = y_dot * z111 + (0.5 * (z56 * z100) + z65 * z26 - z23 * z107) + z2 * (0.6 * z124 -
+        0.15 * (z3 * z118));
+    const double z132 = z129 + s_z * (0.06 * (x_dot * z130) - (z131 + y_2 * z128)) - c_z * (0.3 * z103 + z23
+        * z112 + (0.2 * (c_t * z106) + z2 * z117));
+    const double z133 = 0.3 * (z30 * z113);
+    const double z134 = 2.0 * (z38 * z123) - (z133 - (0.1 * (t * z100) - (0.4 * (c_t * z99) - z133) - z67 *
+        z26));
+    const double z135 = 0.06 * (c_z * z130) - (z13 * z115 + (0.1 * z26 + (z51 * z101 + (z * z102 - z134))));
+    const double z136 = 0.2 * z99 - (c_z * z111 + (z93 - 0.3 * z100 - z62 * z99 + 0.5 * (z52 * z101)));
     /* (I.4.9) */
     J[3] = 1.0;
     J[9] = 1.0;
-    J[10] = z * z22;
-    J[11] = c_z * z23;
-    J[12] = x * z22 - y_2 * s_z * z23;
-    J[13] = z6;
-    J[14] = 0.5 * z15;
-    J[15] = z19 * z79 - 0.5 * (z20 * z100);
-    J[16] = z19 * z103 + 0.5 * (z20 * z105);
-    J[17] = 0.5 * (z20 * z114) - z19 * z109;
-    J[18] = z19 * z118 - 0.5 * (z20 * z122);
-    J[19] = z19 * z123 - 0.5 * (z20 * z125);
-    J[20] = z100;
-    J[21] = -z105;
-    J[22] = -z114;
-    J[23] = z122;
-    J[24] = z125;
+    J[10] = z * z21;
+    J[11] = c_z * z22;
+    J[12] = x * z21 - y_2 * s_z * z22;
+    J[13] = z13;
+    J[14] = 0.5 * z3;
+    J[15] = -(z80 + 2.0 * (x * z83));
+    J[16] = 2.0 * z26 + 0.4 * (s_t * z24) + z47 * z43 - c_z * z86;
+    J[17] = -(z90 + 2.0 * (z * (0.2 * (c_t * z34) + z2 * z71)));
+    J[18] = -z95;
+    J[19] = 0.2 * z26 - z97 - 0.5 * (z3 * z49) - z27 * z96;
+    J[20] = z122 + 2.0 * (x * z125);
+    J[21] = c_z * z128 - (2.0 * z99 + 0.4 * (s_t * z26) + z47 * z111);
+    J[22] = z132 + 2.0 * (z * (0.2 * (c_t * z104) + z2 * z75));
+    J[23] = 2.0 * (z91 * z100) - z135;
+    J[24] = z96 * z100 - (z136 - 0.5 * (z3 * z115));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[22]) <= DBL_MAX
-        && fabs(z21) > 1e-13 * z17)) {
+    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22] + J[23]
+        + J[24]) <= DBL_MAX
+        && fabs(z8) > 1e-13 * z8
+        && fabs(z20) > 1e-13 * z15)) {
         /* the mass matrix is singular */
-        if (!(fabs(z13) > 0.0)) {
-            return affine_voronec_refuse(fabs(z13), 0.0, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z8) > 1e-13 * z8)) {
+            return affine_voronec_refuse(fabs(z8), 1e-13 * z8, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(z21) > 1e-13 * z17)) {
-            return affine_voronec_refuse(fabs(z21), 1e-13 * z17, AFFINE_VORONEC_SINGULAR_2);
+        if (!(fabs(z20) > 1e-13 * z15)) {
+            return affine_voronec_refuse(fabs(z20), 1e-13 * z15, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(25, J);
     }
@@ -794,77 +792,72 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z = affine_voronec_get(y + 2 * stride);
     const affine_voronec_lanes x_dot = affine_voronec_get(y + 3 * stride);
     const affine_voronec_lanes y_dot = affine_voronec_get(y + 4 * stride);
-    const affine_voronec_lanes z1 = 1.0 + z * z;
     affine_voronec_lanes sine1, cosine1;
-    affine_voronec_turn_lanes(AFFINE_VORONEC_SPREAD(t_), &far, &sine1, &cosine1);
-    const affine_voronec_lanes s_t = sine1;
-    const affine_voronec_lanes z2 = 1.0 + 0.2 * s_t;
+    affine_voronec_turn_lanes(AFFINE_VORONEC_SPREAD(z), &far, &sine1, &cosine1);
+    const affine_voronec_lanes s_z = sine1;
+    const affine_voronec_lanes z1 = 2.0 + s_z;
     affine_voronec_lanes sine2, cosine2;
-    affine_voronec_turn_lanes(AFFINE_VORONEC_SPREAD(z), &far, &sine2, &cosine2);
-    const affine_voronec_lanes c_z = cosine2;
-    const affine_voronec_lanes z3 = y_2 * c_z;
-    const affine_voronec_lanes z4 = 0.1 * s_t;
+    affine_voronec_turn_lanes(AFFINE_VORONEC_SPREAD(t_), &far, &sine2, &cosine2);
+    const affine_voronec_lanes s_t = sine2;
+    const affine_voronec_lanes z2 = 1.0 + 0.2 * s_t;
+    const affine_voronec_lanes z3 = x * z;
+    const affine_voronec_lanes z4 = x * x;
     const affine_voronec_lanes z5 = 1.0 + z4;
-    const affine_voronec_lanes z6 = z3 * z5;
-    const affine_voronec_lanes z7 = c_z * z2;
-    const affine_voronec_lanes z8 = 0.3 * z7;
-    const affine_voronec_lanes z9 = x * x;
-    const affine_voronec_lanes z10 = 1.0 + z9;
-    const affine_voronec_lanes z11 = z10 * z2;
-    const affine_voronec_lanes z12 = z8 + z6 * z11;
-    const affine_voronec_lanes z13 = z1 * z2 + z6 * (z8 + z12);
-    const affine_voronec_lanes z14 = x * z;
-    const affine_voronec_lanes z15 = z14 * z12;
-    const affine_voronec_lanes z16 = 1.0 / z13;
-    const affine_voronec_lanes z17 = z15 * z16;
-    const affine_voronec_lanes s_z = sine2;
-    const affine_voronec_lanes z18 = 2.0 + s_z;
-    const affine_voronec_lanes z19 = z18 * z2 + 0.25 * (z11 * (z14 * z14));
-    const affine_voronec_lanes z20 = 0.25 * (z15 * z17) - z19;
+    const affine_voronec_lanes z6 = z5 * z2;
+    const affine_voronec_lanes z7 = z3 * z6;
+    const affine_voronec_lanes z8 = z1 * z2 + 0.25 * (z3 * z7);
     /* the mass matrix is singular */
-    bad |= affine_voronec_misses(affine_voronec_size(AFFINE_VORONEC_SPREAD(-z20)), 1e-13 * z19);
-    const affine_voronec_lanes z21 = y_dot * z14;
-    const affine_voronec_lanes c_t = cosine1;
-    const affine_voronec_lanes z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
+    bad |= affine_voronec_misses(affine_voronec_size(AFFINE_VORONEC_SPREAD(z8)), 1e-13 * z8);
+    const affine_voronec_lanes c_z = cosine1;
+    const affine_voronec_lanes z9 = y_2 * c_z;
+    const affine_voronec_lanes z10 = 0.1 * s_t;
+    const affine_voronec_lanes z11 = 1.0 + z10;
+    const affine_voronec_lanes z12 = z9 * z11;
+    const affine_voronec_lanes z13 = c_z * z2;
+    const affine_voronec_lanes z14 = 1.0 + z * z;
+    const affine_voronec_lanes z15 = z14 * z2;
+    const affine_voronec_lanes z16 = 0.15 * (z3 * z13) + 0.5 * (z12 * z7);
+    const affine_voronec_lanes z17 = 1.0 / z8;
+    const affine_voronec_lanes z18 = z16 * z17;
+    const affine_voronec_lanes z19 = z12 * (0.6 * z13 + z12 * z6) + (z15 - z16 * z18);
+    /* the mass matrix is singular */
+    bad |= affine_voronec_misses(affine_voronec_size(AFFINE_VORONEC_SPREAD(z19)), 1e-13 * (z15 + z6 * (z12 *
+        z12)));
+    const affine_voronec_lanes z20 = 0.3 + 0.5 * y_dot;
+    const affine_voronec_lanes c_t = cosine2;
+    const affine_voronec_lanes z21 = z3 * z20 + (x_dot * z12 + 0.4 * (c_t * s_t));
+    const affine_voronec_lanes z22 = 0.1 * t_;
     const affine_voronec_lanes z23 = 0.06 * (c_z * c_t);
-    const affine_voronec_lanes z24 = s_z * z22;
-    const affine_voronec_lanes z25 = 0.3 * z24;
-    const affine_voronec_lanes z26 = z * x_dot;
-    const affine_voronec_lanes z27 = x * z22;
-    const affine_voronec_lanes z28 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + (0.4 - 0.8
-        * (s_t * s_t) + (0.3 + 0.5 * y_dot) * (z26 + z27));
-    const affine_voronec_lanes z29 = 0.3 * (z7 * z28) - (0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 *
-        s_t))));
-    const affine_voronec_lanes z30 = z22 * (0.1 * t_ - z23 + z2 * (z25 - (2.0 * z26 - z27))) - (x_dot * (0.1
-        + 0.2 * (z1 * c_t)) + z29);
-    const affine_voronec_lanes z31 = c_z * y_dot * y_dot;
-    const affine_voronec_lanes z32 = z * x_dot * x_dot;
-    const affine_voronec_lanes z33 = x_dot * z24;
-    const affine_voronec_lanes z34 = x + t_ * x_dot;
-    const affine_voronec_lanes z35 = 3.0 * z - (z4 - 0.05 * z22);
-    const affine_voronec_lanes z36 = x_dot * (z23 + z2 * (2.0 * z27 - z25)) + (z11 * z28 + 0.2 * (z10 * c_t *
-        z22));
-    const affine_voronec_lanes z37 = z2 * (0.5 * z31 + (z32 - 0.3 * z33)) - (0.1 * z34 - (0.2 * z9 - (0.3 *
-        y_dot + z35) - z36));
-    const affine_voronec_lanes z38 = z30 + z6 * z37;
-    const affine_voronec_lanes z39 = z2 * (0.25 * z31 + (0.5 * z32 - 0.15 * z33)) - (0.05 * z34 - (0.1 * z9 -
-        0.5 * z35 - 0.5 * z36));
-    const affine_voronec_lanes z40 = 0.15 * z21 - (0.6 * z22 - (2.0 * y_2 - 0.4 * (x_dot * c_t) + 0.5 * (z17
-        * z38)));
-    const affine_voronec_lanes z41 = (z14 * z39 - (y_dot * (0.2 * (z18 * c_t) + (0.2 + z7 * z22)) + z40)) /
-        z20;
+    const affine_voronec_lanes z24 = z * x_dot;
+    const affine_voronec_lanes z25 = x * z21;
+    const affine_voronec_lanes z26 = z2 * z21;
+    const affine_voronec_lanes z27 = y_dot * c_z;
+    const affine_voronec_lanes z28 = y_dot * (0.3 - 0.5 * (z2 * z27)) - (0.2 * z4 + (z10 - (0.05 * z21 + (0.1
+        * x + 3.0 * z))));
+    const affine_voronec_lanes z29 = s_z * z21;
+    const affine_voronec_lanes z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z27 - y_2 * z29)) + (0.4 - 0.8 * (s_t
+        * s_t) + z20 * (z24 + z25));
+    const affine_voronec_lanes z31 = x_dot * (z23 + z2 * (2.0 * z25 - 0.3 * z29)) + (z6 * z30 + 0.2 * (z5 *
+        c_t * z21));
+    const affine_voronec_lanes z32 = x_dot * (0.3 * (s_z * z26) + (z22 - z2 * z24)) + z28 + z31;
+    const affine_voronec_lanes z33 = y_dot * (0.2 * (z1 * c_t) + (0.2 + c_z * z26)) - (0.6 * z21 - (2.0 * y_2
+        - 0.4 * (x_dot * c_t)) - 0.5 * (z3 * z32));
+    const affine_voronec_lanes z34 = 0.3 * (z26 * z29) - (0.4 * (y_dot * c_t - y_2 * s_t) + 0.3 * (z13 * z30)
+        - z18 * z33);
+    const affine_voronec_lanes z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) + (z12 * z32 -
+        z34));
+    const affine_voronec_lanes z36 = (z21 * (z22 - z23 - z2 * (2.0 * z24 - z25)) - z35) / z19;
     /* (I.1.2) */
     const affine_voronec_lanes slope1 = x_dot;
     affine_voronec_put(dydt, slope1);
     const affine_voronec_lanes slope2 = y_dot;
     affine_voronec_put(dydt + 1 * stride, slope2);
-    const affine_voronec_lanes slope3 = z22;
+    const affine_voronec_lanes slope3 = z21;
     affine_voronec_put(dydt + 2 * stride, slope3);
     /* (I.4.9) 11:4 */
-    const affine_voronec_lanes slope4 = z16 * z38 + 0.5 * (z17 * z41);
-    sum += slope4;
+    const affine_voronec_lanes slope4 = z36;
     affine_voronec_put(dydt + 3 * stride, slope4);
-    const affine_voronec_lanes slope5 = -z41;
+    const affine_voronec_lanes slope5 = -(z18 * z36 + z17 * z33);
     sum += slope5;
     affine_voronec_put(dydt + 4 * stride, slope5);
     affine_voronec_put(check, affine_voronec_mark(far + (sum - sum), bad));

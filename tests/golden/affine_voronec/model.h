@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:3375c01becdb1acd)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:60e5aadf997847e3)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -19,14 +19,14 @@
  * 0: contact
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 61 +-, 102 *, 2 /, 4 calls
+ * rhs: 54 +-, 94 *, 2 /, 4 calls
  * velocities: 4 +-, 10 *, 0 /, 3 calls
- * accelerations: 65 +-, 134 *, 2 /, 4 calls
+ * accelerations: 59 +-, 114 *, 2 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 5 +-, 10 *, 0 /, 3 calls
- * reactions: 71 +-, 141 *, 2 /, 4 calls
+ * reactions: 60 +-, 117 *, 2 /, 4 calls
  * energy: 18 +-, 37 *, 0 /, 4 calls
- * jacobian: 202 +-, 384 *, 2 /, 4 calls
+ * jacobian: 223 +-, 435 *, 2 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Calls: t is the time; y has AFFINE_VORONEC_NY entries, p has AFFINE_VORONEC_NP;
