@@ -27,9 +27,9 @@ Residual = Callable[[Sequence[Node]], list[Node]]
 """Of force - mass @ rates, from the rates."""
 
 
-_LONG = (
-    90  # operations of the dense way for each rate, from which a tree is looked for where constraints leave few rates
-)
+_LONG = 90
+"""Operations of the dense way for each rate, from which a tree is looked for where constraints leave few rates and T holds the
+time: the dense way then differentiates the matrices of what moves by itself."""
 
 
 @structure
@@ -62,7 +62,7 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
     else:
         dense = _dense(equations)
         found.append(dense)
-        tree = _other_tree(full) if not _is_small(full) or count(g, dense.values) > _LONG * size else None
+        tree = _other_tree(full) if not _is_small(full) or _is_long(full, dense) else None
         if tree is not None:
             along = _along(equations, tree, put_in)
             dense.residual = along.residual
@@ -134,6 +134,12 @@ def _is_small(equations: Equations) -> bool:
     """Whether constraints leave few rates, for which a tree is seldom worth it."""
     motion = equations.motion
     return len(motion.w) <= FEW and motion.velocities != motion.w
+
+
+def _is_long(equations: Equations, dense: MassRoute) -> bool:
+    system = equations.system
+    g = system.graph
+    return g.depends(system.T, g.deps[system.t]) and count(g, dense.values) > _LONG * len(dense.values)
 
 
 def _other_tree(equations: Equations) -> Elimination | None:
