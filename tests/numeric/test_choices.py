@@ -298,3 +298,38 @@ def test_the_dependent_velocities_of_a_spec_are_taken_where_they_stay_regular() 
     formulation = model(Source("platform.yaml", PLATFORM)).formulation
     assert formulation.name == "voronec"
     assert "of the spec" in formulation.reason
+
+
+TROUGH = """nhc: 1
+system: trough
+coordinates: [x, y, th, u]
+parameters: {m: 1, J: 0.08, a: 0.3, b: 0.2, rho: 1.5, A: 0.1, w: 2, g: 9.81}
+define:
+  X0: A*sin(w*t)
+  kx: x + cos(th)*a*cos(u) - sin(th)*b*sin(u)
+  ky: y + sin(th)*a*cos(u) + cos(th)*b*sin(u)
+  nx: cos(th)*b*cos(u) - sin(th)*a*sin(u)
+  ny: sin(th)*b*cos(u) + cos(th)*a*sin(u)
+T: m/2*(x'^2 + y'^2) + J/2*th'^2
+V: m*g*y
+constraints:
+  - roll: -ny*(x' - (ky - y)*th' - X0') + nx*(y' + (kx - x)*th') = 0
+holonomic:
+  - touch: (kx - X0)^2 + ky^2 = rho^2
+  - tangent: (kx - X0)*ny - ky*nx = 0
+scenes:
+  go: {initial: {u: {near: -1.2}, th: 0.1, x: {near: 0.3}, y: {near: -1.3}}, time: [0, 3]}
+"""
+"""An elliptic cylinder in a trough that swings, the angle to its contact among the coordinates."""
+
+
+def test_expanded_minors_of_long_rows_are_no_velocity() -> None:
+    source = Source("trough.yaml", TROUGH)
+    chosen = model(source, Options()).formulation
+    assert chosen.name == "multipliers" and "many times as long" in chosen.reason
+    short, long = (
+        sum((f.adds, f.multiplications, f.divisions))
+        for name in ("auto", "euler-lagrange")
+        for f in program(source, Options(formulation=name, only=("rhs",))).functions
+    )
+    assert 2 * short < long

@@ -13,6 +13,7 @@ from nhc.mechanics.choosing.adapt import adapted_forms, complete, turning_choice
 from nhc.mechanics.choosing.energy import SOUND_ENERGY, least_energy
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
+from nhc.mechanics.choosing.length import is_unwieldy
 from nhc.mechanics.choosing.pivots import are_headings, set_pivots_aside
 from nhc.mechanics.choosing.reach import are_multipliers_dear, becomes_singular, find_lasting
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
@@ -274,6 +275,9 @@ def choose(system: System) -> Formulation:
         )
     if lost:
         why = f"every coframe that was tried is singular at {lost}; all velocities kept"
+        return replace(build(system, "multipliers"), reason=why)
+    if is_unwieldy(system, adapted.frame):
+        why = "the determinants that complete the constraints are many times as long as these; all velocities kept"
         return replace(build(system, "multipliers"), reason=why)
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     whose = "of the spec" if system.dependent else "that nhc would choose"
