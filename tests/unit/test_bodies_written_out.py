@@ -232,3 +232,9 @@ def test_a_name_with_a_combining_mark_is_no_other_name() -> None:
 def test_a_body_at_rest_or_without_mass_has_the_kinetic_energy_zero(body: str) -> None:
     made = spec(f"bodies: {{b: {body}}}\n", "outputs: {o: b_T}\n", "T: x'^2 + z'^2 + phi'^2\n")
     assert {d.name: unparse(d.value) for d in made.definitions}["b_T"] == "0"
+
+
+def test_a_velocity_with_the_name_of_a_parameter_is_said_once() -> None:
+    with pytest.raises(SpecError) as caught:
+        spec("bodies: {rod: {turns: [y: a*sin(k*t)], inertia: I}}\nquasi_velocities: {k: phi'}\nT: phi'^2\n")
+    assert [one.code for one in caught.value.diagnostics] == ["E0305"]
