@@ -48,7 +48,7 @@ class Equations:
     def _items(self, key: str) -> tuple[Node, ...]:
         node = self._root.get(key)
         help = "write `- name: left = right`"
-        if isinstance(node, Table) and node.entries[0][0].value.startswith("-"):
+        if isinstance(node, Table) and node.entries and node.entries[0][0].value.startswith("-"):
             help = f"put a blank after the `-`: `- {node.entries[0][0].value.lstrip('-')}: left = right`"
         items = self._shapes.items(node, "a list of equations", help) if node else None
         self.uncounted = self.uncounted or (node is not None and items is None)

@@ -58,30 +58,43 @@ def find_in_space(equations: Equations, kept: Sequence[Form]) -> Detour | None:
     system = equations.system
     if not system.rotations or "spherical tops" in system.graph.off or len(kept) != system.n - system.l:
         return None
-    tops = [top for rotation in system.rotations if (top := _read(system, rotation, kept)) is not None]
+    tops = _read(system, kept)
     turned = _in_space(system, kept, tops) if tops else None
     return _detour(equations, turned[0], turned[1], tops) if turned is not None else None
 
 
-def _read(system: System, rotation: Rotation, kept: Sequence[Form]) -> _Top | None:
-    """The rotation, where T is that of a spherical top and all of omega is kept."""
+def _read(system: System, kept: Sequence[Form]) -> list[_Top]:
+    """The rotations for which T is that of a spherical top, and all of whose omega is kept."""
     g, values = system.graph, [form.value for form in kept]
-    if rotation.sign < 0 or any(w not in values for w in rotation.omega):
-        return None
-    turns = [g.symbol(f"{rotation.name}_turn{k}", "test") for k in range(3)]
-    mapping: dict[Node, Node] = {}
-    for node, symbol in zip(rotation.omega, turns, strict=True):
-        put(g, mapping, node, symbol)
+    able = [r for r in system.rotations if r.sign > 0 and all(w in values for w in r.omega)]
+    symbols = {rotation: _symbols(g, rotation) for rotation in able}
+    mapping = {node: symbol for rotation in able for node, symbol in _in_symbols(g, rotation).items()}
     (energy,) = substitute(g, [system.T], mapping, named=False)
-    if g.depends(energy, g.mask(rotation.v)) or not g.depends(energy, g.mask(turns)):
-        return None
-    x, y, z = gradient(g, energy, turns)
-    a, b, c = turns
-    if not all(are_zero(g, [g.sub(g.mul(x, b), g.mul(y, a)), g.sub(g.mul(y, c), g.mul(z, b))])):
-        return None
-    there = make_rotation(g, rotation.name, rotation.places, -1, rotation.e, rotation.v)
-    first, second, third = (values.index(w) for w in rotation.omega)
-    return _Top(rotation, there, (first, second, third))
+    every = [symbol for rotation in able for symbol in symbols[rotation]]
+    slopes = dict(zip(every, gradient(g, energy, every), strict=True))
+    found = []
+    for rotation in able:
+        a, b, c = symbols[rotation]
+        if g.depends(energy, g.mask(rotation.v)) or not g.depends(energy, g.mask((a, b, c))):
+            continue
+        x, y, z = slopes[a], slopes[b], slopes[c]
+        if all(are_zero(g, [g.sub(g.mul(x, b), g.mul(y, a)), g.sub(g.mul(y, c), g.mul(z, b))])):
+            there = make_rotation(g, rotation.name, rotation.places, -1, rotation.e, rotation.v)
+            first, second, third = (values.index(w) for w in rotation.omega)
+            found.append(_Top(rotation, there, (first, second, third)))
+    return found
+
+
+def _symbols(g: Graph, rotation: Rotation) -> tuple[Node, ...]:
+    """Stand for omega on the body's axes."""
+    return tuple(g.symbol(f"{rotation.name}_turn{k}", "test") for k in range(3))
+
+
+def _in_symbols(g: Graph, rotation: Rotation) -> dict[Node, Node]:
+    mapping: dict[Node, Node] = {}
+    for node, symbol in zip(rotation.omega, _symbols(g, rotation), strict=True):
+        put(g, mapping, node, symbol)
+    return mapping
 
 
 def _in_space(system: System, kept: Sequence[Form], tops: Sequence[_Top]) -> tuple[System, list[Form]] | None:
@@ -125,10 +138,9 @@ def _form(g: Graph, form: Form, tops: Sequence[_Top]) -> Form | None:
     if value is None:
         return form
     for top in tops:
-        turns = [g.symbol(f"{top.own.name}_turn{k}", "test") for k in range(3)]
-        mapping: dict[Node, Node] = {}
-        for node, symbol in zip(top.own.omega, turns, strict=True):
-            put(g, mapping, node, symbol)
+        if not g.depends(value, g.mask(top.own.v)):
+            continue
+        mapping, turns = _in_symbols(g, top.own), _symbols(g, top.own)
         try:
             (a, b, c), rest = linear_form(g, substitute(g, [value], mapping, named=False)[0], turns)
         except NotLinear:

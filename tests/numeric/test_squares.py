@@ -121,11 +121,11 @@ def operations(program: Program) -> int:
         ("n_trailer3", 0.16, 1.0),
         ("n_snake3", 0.33, 1.0),
         ("suslov", 0.07, 1.0),
-        ("veselova", 0.29, 1.0),
-        ("rattleback", 0.46, 1.0),
+        ("veselova", 0.34, 1.0),
+        ("rattleback", 0.48, 1.0),
         ("heavy_top", 0.65, 1.0),
         ("walker", 0.34, 1.14),
-        ("spherical3", 0.46, 1.03),
+        ("spherical3", 0.47, 1.04),
     ],
 )
 def test_the_rates_are_those_of_the_positions_and_as_short(name: str, most: float, longer: float) -> None:

@@ -97,3 +97,9 @@ def test_a_prime_that_was_forgotten_in_the_energy() -> None:
     (found,) = find(SPEC.replace("theta'^2", "theta^2").replace(SLIP, "- x' = y'"))
     assert found.code == "E0404"
     assert found.help == ("write `theta'` where a velocity is meant: `T` contains `theta` without a prime only",)
+
+
+@pytest.mark.parametrize("key", ["constraints", "holonomic"])
+def test_no_equations_between_braces(key: str) -> None:
+    found = find(SPEC.replace(f"constraints:\n  {SLIP}", f"{key}: {{}}"))
+    assert [one.code for one in found if one.code[0] == "E"] in ([], ["E0301"])
