@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import random
-from types import ModuleType
-
 import pytest
 
 from nhc.algebra.exact.modular import are_equal
@@ -12,17 +9,15 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.rules import WithoutRules
 from nhc.algebra.solving.sizes import size_of
 from nhc.diagnostics import Source
-from nhc.emit import EmitOptions, render
 from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import kept_forms
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.spherical_tops import find_in_space
-from nhc.program.model import build_program
 from nhc.program.planning.planner import Planner
+from tests.numeric.test_detours import assert_slopes, module_of
 from tests.property.test_rules import transplant
-from tests.support import python_model
 
 HEAD = (
     "nhc: 1\nsystem: s\nparameters: {m: 1.3, a: 0.2, b: 0.3, R: 1, J: 0.05, K: 0.07, g: 9.81, W: 0.7, k: 0.1, h: 0.4}\n"
@@ -66,13 +61,6 @@ def rates(text: str, graph: Graph) -> list[Node]:
     return [target.node for target in Planner(equations_of(made, formulation), formulation).rhs().targets]
 
 
-def module(text: str, rules: tuple[str, ...] = ()) -> ModuleType:
-    made = resolve(decode(Source("s.yaml", text)), WithoutRules(rules))
-    formulation = formulate(made)
-    program = build_program(made, formulation, equations_of(made, formulation), only=("rhs", "jacobian"))
-    return python_model(render(program, "python", EmitOptions())["s.py"], "s")
-
-
 def is_found(text: str) -> bool:
     made = resolve(decode(Source("s.yaml", text)))
     formulation = formulate(made)
@@ -88,16 +76,8 @@ def test_the_rates_are_the_same(name: str) -> None:
 
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_the_jacobian_is_that_of_the_rates(name: str) -> None:
-    """Against differences of the right-hand side on the body's axes, which are exact to 1e-9 here."""
-    own, plain = module(SYSTEMS[name]), module(SYSTEMS[name], ("spherical tops",))
-    draw, size, h = random.Random(name), len(own.STATE), 1e-4
-    y = [draw.uniform(0.3, 0.9) for _ in range(size)]
-    rows = own.jacobian(0.4, y)
-    assert own.rhs(0.4, y) == pytest.approx(plain.rhs(0.4, y), rel=1e-11, abs=1e-11)
-    for j in range(size):
-        beside = [plain.rhs(0.4, [x + k * h * (i == j) for i, x in enumerate(y)]) for k in (-2, -1, 1, 2)]
-        slopes = [(a - 8 * b + 8 * c - d) / (12 * h) for a, b, c, d in zip(*beside, strict=True)]
-        assert [row[j] for row in rows] == pytest.approx(slopes, rel=1e-7, abs=1e-7)
+    source = Source("s.yaml", SYSTEMS[name])
+    assert_slopes(module_of(source), module_of(source, ("spherical tops",)), name)
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
