@@ -333,3 +333,38 @@ def test_expanded_minors_of_long_rows_are_no_velocity() -> None:
         for f in program(source, Options(formulation=name, only=("rhs",))).functions
     )
     assert 2 * short < long
+
+
+WAGON = """nhc: 1
+system: wagon
+coordinates: [x, y, heading, u, w]
+rotation: {B: {velocities: [p, q, r]}}
+parameters: {M: 5, I: 0.8, m: 0.6, a: 0.1, J: 0.0024, c: 0.3}
+bodies:
+  wagon: {at: [x, y, 0], turns: [z: heading], mass: M, centre: [c, 0, 0], inertia: I}
+  ball: {parent: wagon, at: [u, w, a], mass: m}
+  shell: {at: [ball_x, ball_y, ball_z], rotation: B, inertia: J}
+points:
+  axle: {parent: wagon, at: [0, 0, 0]}
+  top: {parent: wagon, at: [u, w, 0]}
+  under: {parent: wagon, of: shell, at: [u, w, 0]}
+constraints:
+  - EDGE
+  - roll_1: top_v1 = under_v1
+  - roll_2: top_v2 = under_v2
+scenes:
+  go: {initial: {u: 0.2, r: 0.5}, time: [0, 3]}
+"""
+"""A ball rolls on a wagon that cannot slip sideways: beside the ball's angular velocity two more velocities are free."""
+
+
+@pytest.mark.parametrize(
+    ("edge", "added"), [("edge: axle_v2 = 0", ["v", "heading"]), ("edge: x' = u*heading'", ["y", "heading"])]
+)
+def test_beside_angular_velocities_the_velocity_along_a_knife_edge(edge: str, added: list[str]) -> None:
+    """x' would be singular where the wagon stands across; what is regular anyway stays as it is."""
+    source = Source("wagon.yaml", WAGON.replace("EDGE", edge))
+    found = model(source, Options())
+    assert found.formulation.frame is not None
+    assert [form.name for form in found.formulation.frame.forms[found.system.l :]] == ["p", "q", "r", *added]
+    assert not [one for one in check(source, explain=False).diagnostics if one.code == "W0408"]

@@ -19,7 +19,7 @@ from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.choosing.headings import along_headings
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
-from nhc.mechanics.choosing.orders import list_orders, may_vanish
+from nhc.mechanics.choosing.orders import count_weak, list_orders, may_vanish
 from nhc.mechanics.choosing.pivots import set_pivots_aside
 from nhc.mechanics.choosing.stepwise import Step, order_stepwise
 from nhc.mechanics.frame import coordinate_form
@@ -255,13 +255,30 @@ def _least_weak_turning(system: System, forms: Sequence[Form]) -> tuple[Form, ..
     candidates = turning_choices(system, forms)
     best = max(candidates, key=lambda made: round(_least_at_starts(system, made), 2))
     if _least_at_starts(system, best) >= _WEAK**system.l:
-        return best
+        return _with_edges(system, forms, best)
     pool = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])[0]
     angular = [form for form in pool if any(form is quasi for quasi in system.quasi)]
     # the rates of quaternions may be regular at more places, but nobody speaks in them
     strong = strongest(system, forms, [angular, pool[len(angular) : -system.n]], _start_points(system))
     made = _in_one_order([_extend(system, forms, system.n - system.l, [*strong, *pool])], pool)
     return max([best, *made], key=lambda made: round(_least_at_starts(system, made), 2))
+
+
+def _with_edges(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -> tuple[Form, ...]:
+    """``best`` with other velocities than the first coordinates', those along knife edges, where fewer pivots may vanish."""
+    added = best[len(forms) :]
+    bare = [form for form in added if form.name in system.q_names]
+    if not bare or system.l == len(system.rotations):
+        return best
+    places = [k for rotation in system.rotations for k in rotation.places]
+    regular = [form for form in adapted_forms(system) or () if not any(form.coefficients[k] for k in places)]
+    angular = [form for form in added if form.name not in system.q_names]
+    trial = _extend(system, forms, system.n - system.l, [*angular, *regular, *bare])
+    if {form.name for form in trial} == {form.name for form in best}:
+        return best
+    if _least_at_starts(system, trial) < _WEAK**system.l or count_weak(system, trial) >= count_weak(system, best):
+        return best
+    return trial
 
 
 def _turning_pools(system: System, every: Sequence[Form]) -> list[list[Form]]:

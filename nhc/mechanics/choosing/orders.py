@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
+from nhc.mechanics.frame import make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.system import Form, System
 
@@ -32,3 +33,10 @@ def may_vanish(system: System, forms: Sequence[Form]) -> bool:
     g = system.graph
     determinant = normalise(g, determinant_of(g, [list(form.coefficients) for form in forms]), 200)
     return not cannot_vanish(g, determinant, intervals(system))
+
+
+def count_weak(system: System, free: Sequence[Form]) -> int:
+    """How many of the pivots that a coframe is solved by may vanish, ``free`` being its forms beside the constraints."""
+    frame = make_frame(system, free, [velocity_symbol(system, form) for form in free])
+    known = intervals(system)
+    return sum(not cannot_vanish(system.graph, guard, known) for guard, _ in frame.guards)
