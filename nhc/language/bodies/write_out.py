@@ -266,10 +266,8 @@ def _velocities(root: Table) -> set[str]:
                 found.add(fold(text.value))
     for names, _ in foretell_rotations(root.get("rotation")).values():
         found.update(names)
-    found -= {
-        *declared_names(root, "parameters"),
-        *declared_names(root, "coordinates"),
-    }  # that it is declared twice is said once
+    # what is declared twice is said to be so elsewhere
+    found -= {*declared_names(root, "parameters"), *declared_names(root, "coordinates")}
     return _closure(root, found, lambda words, known: not words.isdisjoint(known))
 
 
