@@ -143,7 +143,9 @@ class Graph(NodeStore):
 
     def dot(self, xs: Iterable[Node], ys: Iterable[Node]) -> Node:
         """The sum of the products of corresponding terms, of which there must be as many."""
-        return self.sum([self.mul(x, y) for x, y in zip(xs, ys, strict=True)])
+        return self.sum(
+            [self.mul(x, y) for x, y in zip(xs, ys, strict=True) if x and y]
+        )  # most pairs hold a zero, which is 0
 
     # --- products -----------------------------------------------------------------------------------------
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from nhc.diagnostics import Diagnostic, Source, SpecError
-from nhc.pipeline import check
+from tests.unit.slips import Slip, assert_helps, find
 
 SPEC = """nhc: 1
 system: sleigh
@@ -19,8 +18,7 @@ scenes:
   go: {initial: {theta: 0.1, theta': 1}, time: [0, 10], need: [x, y]}
 """
 V, SLIP = "V: m*a*cos(theta)", "- slip: -sin(theta)*x' + cos(theta)*y' = 0"
-# (what stands in SPEC, what is written instead, the code, part of the help; what the help says to write in its place)
-SLIPS = [
+SLIPS: list[Slip] = [
     (V, "V: m*a*cos^2(theta)", "E0203", "write `cos(theta)^2`", "V: m*a*cos(theta)^2"),
     (V, "V: m*a*cos^2(theta - (x + y))", "E0203", "write `cos(theta - (x + y))^2`", "V: m*a*cos(theta - (x + y))^2"),
     (V, "V: m*a*cos^-1(theta)", "E0203", "write `acos(theta)`, or `1/cos(theta)`", "V: m*a*acos(theta)"),
@@ -58,21 +56,9 @@ SLIPS = [
 ]  # fmt: skip
 
 
-def find(text: str) -> tuple[Diagnostic, ...]:
-    try:
-        return check(Source("sleigh.yaml", text)).diagnostics
-    except SpecError as error:
-        return error.diagnostics
-
-
-@pytest.mark.parametrize(("right", "wrong", "code", "help", "followed"), SLIPS, ids=[slip[1] for slip in SLIPS])
-def test_one_slip_one_diagnostic_and_a_help_that_helps(
-    right: str, wrong: str, code: str, help: str, followed: str
-) -> None:
-    assert SPEC.count(right) == 1
-    (found,) = find(SPEC.replace(right, wrong))
-    assert found.code == code and help in found.help[0], found.help
-    assert not [later for later in find(SPEC.replace(right, followed)) if later.code[0] == "E"]
+@pytest.mark.parametrize("slip", SLIPS, ids=[slip[1] for slip in SLIPS])
+def test_one_slip_one_diagnostic_and_a_help_that_helps(slip: Slip) -> None:
+    assert_helps(SPEC, slip)
 
 
 def test_a_key_without_its_colon_is_shown_where_it_stands() -> None:

@@ -15,6 +15,7 @@ from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import rebuild, rebuild_over, substitute
 from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.walks import count, reachable
+from nhc.records import record
 
 _TERMS = 24
 """Terms of a canonical form; longer ones are seldom shorter than the tree."""
@@ -32,24 +33,35 @@ _OPEN = frozenset({ADD, MUL, NEG, POW})
 """What a canonical form looks into."""
 
 
+@record
+class _Limits:
+    """How many leaves a tree may have, how many operations there may be to win (where more could be, the tree is a large one), and
+    how many leaves must repeat others.
+    """
+
+    leaves: int
+    spare: int
+    repeated: int
+
+
 def shorten_pieces(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     """Equal roots with shorter trees between the nodes that are used more than once."""
     if "pieces" in graph.off:
         return list(roots)
     nodes = reachable(graph, roots)
-    op, first = graph.op, graph.a
-    most, spare, repeated = _LEAVES, _LEAVES, 0
-    numbers = sum(op[node] == MUL and op[first[node]] == NUM for node in nodes)
-    numbers += sum(op[node] == POW and graph.b[node] > 2 for node in nodes)
-    if numbers * _FEW < len(nodes):
-        if len(nodes) >= max(_LARGE, _DENSE * sum(op[node] in ("sin", "cos") for node in nodes)):
-            spare = _SPARE
-        else:
-            most, repeated = _SMALL, _REPEATED
+    made = _pass_over(graph, roots, nodes)
+    if made == list(roots) or len(nodes) >= _LARGE:
+        return made
+    # a shorter tree may leave a node that is used only once, so that another tree goes on through it
+    return _pass_over(graph, made, reachable(graph, made))
+
+
+def _pass_over(graph: Graph, roots: Sequence[Node], nodes: Sequence[Node]) -> list[Node]:
+    limits = _limit(graph, nodes)
     whole = _list_shared(graph, nodes, roots)
     new: dict[Node, Node] = {}
     for node in nodes:
-        made = _shorten(graph, node, whole, new, (most, spare, repeated)) if node in whole else None
+        made = _shorten(graph, node, whole, new, limits) if node in whole else None
         if made is not None:
             graph.pass_label(node, made)
         else:
@@ -57,6 +69,17 @@ def shorten_pieces(graph: Graph, roots: Sequence[Node]) -> list[Node]:
         if made is not None:
             new[node] = made
     return [new.get(root, root) for root in roots]
+
+
+def _limit(graph: Graph, nodes: Sequence[Node]) -> _Limits:
+    op, first = graph.op, graph.a
+    numbers = sum(op[node] == MUL and op[first[node]] == NUM for node in nodes)
+    numbers += sum(op[node] == POW and graph.b[node] > 2 for node in nodes)
+    if numbers * _FEW >= len(nodes):
+        return _Limits(_LEAVES, _LEAVES, 0)
+    if len(nodes) >= max(_LARGE, _DENSE * sum(op[node] in ("sin", "cos") for node in nodes)):
+        return _Limits(_LEAVES, _SPARE, 0)
+    return _Limits(_SMALL, _LEAVES, _REPEATED)
 
 
 def _list_shared(graph: Graph, nodes: Sequence[Node], roots: Sequence[Node]) -> set[Node]:
@@ -73,26 +96,23 @@ def _list_shared(graph: Graph, nodes: Sequence[Node], roots: Sequence[Node]) -> 
 
 
 def _shorten(
-    graph: Graph, node: Node, whole: Container[Node], new: Mapping[Node, Node], limits: tuple[int, int, int]
+    graph: Graph, node: Node, whole: Container[Node], new: Mapping[Node, Node], limits: _Limits
 ) -> Node | None:
     """The shorter form of the tree below a node, over what the tree's leaves have become; None where there is none.
 
-    A tree has one operation less than leaves, and cannot have fewer than one less than different leaves.  ``limits``: how many
-    leaves a tree may have, how many operations there may be to win (where more could be, the tree is a large one), and how many
-    leaves must repeat others.
+    A tree has one operation less than leaves, and cannot have fewer than one less than different leaves.
     """
     op, kids = graph.op, graph.kids
     if op[node] not in (ADD, MUL) or not any([_is_inner(graph, kid, whole) for kid in kids[node]]):
         return None
     leaves, squares = _list_leaves(graph, node, whole)
-    most, spare, repeated = limits
     symbolic = [leaf for leaf in leaves if op[leaf] != NUM]
     distinct = dict.fromkeys(symbolic)
     if len(symbolic) == len(distinct) and len(leaves) - len(symbolic) < 2:
         return None
-    if len(leaves) > most or len(leaves) - len(distinct) > spare:
+    if len(leaves) > limits.leaves or len(leaves) - len(distinct) > limits.spare:
         return None
-    if len(symbolic) - squares - len(distinct) < repeated and len(leaves) - len(symbolic) < repeated:
+    if max(len(symbolic) - squares - len(distinct), len(leaves) - len(symbolic)) < limits.repeated:
         return None
     opaque = [leaf for leaf in distinct if op[leaf] in _OPEN]
     places = {leaf: graph.symbol(f"piece {k}") for k, leaf in enumerate(opaque)}

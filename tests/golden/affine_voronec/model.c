@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:145c3aa50ff8e709)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:c2e0ee2d1b34de54)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -244,19 +244,19 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     const double z23 = 0.06 * (c_z * c_t);
     const double z24 = z * x_dot;
     const double z25 = x * z21;
-    const double z26 = z2 * z21;
-    const double z27 = y_dot * c_z;
-    const double z28 = y_dot * (0.3 - 0.5 * (z2 * z27)) - (0.2 * z4 + (z10 - (0.05 * z21 + (0.1 * x + 3.0 *
-        z))));
-    const double z29 = s_z * z21;
-    const double z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z27 - y_2 * z29)) + (0.4 - 0.8 * (s_t * s_t) + z20
+    const double z26 = s_z * z21;
+    const double z27 = z2 * z21;
+    const double z28 = x_dot * (z2 * (z24 - (2.0 * z25 - 0.3 * z26)) - (z22 + (0.3 * (s_z * z27) + z23)));
+    const double z29 = y_dot * c_z;
+    const double z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z29 - y_2 * z26)) + (0.4 - 0.8 * (s_t * s_t) + z20
         * (z24 + z25));
-    const double z31 = x_dot * (z23 + z2 * (2.0 * z25 - 0.3 * z29)) + (z6 * z30 + 0.2 * (z5 * c_t * z21));
-    const double z32 = x_dot * (0.3 * (s_z * z26) + (z22 - z2 * z24)) + z28 + z31;
-    const double z33 = y_dot * (0.2 * (z1 * c_t) + (0.2 + c_z * z26)) - (0.6 * z21 - (2.0 * y_2 - 0.4 *
-        (x_dot * c_t)) - 0.5 * (z3 * z32));
-    const double z34 = 0.3 * (z26 * z29) - (0.4 * (y_dot * c_t - y_2 * s_t) + 0.3 * (z13 * z30) - z18 * z33);
-    const double z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) + (z12 * z32 - z34));
+    const double z31 = z21 * (0.05 + 0.2 * (z5 * c_t)) - (0.2 * z4 + (z10 - (0.1 * x + 3.0 * z + z6 * z30)));
+    const double z32 = z28 - (y_dot * (0.3 - 0.5 * (z2 * z29)) + z31);
+    const double z33 = 0.6 * z21 - (2.0 * y_2 - 0.4 * (x_dot * c_t)) + 0.5 * (z3 * z32) - y_dot * (0.2 * (z1
+        * c_t) + (0.2 + c_z * z27));
+    const double z34 = 0.3 * (z27 * z26) - (z18 * z33 + (0.4 * (y_dot * c_t - y_2 * s_t) + 0.3 * (z13 *
+        z30)));
+    const double z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) - (z12 * z32 + z34));
     const double z36 = (z21 * (z22 - z23 - z2 * (2.0 * z24 - z25)) - z35) / z19;
     /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
@@ -264,7 +264,7 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     dydt[2] = z21; /* z' */
     /* (I.4.9) 11:4 */
     dydt[3] = z36; /* x'' */
-    dydt[4] = -(z18 * z36 + z17 * z33); /* y'' */
+    dydt[4] = z17 * z33 - z18 * z36; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[4]) <= DBL_MAX
         && fabs(z8) > 1e-13 * z8
@@ -830,21 +830,21 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z23 = 0.06 * (c_z * c_t);
     const affine_voronec_lanes z24 = z * x_dot;
     const affine_voronec_lanes z25 = x * z21;
-    const affine_voronec_lanes z26 = z2 * z21;
-    const affine_voronec_lanes z27 = y_dot * c_z;
-    const affine_voronec_lanes z28 = y_dot * (0.3 - 0.5 * (z2 * z27)) - (0.2 * z4 + (z10 - (0.05 * z21 + (0.1
-        * x + 3.0 * z))));
-    const affine_voronec_lanes z29 = s_z * z21;
-    const affine_voronec_lanes z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z27 - y_2 * z29)) + (0.4 - 0.8 * (s_t
+    const affine_voronec_lanes z26 = s_z * z21;
+    const affine_voronec_lanes z27 = z2 * z21;
+    const affine_voronec_lanes z28 = x_dot * (z2 * (z24 - (2.0 * z25 - 0.3 * z26)) - (z22 + (0.3 * (s_z *
+        z27) + z23)));
+    const affine_voronec_lanes z29 = y_dot * c_z;
+    const affine_voronec_lanes z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z29 - y_2 * z26)) + (0.4 - 0.8 * (s_t
         * s_t) + z20 * (z24 + z25));
-    const affine_voronec_lanes z31 = x_dot * (z23 + z2 * (2.0 * z25 - 0.3 * z29)) + (z6 * z30 + 0.2 * (z5 *
-        c_t * z21));
-    const affine_voronec_lanes z32 = x_dot * (0.3 * (s_z * z26) + (z22 - z2 * z24)) + z28 + z31;
-    const affine_voronec_lanes z33 = y_dot * (0.2 * (z1 * c_t) + (0.2 + c_z * z26)) - (0.6 * z21 - (2.0 * y_2
-        - 0.4 * (x_dot * c_t)) - 0.5 * (z3 * z32));
-    const affine_voronec_lanes z34 = 0.3 * (z26 * z29) - (0.4 * (y_dot * c_t - y_2 * s_t) + 0.3 * (z13 * z30)
-        - z18 * z33);
-    const affine_voronec_lanes z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) + (z12 * z32 -
+    const affine_voronec_lanes z31 = z21 * (0.05 + 0.2 * (z5 * c_t)) - (0.2 * z4 + (z10 - (0.1 * x + 3.0 * z
+        + z6 * z30)));
+    const affine_voronec_lanes z32 = z28 - (y_dot * (0.3 - 0.5 * (z2 * z29)) + z31);
+    const affine_voronec_lanes z33 = 0.6 * z21 - (2.0 * y_2 - 0.4 * (x_dot * c_t)) + 0.5 * (z3 * z32) - y_dot
+        * (0.2 * (z1 * c_t) + (0.2 + c_z * z27));
+    const affine_voronec_lanes z34 = 0.3 * (z27 * z26) - (z18 * z33 + (0.4 * (y_dot * c_t - y_2 * s_t) + 0.3
+        * (z13 * z30)));
+    const affine_voronec_lanes z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) - (z12 * z32 +
         z34));
     const affine_voronec_lanes z36 = (z21 * (z22 - z23 - z2 * (2.0 * z24 - z25)) - z35) / z19;
     /* (I.1.2) */
@@ -857,7 +857,7 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     /* (I.4.9) 11:4 */
     const affine_voronec_lanes slope4 = z36;
     affine_voronec_put(dydt + 3 * stride, slope4);
-    const affine_voronec_lanes slope5 = -(z18 * z36 + z17 * z33);
+    const affine_voronec_lanes slope5 = z17 * z33 - z18 * z36;
     sum += slope5;
     affine_voronec_put(dydt + 4 * stride, slope5);
     affine_voronec_put(check, affine_voronec_mark(far + (sum - sum), bad));

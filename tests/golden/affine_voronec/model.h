@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:60e5aadf997847e3)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:72bf63400479b746)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -19,7 +19,7 @@
  * 0: contact
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 54 +-, 94 *, 2 /, 4 calls
+ * rhs: 54 +-, 91 *, 2 /, 4 calls
  * velocities: 4 +-, 10 *, 0 /, 3 calls
  * accelerations: 59 +-, 114 *, 2 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls

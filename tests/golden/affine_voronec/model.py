@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:bb6381c866e7b552).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:ed8c2594a21f2924).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -19,7 +19,7 @@ Constraints:
 0: contact
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 54 +-, 94 *, 2 /, 4 calls
+rhs: 54 +-, 91 *, 2 /, 4 calls
 velocities: 4 +-, 10 *, 0 /, 3 calls
 accelerations: 59 +-, 114 *, 2 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
@@ -140,22 +140,22 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z23 = 0.06 * (c_z * c_t)
         z24 = z * x_dot
         z25 = x * z21
-        z26 = z2 * z21
-        z27 = y_dot * c_z
-        s2 = 0.2 * z4 + (z10 - (0.05 * z21 + (0.1 * x + 3.0 * z)))
-        z28 = y_dot * (0.3 - 0.5 * (z2 * z27)) - s2
-        z29 = s_z * z21
-        s3 = x_dot * (0.1 * (c_t * z9) + z11 * (z27 - y_2 * z29))
+        z26 = s_z * z21
+        z27 = z2 * z21
+        s2 = z2 * (z24 - (2.0 * z25 - 0.3 * z26))
+        z28 = x_dot * (s2 - (z22 + (0.3 * (s_z * z27) + z23)))
+        z29 = y_dot * c_z
+        s3 = x_dot * (0.1 * (c_t * z9) + z11 * (z29 - y_2 * z26))
         z30 = s3 + (0.4 - 0.8 * (s_t * s_t) + z20 * (z24 + z25))
-        s4 = x_dot * (z23 + z2 * (2.0 * z25 - 0.3 * z29))
-        z31 = s4 + (z6 * z30 + 0.2 * (z5 * c_t * z21))
-        z32 = x_dot * (0.3 * (s_z * z26) + (z22 - z2 * z24)) + z28 + z31
+        s4 = 0.2 * z4 + (z10 - (0.1 * x + 3.0 * z + z6 * z30))
+        z31 = z21 * (0.05 + 0.2 * (z5 * c_t)) - s4
+        z32 = z28 - (y_dot * (0.3 - 0.5 * (z2 * z29)) + z31)
         s5 = 0.6 * z21 - (2.0 * y_2 - 0.4 * (x_dot * c_t))
-        s6 = y_dot * (0.2 * (z1 * c_t) + (0.2 + c_z * z26))
-        z33 = s6 - (s5 - 0.5 * (z3 * z32))
+        s6 = y_dot * (0.2 * (z1 * c_t) + (0.2 + c_z * z27))
+        z33 = s5 + 0.5 * (z3 * z32) - s6
         s7 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.3 * (z13 * z30)
-        z34 = 0.3 * (z26 * z29) - (s7 - z18 * z33)
-        s8 = x_dot * (0.1 + 0.2 * (z14 * c_t)) + (z12 * z32 - z34)
+        z34 = 0.3 * (z27 * z26) - (z18 * z33 + s7)
+        s8 = x_dot * (0.1 + 0.2 * (z14 * c_t)) - (z12 * z32 + z34)
         z35 = x * (1.0 - 0.4 * z) + s8
         z36 = (z21 * (z22 - z23 - z2 * (2.0 * z24 - z25)) - z35) / z19
         dydt: list[float] = [
@@ -168,7 +168,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # x'' (I.4.9) 11:4
             z36,
             # y'' (I.4.9) 11:4
-            -(z18 * z36 + z17 * z33),
+            z17 * z33 - z18 * z36,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:c24274818c88f789)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:f2cb67853185d667)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -230,15 +230,15 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
 
     /* sines and cosines */
     const double z8 = theta + p_b;
-    const double z43 = t * nu;
+    const double z42 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s1 = sin(z8);
     const double c1 = cos(z8);
-    const double s2 = sin(z43);
-    const double c2 = cos(z43);
+    const double s2 = sin(z42);
+    const double c2 = cos(z42);
 
     /* what else is read */
     const double v = y[6];
@@ -258,10 +258,9 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
-    const double k5 = 1.0 / J_r;
-    const double k6 = 1.0 / J_w;
-    const double k7 = J + J_w;
-    const double k8 = J_r - J_w;
+    const double k5 = J + J_r;
+    const double k6 = 1.0 / J_r;
+    const double k7 = 1.0 / J_w;
 
     /* from the state */
     const double z1 = s_p_f * s_p_f;
@@ -306,13 +305,12 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     const double z40 = z11 * z37;
     const double z41 = z20 * (z15 * z34 + (z35 * z11 + (c1 * z36 + z16 * z38))) - z18 * (z15 * z39 - (z35 *
         z12 + (s1 * z36 - z16 * z40)));
-    const double z42 = v * (z32 * z13 - z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40)));
-    const double z44 = tau * s2 - J_r * z42;
-    const double z45 = m * (v * (z32 * z21 + z7 * z41)) + z14 * (k7 * z42 + (z44 + k8 * z42));
-    const double z46 = z45 / z22;
-    const double z47 = z14 * z46;
-    const double z48 = sigma * c2;
-    const double z49 = J_w * z42;
+    const double z43 = v * (z32 * z13 - z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40)));
+    const double z44 = tau * s2 - J_r * z43;
+    const double z45 = (m * (v * (z32 * z21 + z7 * z41)) + z14 * (z44 + k5 * z43)) / z22;
+    const double z46 = z14 * z45;
+    const double z47 = sigma * c2;
+    const double z48 = J_w * z43;
     /* (I.2.4) */
     dydt[0] = z23 * z19; /* x' */
     dydt[1] = z23 * z17; /* y' */
@@ -321,10 +319,10 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     dydt[4] = p_b_dot; /* p_b' */
     dydt[5] = p_f_dot; /* p_f' */
     /* (I.2.15) 22:4 */
-    dydt[6] = z46; /* v' */
-    dydt[7] = k5 * z44 + z47; /* psi'' */
-    dydt[8] = k6 * (z48 - z49) + z47; /* p_b'' */
-    dydt[9] = z47 - k6 * (z48 + z49); /* p_f'' */
+    dydt[6] = z45; /* v' */
+    dydt[7] = k6 * z44 + z46; /* psi'' */
+    dydt[8] = k7 * (z47 - z48) + z46; /* p_b'' */
+    dydt[9] = z46 - k7 * (z47 + z48); /* p_f'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
@@ -1129,7 +1127,6 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const double k5 = fixed[12];
     const double k6 = fixed[13];
     const double k7 = fixed[14];
-    const double k8 = fixed[15];
     const snakeboard_lanes t_ = snakeboard_get(t);
     const snakeboard_lanes theta = snakeboard_get(y + 2 * stride);
     const snakeboard_lanes p_b = snakeboard_get(y + 4 * stride);
@@ -1198,18 +1195,17 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes z40 = z11 * z37;
     const snakeboard_lanes z41 = z20 * (z15 * z34 + (z35 * z11 + (c1 * z36 + z16 * z38))) - z18 * (z15 * z39
         - (z35 * z12 + (s1 * z36 - z16 * z40)));
-    const snakeboard_lanes z42 = v * (z32 * z13 - z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40)));
-    const snakeboard_lanes z43 = t_ * nu;
+    const snakeboard_lanes z42 = t_ * nu;
     snakeboard_lanes sine4, cosine4;
-    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z43), &far, &sine4, &cosine4);
+    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z42), &far, &sine4, &cosine4);
     const snakeboard_lanes s2 = sine4;
-    const snakeboard_lanes z44 = tau * s2 - J_r * z42;
-    const snakeboard_lanes z45 = m * (v * (z32 * z21 + z7 * z41)) + z14 * (k7 * z42 + (z44 + k8 * z42));
-    const snakeboard_lanes z46 = z45 / z22;
-    const snakeboard_lanes z47 = z14 * z46;
+    const snakeboard_lanes z43 = v * (z32 * z13 - z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40)));
+    const snakeboard_lanes z44 = tau * s2 - J_r * z43;
+    const snakeboard_lanes z45 = (m * (v * (z32 * z21 + z7 * z41)) + z14 * (z44 + k5 * z43)) / z22;
+    const snakeboard_lanes z46 = z14 * z45;
     const snakeboard_lanes c2 = cosine4;
-    const snakeboard_lanes z48 = sigma * c2;
-    const snakeboard_lanes z49 = J_w * z42;
+    const snakeboard_lanes z47 = sigma * c2;
+    const snakeboard_lanes z48 = J_w * z43;
     /* (I.2.4) */
     const snakeboard_lanes slope1 = z23 * z19;
     sum += slope1;
@@ -1227,15 +1223,15 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes slope6 = p_f_dot;
     snakeboard_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 22:4 */
-    const snakeboard_lanes slope7 = z46;
+    const snakeboard_lanes slope7 = z45;
     snakeboard_put(dydt + 6 * stride, slope7);
-    const snakeboard_lanes slope8 = k5 * z44 + z47;
+    const snakeboard_lanes slope8 = k6 * z44 + z46;
     sum += slope8;
     snakeboard_put(dydt + 7 * stride, slope8);
-    const snakeboard_lanes slope9 = k6 * (z48 - z49) + z47;
+    const snakeboard_lanes slope9 = k7 * (z47 - z48) + z46;
     sum += slope9;
     snakeboard_put(dydt + 8 * stride, slope9);
-    const snakeboard_lanes slope10 = z47 - k6 * (z48 + z49);
+    const snakeboard_lanes slope10 = z46 - k7 * (z47 + z48);
     sum += slope10;
     snakeboard_put(dydt + 9 * stride, slope10);
     snakeboard_put(check, snakeboard_mark(far + (sum - sum), bad));
@@ -1269,11 +1265,10 @@ int snakeboard_rhs_batch(size_t count, const double *t, const double *y, const d
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
-    const double k5 = 1.0 / J_r;
-    const double k6 = 1.0 / J_w;
-    const double k7 = J + J_w;
-    const double k8 = J_r - J_w;
-    const double fixed[] = {m, l, J, J_r, J_w, tau, sigma, nu, k1, k2, k3, k4, k5, k6, k7, k8};
+    const double k5 = J + J_r;
+    const double k6 = 1.0 / J_r;
+    const double k7 = 1.0 / J_w;
+    const double fixed[] = {m, l, J, J_r, J_w, tau, sigma, nu, k1, k2, k3, k4, k5, k6, k7};
     double check[1 * SNAKEBOARD_LANES];
     int status = SNAKEBOARD_OK;
     for (size_t i = 0; i < count; i += SNAKEBOARD_LANES) {

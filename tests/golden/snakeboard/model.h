@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:4621ab6bf4438783)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:79002468952f2ffc)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -37,7 +37,7 @@
  * out[0] = speed [m/s]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 53 +-, 104 *, 4 /, 9 calls
+ * rhs: 51 +-, 103 *, 4 /, 9 calls
  * velocities: 18 +-, 34 *, 1 /, 7 calls
  * accelerations: 62 +-, 117 *, 4 /, 9 calls
  * state: 10 +-, 17 *, 0 /, 6 calls

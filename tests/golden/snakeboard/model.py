@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:48f505494053eafb).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:88c5a56701d273d0).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -40,7 +40,7 @@ Outputs:
 out[0] = speed [m/s]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 53 +-, 104 *, 4 /, 9 calls
+rhs: 51 +-, 103 *, 4 /, 9 calls
 velocities: 18 +-, 34 *, 1 /, 7 calls
 accelerations: 62 +-, 117 *, 4 /, 9 calls
 state: 10 +-, 17 *, 0 /, 6 calls
@@ -157,10 +157,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k2 = 1.0 - k1
         k3 = abs(l)
         k4 = 2.0 + k3
-        k5 = 1.0 / J_r
-        k6 = 1.0 / J_w
-        k7 = J + J_w
-        k8 = J_r - J_w
+        k5 = J + J_r
+        k6 = 1.0 / J_r
+        k7 = 1.0 / J_w
         # from the state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
@@ -219,18 +218,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s5 = z20 * (z15 * z34 + (z35 * z11 + (c1 * z36 + z16 * z38)))
         s6 = z18 * (z15 * z39 - (z35 * z12 + (s1 * z36 - z16 * z40)))
         z41 = s5 - s6
+        z42 = t_ * nu
+        s2 = math.sin(z42)
         s7 = z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40))
-        z42 = v * (z32 * z13 - s7)
-        z43 = t_ * nu
-        s2 = math.sin(z43)
-        z44 = tau * s2 - J_r * z42
-        s8 = z14 * (k7 * z42 + (z44 + k8 * z42))
-        z45 = m * (v * (z32 * z21 + z7 * z41)) + s8
-        z46 = z45 / z22
-        z47 = z14 * z46
-        c2 = math.cos(z43)
-        z48 = sigma * c2
-        z49 = J_w * z42
+        z43 = v * (z32 * z13 - s7)
+        z44 = tau * s2 - J_r * z43
+        s8 = m * (v * (z32 * z21 + z7 * z41)) + z14 * (z44 + k5 * z43)
+        z45 = s8 / z22
+        z46 = z14 * z45
+        c2 = math.cos(z42)
+        z47 = sigma * c2
+        z48 = J_w * z43
         dydt: list[float] = [
             # x' (I.2.4)
             z23 * z19,
@@ -245,13 +243,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # p_f' (I.2.4)
             p_f_dot,
             # v' (I.2.15) 22:4
-            z46,
+            z45,
             # psi'' (I.2.15) 22:4
-            k5 * z44 + z47,
+            k6 * z44 + z46,
             # p_b'' (I.2.15) 22:4
-            k6 * (z48 - z49) + z47,
+            k7 * (z47 - z48) + z46,
             # p_f'' (I.2.15) 22:4
-            z47 - k6 * (z48 + z49),
+            z46 - k7 * (z47 + z48),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

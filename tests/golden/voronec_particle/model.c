@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:13e994aaad6ffc9b)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:bbe43914be0bce84)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -240,17 +240,17 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *res
     const double z20 = z3 * z19 - x_dot * (z14 - 2.0 * z15);
     const double z21 = z * z1 * (3.0 - z16) - (0.5 * (z17 * z2) - (z1 * z20 + (x + 0.3 * (c_z * z19))));
     const double z22 = z12 * (x_dot * (2.0 * z + 0.3 * (s_z * z1)) - (z14 + z15)) + z21;
-    const double z23 = z * z6 * (1.5 - 0.5 * z16) - (0.5 * (z10 * z22) - (2.0 * y_2 + z12 * z18));
-    const double z24 = (z23 + z6 * (0.5 * z20 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13)))) / z11;
+    const double z23 = z * (1.5 - 0.5 * z16) + (0.5 * z20 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13)));
+    const double z24 = (0.5 * (z10 * z22) - (2.0 * y_2 + z12 * z18) - z6 * z23) / z11;
     /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z12; /* z' */
     /* (I.4.9) 7:4 */
-    dydt[3] = 0.5 * (z10 * z24) - z9 * z22; /* x'' */
-    dydt[4] = -z24; /* y'' */
+    dydt[3] = -(z9 * z22 + 0.5 * (z10 * z24)); /* x'' */
+    dydt[4] = z24; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z11) > 1e-13 * z7)) {
+    if (!(fabs(dydt[3]) <= DBL_MAX && fabs(z11) > 1e-13 * z7)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
             return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
@@ -705,10 +705,9 @@ static __attribute__((noinline)) void voronec_particle_rhs_lanes(const double *f
     const voronec_particle_lanes z21 = z * z1 * (3.0 - z16) - (0.5 * (z17 * z2) - (z1 * z20 + (x + 0.3 * (c_z
         * z19))));
     const voronec_particle_lanes z22 = z12 * (x_dot * (2.0 * z + 0.3 * (s_z * z1)) - (z14 + z15)) + z21;
-    const voronec_particle_lanes z23 = z * z6 * (1.5 - 0.5 * z16) - (0.5 * (z10 * z22) - (2.0 * y_2 + z12 *
-        z18));
-    const voronec_particle_lanes z24 = (z23 + z6 * (0.5 * z20 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13))))
-        / z11;
+    const voronec_particle_lanes z23 = z * (1.5 - 0.5 * z16) + (0.5 * z20 - (0.25 * (z17 * c_z) - 0.15 *
+        (x_dot * z13)));
+    const voronec_particle_lanes z24 = (0.5 * (z10 * z22) - (2.0 * y_2 + z12 * z18) - z6 * z23) / z11;
     /* (I.1.2) */
     const voronec_particle_lanes slope1 = x_dot;
     voronec_particle_put(dydt, slope1);
@@ -717,11 +716,10 @@ static __attribute__((noinline)) void voronec_particle_rhs_lanes(const double *f
     const voronec_particle_lanes slope3 = z12;
     voronec_particle_put(dydt + 2 * stride, slope3);
     /* (I.4.9) 7:4 */
-    const voronec_particle_lanes slope4 = 0.5 * (z10 * z24) - z9 * z22;
+    const voronec_particle_lanes slope4 = -(z9 * z22 + 0.5 * (z10 * z24));
     sum += slope4;
     voronec_particle_put(dydt + 3 * stride, slope4);
-    const voronec_particle_lanes slope5 = -z24;
-    sum += slope5;
+    const voronec_particle_lanes slope5 = z24;
     voronec_particle_put(dydt + 4 * stride, slope5);
     voronec_particle_put(check, voronec_particle_mark(far + (sum - sum), bad));
 }

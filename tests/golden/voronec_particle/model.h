@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:2d224f4f78a7ee7b)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:bcb0970173926706)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -19,7 +19,7 @@
  * 0: contact
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 31 +-, 61 *, 2 /, 2 calls
+ * rhs: 31 +-, 60 *, 2 /, 2 calls
  * velocities: 1 +-, 5 *, 0 /, 1 calls
  * accelerations: 34 +-, 78 *, 2 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls

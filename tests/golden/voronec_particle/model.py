@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:c78c115edd83d73e).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:87fe1f63eaf04134).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Čaplygin's hypotheses fail.
@@ -19,7 +19,7 @@ Constraints:
 0: contact
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 31 +-, 61 *, 2 /, 2 calls
+rhs: 31 +-, 60 *, 2 /, 2 calls
 velocities: 1 +-, 5 *, 0 /, 1 calls
 accelerations: 34 +-, 78 *, 2 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
@@ -136,10 +136,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z21 = z * z1 * (3.0 - z16) - s2
         s3 = z12 * (x_dot * (2.0 * z + 0.3 * (s_z * z1)) - (z14 + z15))
         z22 = s3 + z21
-        s4 = 0.5 * (z10 * z22) - (2.0 * y_2 + z12 * z18)
-        z23 = z * z6 * (1.5 - 0.5 * z16) - s4
-        s5 = z6 * (0.5 * z20 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13)))
-        z24 = (z23 + s5) / z11
+        s4 = 0.5 * z20 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13))
+        z23 = z * (1.5 - 0.5 * z16) + s4
+        z24 = (0.5 * (z10 * z22) - (2.0 * y_2 + z12 * z18) - z6 * z23) / z11
         dydt: list[float] = [
             # x' (I.1.2)
             x_dot,
@@ -148,9 +147,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # z' (I.1.2)
             z12,
             # x'' (I.4.9) 7:4
-            0.5 * (z10 * z24) - z9 * z22,
+            -(z9 * z22 + 0.5 * (z10 * z24)),
             # y'' (I.4.9) 7:4
-            -z24,
+            z24,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
