@@ -114,6 +114,30 @@ def test_where_only_the_constraints_hold_a_coordinate(tmp_path: Path) -> None:
             compiled("rhs", 4, 0.0, [r, 0.3, 0.5, 0.5], p)
 
 
+def test_an_infinite_pivot_of_a_constraint_is_refused(tmp_path: Path) -> None:
+    """The square of a coefficient of 1e155 and more is infinite: the multiplier would be taken for zero, and y for free."""
+    text = FORM.split("coordinates")[0].replace("quadratic", "steep")
+    text += "coordinates: [x, y, z]\nparameters: {m: 1}\nT: m/2*(x'^2 + y'^2 + z'^2)\nforces: {y: 1}\n"
+    text += "constraints:\n  - z' - x*y' = 0\nformulation: multipliers\n"
+    compiled, module = both(text, "steep", tmp_path)
+    (array,) = emit(Source("steep.yaml", text), "python", Options(array="numpy")).values()
+    ways = [lambda y, p: compiled("rhs", 6, 0.0, y, p)]
+    ways += [lambda y, p, m=m: m.rhs(0.0, y, p) for m in (module, python_model(array, "steep_array"))]
+    for x, m, good in (
+        (1e100, 1.0, True),
+        (1e153, 1.0, True),
+        (-1e155, 1.0, False),
+        (1e300, 2.0, False),
+        (1e153, 1e-5, False),
+    ):
+        for rhs in ways:
+            if good:
+                assert abs(rhs([x, 0.2, 0.3, 0.7, 0.0, 0.0], [m])[4]) < 1e-90
+            else:
+                with pytest.raises(ArithmeticError):
+                    rhs([x, 0.2, 0.3, 0.7, 0.0, 0.0], [m])
+
+
 @pytest.mark.parametrize("other", [0.0, 1.0, 1e6])
 def test_a_fast_mass_hides_no_lost_digits_of_another(other: float, tmp_path: Path) -> None:
     """x is light and held by heavy y; z, which has nothing to do with them, may be as fast as x would be by itself."""

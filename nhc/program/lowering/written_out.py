@@ -23,6 +23,9 @@ MOST = 2000
 DIGITS = Number(Fraction(1, 10**6))
 """The part of a pivot's first value that must be left; of the square of an acceleration without reactions too: three digits."""
 
+LEAST = Number(-Fraction(10**300))
+"""No pivot of a multiplier is below: an infinite one would leave its constraint out, and all that is found would be finite."""
+
 _ZERO, _ONE = Number(Fraction(0)), Number(Fraction(1))
 
 Pair = tuple[int, int]
@@ -118,6 +121,8 @@ class _Elimination:
             pivot = now.get((k, k), _ZERO)
             bound = _ZERO if pivot == first[k] else Binary("*", DIGITS, first[k])
             tests.append(Test(pivot, ">" if number < self.solve.masses else "<", bound))
+            if number >= self.solve.masses and bound == _ZERO:
+                tests.append(Test(pivot, ">", LEAST))
             later = [i for i in self.order[number + 1 :] if _pair(i, k) in now]
             if pivot not in known and (later or right[k] != _ZERO):
                 known[pivot] = self._name("inverse", Binary("/", _ONE, pivot))
