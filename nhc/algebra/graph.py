@@ -142,10 +142,8 @@ class Graph(NodeStore):
         return total
 
     def dot(self, xs: Iterable[Node], ys: Iterable[Node]) -> Node:
-        """The sum of the products of corresponding terms, of which there must be as many."""
-        return self.sum(
-            [self.mul(x, y) for x, y in zip(xs, ys, strict=True) if x and y]
-        )  # most pairs hold a zero, which is 0
+        """The sum of the products of corresponding terms, of which there must be as many (most pairs hold a zero)."""
+        return self.sum([self.mul(x, y) for x, y in zip(xs, ys, strict=True) if x and y])
 
     # --- products -----------------------------------------------------------------------------------------
 
