@@ -117,10 +117,17 @@ class Bag:
         self.add(Diagnostic(code, Severity.ERROR, message, (Label(span, label), *labels), notes, help))
 
     def warning(
-        self, code: str, message: str, span: Span, *, notes: tuple[str, ...] = (), help: tuple[str, ...]
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        *,
+        labels: tuple[Label, ...] = (),
+        notes: tuple[str, ...] = (),
+        help: tuple[str, ...],
     ) -> None:
-        """Add a warning at ``span``."""
-        self.add(Diagnostic(code, Severity.WARNING, message, (Label(span),), notes, help))
+        """Add a warning at ``span``; ``labels`` are further places."""
+        self.add(Diagnostic(code, Severity.WARNING, message, (Label(span), *labels), notes, help))
 
     def again(self, code: str, message: str, span: Span) -> bool:
         """Note a place of a mistake that stands at several, which is told once; say whether it was noted before."""

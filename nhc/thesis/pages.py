@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from nhc.thesis.entries import Equation
 from nhc.thesis.errata import ERRATA
+from nhc.thesis.plain import plain
 from nhc.thesis.registry import EQUATIONS
 
 
@@ -14,7 +15,7 @@ def equation_page(number: str) -> str:
         KeyError: no equation has that number.
     """
     entry = EQUATIONS[number]
-    lines = [f"({entry.number}) {entry.about}", "", f"    {entry.latex}", "", *_status(entry)]
+    lines = [f"({entry.number}) {entry.about}", "", f"    {plain(entry.latex)}", "", *_status(entry)]
     for name in entry.errata:
         erratum = ERRATA[name]
         lines += [
@@ -23,7 +24,7 @@ def equation_page(number: str) -> str:
             f"corrected: {erratum.correction}",
             f"evidence: {erratum.evidence} ({erratum.test})",
         ]
-    return "\n".join(lines)
+    return "\n".join([*lines, "", f"LaTeX: {entry.latex}"])
 
 
 def erratum_page(number: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import pkgutil
 import re
+import unicodedata
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,6 +14,7 @@ import pytest
 import nhc.mechanics
 from nhc.thesis.errata import ERRATA
 from nhc.thesis.pages import equation_page, equation_table, errata_page
+from nhc.thesis.plain import plain
 from nhc.thesis.registry import EQUATIONS
 from nhc.thesis.tie import IMPLEMENTED
 
@@ -55,7 +57,12 @@ def test_an_equation_has_code_a_test_or_a_reason(number: str, root: Path) -> Non
     assert all(name in ERRATA for name in entry.errata)
     assert entry.latex.count("{") == entry.latex.count("}")
     page = equation_page(number)
-    assert page.startswith(f"({number}) ") and entry.latex in page
+    assert page.startswith(f"({number}) ") and page.endswith(entry.latex)
+    text = plain(entry.latex)
+    assert f"\n    {text}\n" in page and "\\" not in text and "  " not in text
+    assert all(text.count(opening) == text.count(closing) for opening, closing in ("()", "[]", "{}"))
+    written = re.sub(r"\\(?!det)[A-Za-z]+|{vmatrix}", "", entry.latex)
+    assert sorted(re.findall("[A-Za-z]", unicodedata.normalize("NFD", text))) == sorted(re.findall("[A-Za-z]", written))
     assert all(f"({name}, " in page for name in entry.errata)
 
 
@@ -86,3 +93,18 @@ def test_the_page_of_errata_is_written_from_the_registry(golden: Callable[[Path,
 def test_unknown_number() -> None:
     with pytest.raises(KeyError):
         equation_page("IV.1.1")
+
+
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [
+        ("I.1.1", "a_αi q'_i + a_α = 0"),
+        ("I.2.4", "q'_j = b_jk ω_k + b_{j,n+1}, b_{j,n+1} = -b_jk a_{k,n+1}"),
+        ("II.1.2", "Ω(d, δ) = |u(d), w(d); u(δ), w(δ)|"),
+        ("III.2.2", "d[(p*_j ω_j - T) dt] = d(p*_j ω_j - T) ∧ dt"),
+        ("III.4", "Ω̃ = (d(∂T*/∂q'_μ) - p_α db_αμ - R_μ dt) ∧ (dq_μ - q'_μ dt)"),
+        ("III.3.4", "∂²T*/∂q'_ν∂q'_μ = T_νμ + T_νβ b_βμ + b_αν T_αμ + b_αν T_αβ b_βμ"),
+    ],
+)
+def test_formulas_fit_on_a_line(number: str, text: str) -> None:
+    assert plain(EQUATIONS[number].latex) == unicodedata.normalize("NFC", text)

@@ -118,7 +118,7 @@ class Checker:
         else:
             other = right.dimension if node.op == "*" else raise_to(right.dimension, -1)
             result = Quantity(multiply(left.dimension, other), left.any or (right.any and node.op == "*"))
-        return Quantity(result.dimension, result.any, _combine(node.op, left.number, right.number))
+        return Quantity(result.dimension, result.any, combine(node.op, left.number, right.number))
 
     def _common(self, node: Binary, left: Quantity, right: Quantity) -> Quantity:
         if left.any or right.any:
@@ -211,7 +211,7 @@ def _lack_beside(left: Dimension, right: Dimension) -> str:
     return f"{lacking}, or a unit is declared wrongly"
 
 
-def _combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction | None:
+def combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction | None:
     """Return the value of an operation on numbers, as far as exponents need it."""
     if left is None or right is None or op == "^" or (op == "/" and right == 0):
         return None

@@ -9,6 +9,7 @@ from typing import Any
 from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.exact.modular import Unlucky, is_zero
 from nhc.diagnostics import Bag, several
+from nhc.language.units.primes import warn_lost_primes
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.formulations.chaplygin import mark_letters
 from nhc.mechanics.frame import coordinate_frame, describe_added
@@ -59,6 +60,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     text = ", ".join(_numbered(*part) for part in (*parts, (n - lower, "free velocity", "free velocities")))
     facts.say("degrees", {"n": n, "l": lower}, text)
     _kinetic(system, facts, explain)
+    warn_lost_primes(system.spec, bag)
     warn_of_bare(system, bag)
     warn_of_inertia(system, bag)
     integrals: tuple[PositionIntegral, ...] = ()
