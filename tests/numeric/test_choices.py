@@ -16,7 +16,7 @@ from nhc.mechanics.certificates.certificate import certify
 from nhc.mechanics.regular.regularity import choose_dependent, judge, relative_determinant, score
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows, trial_points
 from nhc.pipeline import Options, check, emit, model, program
-from tests.support import compile_c
+from tests.support import compile_c, python_model
 
 
 def skates(count: int) -> Source:
@@ -368,3 +368,58 @@ def test_beside_angular_velocities_the_velocity_along_a_knife_edge(edge: str, ad
     assert found.formulation.frame is not None
     assert [form.name for form in found.formulation.frame.forms[found.system.l :]] == ["p", "q", "r", *added]
     assert not [one for one in check(source, explain=False).diagnostics if one.code == "W0408"]
+
+
+TUG = """nhc: 1
+system: tug
+coordinates: [x, y, AHEAD, swing, stretch]
+parameters: {m: 9, I: 1.1, M: 4, K: 0.5, d: 0.2, e: 0.4, l: 0.8, k: 90, c: 5, F: 3}
+define:
+  theta: HEADING
+  hitch: SWING
+bodies:
+  tug: {at: [x, y], turns: [z: theta], mass: m, inertia: I}
+  bar: {parent: tug, at: [-e, 0], turns: [z: hitch]}
+  cart: {parent: bar, at: [-l - stretch, 0], mass: M, inertia: K}
+points:
+  keel: {parent: tug, at: [d, 0]}
+  axle: {parent: cart, at: [0, 0]}
+V: k/2*stretch^2
+forces: {keel_v1: F, stretch: -c*stretch'}
+constraints: [keel_v2 = 0, axle_v2 = 0]
+scenes:
+  go: {initial: {swing: 0.3}, time: [0, 3]}
+"""
+"""The lines of its two axles may coincide at some angle of the hitch, so no completion is regular everywhere."""
+
+
+@pytest.mark.parametrize(
+    ("heading", "swing", "free"),
+    [
+        ("course", "swing", ["v", "swing", "stretch"]),
+        ("course + 0.3", "swing", ["v", "swing", "stretch"]),
+        ("course", "swing - course", ["x", "y", "stretch"]),  # both angles follow from the place
+        ("course + x", "swing", ["course", "swing", "stretch"]),  # not the same on its axes
+    ],
+)
+def test_what_turns_in_the_plane_is_led_along_its_axis(heading: str, swing: str, free: list[str]) -> None:
+    """x' would be singular where it stands across, at two headings of every turn."""
+    text = TUG.replace("AHEAD", "course").replace("HEADING", heading).replace("SWING", swing)
+    found = model(Source("tug.yaml", text))
+    assert found.formulation.frame is not None
+    assert [form.name for form in found.formulation.frame.forms[found.system.l :]] == free
+
+
+@pytest.mark.parametrize("across", [0.0, math.pi / 2, math.pi, -math.pi / 2, 2.0])
+def test_a_tug_turns_all_the_way(across: float) -> None:
+    """The accelerations are those of the multiplier equations at every heading, also where it stands across."""
+    source = Source("tug.yaml", TUG.replace("AHEAD", "course").replace("HEADING", "course").replace("SWING", "swing"))
+    led, whole = (
+        python_model(next(iter(emit(source, "python", options=Options(formulation=name)).values())), f"tug_{name}")
+        for name in ("auto", "multipliers")
+    )
+    place = [0.3, -0.2, across, 0.4, 0.05]
+    speeds = led.velocities(0.0, [*place, 0.7, -0.3, 0.2])
+    assert speeds[0] ** 2 + speeds[1] ** 2 > 0.4
+    own = led.accelerations(0.0, led.state(0.0, place, speeds))
+    assert own == pytest.approx(whole.accelerations(0.0, whole.state(0.0, place, speeds)), rel=1e-12, abs=1e-12)

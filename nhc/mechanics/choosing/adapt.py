@@ -17,7 +17,7 @@ from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
 from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
-from nhc.mechanics.choosing.headings import along_headings
+from nhc.mechanics.choosing.headings import Axes, along_headings, on_axes
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
 from nhc.mechanics.choosing.orders import count_weak, list_orders, may_vanish
 from nhc.mechanics.choosing.pivots import set_pivots_aside
@@ -176,19 +176,21 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
 def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[Form, ...]:
     """The completion that is least often near-singular; other velocities than the first ones only where that is gained."""
 
-    def weigh(pool: Sequence[Form]) -> tuple[tuple[int, float], tuple[Form, ...]]:
-        made = _extend(system, forms, wanted, pool)
-        return coframe_weakness(system, (*system.constraints, *made)), made
+    pools, axes = _pools(system, not forms)
 
-    pools = _pools(system)
+    def weigh(pool: Sequence[Form]) -> tuple[tuple[int, bool, float], tuple[Form, ...]]:
+        made = _extend(system, forms, wanted, pool)
+        weak, size = coframe_weakness(system, (*system.constraints, *made))
+        return (weak, any(found.halves(made) for found in axes), size), made
+
     weighed = [weigh(pool) for pool in pools]
-    (weak, _), best = min(weighed, key=lambda found: found[0])
+    (weak, _, _), best = min(weighed, key=lambda found: found[0])
     if system.l > MANY_ROWS:
         best = _along_rows(system, forms, best, pools[0])
         weak = coframe_weakness(system, (*system.constraints, *best))[0] if forms else 0
     measure = (weak, bool(forms) and may_vanish(system, [*system.constraints, *best]))
     for order in list_orders(system, pools[0]) if forms and any(measure) else ():
-        (weak, _), made = weigh([*order, *pools[0]])
+        (weak, _, _), made = weigh([*order, *pools[0]])
         trial = (weak, weak <= measure[0] and may_vanish(system, [*system.constraints, *made]))
         if trial < measure:
             measure, best = trial, made
@@ -218,9 +220,10 @@ def _along_rows(
     return max(best, strong, key=lambda made: independence(system, made, points))
 
 
-def _pools(system: System) -> list[list[Form]]:
+def _pools(system: System, bare: bool) -> tuple[list[list[Form]], list[Axes]]:
     """Forms to complete with, the preferred ones first: what the spec's dependent velocities leave free, what nhc's
-    own choice of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
+    own choice of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.  Where there is no
+    adapted one and the spec gives no velocities (``bare``), those along the axes of bodies follow, with what is known of these.
 
     Where all constraints are equations of positions, that of the constraints in turn takes the place of an adapted one: the minors
     of a row vanish together only where its equation has no slope, as for rods between points.  Of three new velocities only two
@@ -238,7 +241,9 @@ def _pools(system: System) -> list[list[Form]]:
         adapted = stepwise_forms(system, steps) if in_pairs or system.n > _FEW_COORDINATES else None
     if adapted is not None:
         pools.append([*along_headings(system, adapted), *every])
-    return pools
+    turning = bare and system.l <= MANY_ROWS and all(form.name in system.q_names for form in adapted or ())
+    axes = on_axes(system, unused_name(system, [])) if turning else []
+    return [*pools, *([*own, *every] for found in axes for own in found.pools)], axes
 
 
 def turning_choices(system: System, forms: Sequence[Form] = ()) -> list[tuple[Form, ...]]:

@@ -1,24 +1,32 @@
-"""Velocities along the axes of a body, in place of the row of minors that completes its constraints.
+"""Velocities along the axes of a body, in place of the row of minors that completes its constraints, or of coordinates'.
 
 The row of minors is regular wherever the constraints are, but long: for two axles that steer it is a sum of products of the sines
 and cosines of both.  Where the constraints are those of a body that turns in a plane, they look the same on its axes whatever its
 heading, and the velocity along one of these axes, cos(heading) x' + sin(heading) y', often completes them as well: its product
 with the row of minors is what the determinant is, does not contain the heading, and may be one that cannot vanish.
+
+Where all minors may vanish together, as those of two axles whose lines coincide at some angle of steering, no completion is regular
+everywhere; but of the velocities of coordinates each fails at two headings of every turn, and those along the axes at none.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from itertools import combinations
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations, islice
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
+from nhc.algebra.calculus import gradient
 from nhc.algebra.carry import carry
+from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.angles import normalise_angles
+from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import coframe_weakness, intervals
 from nhc.mechanics.system import Form, System
+from nhc.records import record
 
 _LIMIT = 200  # terms of a product with a row of minors
+_MOST_HEADINGS = 3
 
 
 def along_headings(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
@@ -28,6 +36,56 @@ def along_headings(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
         return tuple(forms)
     weak, before = (coframe_weakness(system, (*system.constraints, *own))[0] for own in (made, forms))
     return tuple(forms) if weak > before else tuple(made)
+
+
+@record
+class Axes:
+    """The names of two coordinates, and velocities with one along or across a body's axes in place of these coordinates' own."""
+
+    names: tuple[str, str]
+    pools: tuple[tuple[Form, ...], ...]
+
+    def halves(self, made: Sequence[Form]) -> bool:
+        """Whether a completion has one of the two coordinates' velocities alone: then it is singular at two headings."""
+        return len({form.name for form in made} & set(self.names)) == 1
+
+
+def on_axes(system: System, name: str) -> list[Axes]:
+    """What may complete the constraints where these look the same at all headings of a body: the velocity along its axis or across
+    it, which bears that name, and the rates of other coordinates, its heading the first or the last of them.
+    """
+    g, found = system.graph, []
+    for heading, i, j in islice(_turning(system), _MOST_HEADINGS):
+        others = [k for k in range(system.n) if k not in (i, j)]
+        orders = others, [*(k for k in others if k != heading), heading]
+        s, c = g.function("sin", system.q[heading]), g.function("cos", system.q[heading])
+        pools = []
+        for first, second in ((c, s), (g.neg(s), c)):
+            coefficients = [g.zero] * system.n
+            coefficients[i], coefficients[j] = first, second
+            axis = Form(name, tuple(coefficients), g.zero)
+            pools += [(axis, *(coordinate_form(system, k) for k in order)) for order in orders]
+        found.append(Axes((system.q_names[i], system.q_names[j]), tuple(pools)))
+    return found
+
+
+def _turning(system: System) -> Iterator[tuple[int, int, int]]:
+    """Each coordinate with which two columns of the constraints turn, while nothing else in them changes; with these columns."""
+    n, rows = system.n, [form.coefficients for form in system.constraints]
+    scratch, symbols, entries = _copied(system, [node for row in rows for node in row])
+    for k, heading in enumerate(system.q):
+        if heading not in symbols:
+            continue
+        slopes = [gradient(scratch, node, [symbols[heading]])[0] for node in entries]
+        columns = sorted({at % n for at, zero in enumerate(are_zero(scratch, slopes)) if not zero})
+        if len(columns) != 2:
+            continue
+        for i, j in (columns, columns[::-1]):
+            gaps = [scratch.add(slopes[r + i], entries[r + j]) for r in range(0, len(entries), n)]
+            gaps += [scratch.sub(slopes[r + j], entries[r + i]) for r in range(0, len(entries), n)]
+            if all(are_zero(scratch, gaps)):
+                yield k, i, j
+                break
 
 
 def _along_axis(system: System, form: Form) -> Form | None:
@@ -47,16 +105,8 @@ def _along_axis(system: System, form: Form) -> Form | None:
 
 
 def _find_axis(system: System, pair: Sequence[Node]) -> tuple[Node, bool] | None:
-    """The heading of axes of which one, the second if true, is one along which two minors cannot vanish together.
-
-    On a graph of its own: what is tried leaves no nodes behind, whose order is part of what is derived later.
-    """
-    scratch, symbols = Graph(), dict[Node, Node]()
-    for node in dict.fromkeys((*system.graph.symbols_in(pair[0]), *system.graph.symbols_in(pair[1]))):
-        symbol = system.graph.symbol_of(node)
-        assert symbol is not None
-        symbols[node] = scratch.symbol(symbol.name, symbol.kind)
-    x, y = carry(system.graph, scratch, pair, symbols)
+    """The heading of axes of which one, the second if true, is one along which two minors cannot vanish together."""
+    scratch, symbols, (x, y) = _copied(system, pair)
     known = {symbols[node]: bounds for node, bounds in intervals(system).items() if node in symbols}
     for heading in (q for q in system.q if q in symbols):
         s, c = scratch.function("sin", symbols[heading]), scratch.function("cos", symbols[heading])
@@ -65,6 +115,16 @@ def _find_axis(system: System, pair: Sequence[Node]) -> tuple[Node, bool] | None
             if _is_regular(scratch, product, symbols[heading], known):
                 return heading, product == across
     return None
+
+
+def _copied(system: System, nodes: Sequence[Node]) -> tuple[Graph, dict[Node, Node], list[Node]]:
+    """Nodes on a graph of their own: what is tried leaves none behind, whose order is part of what is derived later."""
+    scratch, symbols = Graph(), dict[Node, Node]()
+    for node in dict.fromkeys(node for root in nodes for node in system.graph.symbols_in(root)):
+        symbol = system.graph.symbol_of(node)
+        assert symbol is not None
+        symbols[node] = scratch.symbol(symbol.name, symbol.kind)
+    return scratch, symbols, carry(system.graph, scratch, nodes, symbols)
 
 
 def _is_regular(graph: Graph, product: Node, heading: Node, known: Mapping[Node, Interval]) -> bool:
