@@ -77,6 +77,7 @@ def test_lost_primes_are_found() -> None:
         "m/2*((x' - W*y)^2 + (y' + W*x)^2)",  # a turning frame, by its parameter
         "m/2*((x' - y)^2 + (y' + x)^2)",  # and by the number 1: two places, no single prime
         "m/2*(x'^2 + y'^2) + 0.1*x*y'",  # a decimal number may have any unit
+        "m/2*(x'^2 + 4*x^2) + m*y'^2/2",  # and what is no factor of mathematics: a rod that turns with 2 rad/s
         "m/2*(x'^2 + y'^2)*(1 + x^2) - m*k^2*sqrt(1 - (x'^2 + y'^2)/k^2)",
         "m/2*(x' - k*sin(2*t))^2 + m*y'^2/2",
         "m/2*(x'^2 + y'^2)*exp(x)*y^k",
@@ -93,6 +94,7 @@ def test_what_may_be_right_is_not_suspected(T: str) -> None:
         ("m/2*(x'^2 + y^2) + k*y'^2", [16]),
         ("0.5*m*(x'^2 + y'^2) + 0.5*m*x*y'", [32]),
         ("m*x'^2 + m*y'^2 + m*x*y", []),  # two are lost
+        ("3/4*m*(x'^2 + y'^2) + 7/10*m*x'*y", [36]),
         ("m*x'^2 + m*y'^2 + m*x*y'*x", [24, 29]),  # either of two
         ("m/2*((x' - W*y)^2 + (y + W*x)^2)", [25]),
         ("m*atan2(x, y)*x'^2 + m*sqrt(x'^2 + y'^2)*y", [45]),

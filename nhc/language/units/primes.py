@@ -39,17 +39,17 @@ _RATE: Power = {"": Fraction(-1)}
 _PLAIN = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")  # of numbers, to numbers
 _MOST = 200_000  # nodes that are looked at in search of a prime
 _SHOWN = 3  # places
-_FINEST = 4  # quarters
+_PLAINEST, _FINEST = 2, 4  # the largest of numbers by themselves that stand for no parameter; quarters
 
 
 def warn_lost_primes(spec: Spec, bag: Bag) -> None:
     """Add a warning (W0428) where one prime, and nothing else that is written, keeps powers of time from fitting."""
     trees = _trees(spec)
-    if _Powers(spec, None).fits:
+    if _fits(spec):
         return
     size = sum(1 for tree in trees for _ in walk(tree))
     tried = [name for tree in trees for name in _unprimed(tree, spec)][: max(1, _MOST // size)]
-    lost = list({name.span: name for name in tried if _Powers(spec, name).fits}.values())[:_SHOWN]
+    lost = list({name.span: name for name in tried if _fits(spec, name)}.values())[:_SHOWN]
     if not lost:
         return
     first, *others = lost
@@ -84,6 +84,19 @@ def _unprimed(tree: Syntax, spec: Spec) -> Iterator[Name]:
             stack += reversed(children(node))
 
 
+def _fits(spec: Spec, primed: Name | None = None) -> bool:
+    """Whether there are powers of time that fit, with a prime more at one name."""
+    try:
+        _Powers(spec, primed)
+    except _Misfit:
+        return False
+    return True
+
+
+class _Misfit(Exception):
+    """Two powers that must be the same differ."""
+
+
 @record
 class _Part:
     """``number`` is the value of an expression of numbers."""
@@ -93,11 +106,14 @@ class _Part:
 
 
 class _Powers:
-    """The powers of time in a spec, with a prime more at one name; ``fits`` says whether there are any."""
+    """The powers of time in a spec, with a prime more at one name.
+
+    Raises:
+        _Misfit: there are none.
+    """
 
     def __init__(self, spec: Spec, primed: Name | None) -> None:
         self.primed = primed
-        self.fits = True
         self.found: dict[str, Power] = {}  # an unknown -> what it is in others
         self.free = 0
         rotated = [name for rotation in spec.rotations for name in (*rotation.coordinates, *rotation.entries)]
@@ -127,9 +143,9 @@ class _Powers:
     def _visit(self, node: Syntax, parts: tuple[_Part, ...]) -> _Part:
         match node:
             case Number():
-                # 9.81 may stand for a parameter; 2 and 0.5 are of mathematics, and 0 is anything
-                power = {} if node.value.denominator <= _FINEST else self._any()
-                return _Part(power if node.value else None, node.value)
+                # 9.81 and 4 may stand for parameters; 2, 0.5 and 3/4 are of mathematics, and 0 is anything
+                plain = node.value <= _PLAINEST and node.value.denominator <= _FINEST
+                return _Part(None if not node.value else {} if plain else self._any(), node.value)
             case Name():
                 power = self.names.get(node.name) or ({} if node.name in self.names else self._any())
                 return _Part(_product(power, _RATE) if node is self.primed else power)
@@ -168,7 +184,9 @@ class _Powers:
                 self._equate(left.power, {}, strict=False)
                 return {}
             return _product({}, left.power, right.number)
-        if right.power is None and op == "/":
+        if op == "/" and left.number is not None and right.number is not None:
+            return {}
+        if op == "/" and right.power is None:
             return left.power
         return _product(left.power, right.power, Fraction(1 if op == "*" else -1))
 
@@ -190,7 +208,7 @@ class _Powers:
             by = gap.pop(solved)
             self.found[solved] = {unknown: -factor / by for unknown, factor in gap.items()}
         elif gap and strict:
-            self.fits = False
+            raise _Misfit
 
 
 def _product(left: Power | None, right: Power | None, by: Fraction = _ONE) -> Power | None:
