@@ -11,22 +11,23 @@ everywhere; but of the velocities of coordinates each fails at two headings of e
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, islice
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
-from nhc.algebra.calculus import gradient
 from nhc.algebra.carry import carry
-from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import coframe_weakness, intervals
+from nhc.mechanics.regular.trials import sampled_rows, trial_points
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
 _LIMIT = 200  # terms of a product with a row of minors
 _MOST_HEADINGS = 3
+_STATES, _TURN, _ROUNDING = 2, 1.0, 1e-9
 
 
 def along_headings(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
@@ -70,22 +71,30 @@ def on_axes(system: System, name: str) -> list[Axes]:
 
 
 def _turning(system: System) -> Iterator[tuple[int, int, int]]:
-    """Each coordinate with which two columns of the constraints turn, while nothing else in them changes; with these columns."""
-    n, rows = system.n, [form.coefficients for form in system.constraints]
-    scratch, symbols, entries = _copied(system, [node for row in rows for node in row])
+    """Each coordinate with which two columns of the constraints turn, while nothing else in them changes; with these columns.
+
+    By their values at random states, before and after some turn: it is a choice, on whose ground nothing is left out.
+    """
+    states, units = trial_points(system)[-_STATES:], [1.0] * system.n
+    before = sampled_rows(system, system.constraints, [dict(state) for state in states], units=units)
+    g, entries = system.graph, [node for form in system.constraints for node in form.coefficients]
     for k, heading in enumerate(system.q):
-        if heading not in symbols:
+        if not any(g.depends(node, g.deps[heading]) for node in entries):
             continue
-        slopes = [gradient(scratch, node, [symbols[heading]])[0] for node in entries]
-        columns = sorted({at % n for at, zero in enumerate(are_zero(scratch, slopes)) if not zero})
-        if len(columns) != 2:
-            continue
-        for i, j in (columns, columns[::-1]):
-            gaps = [scratch.add(slopes[r + i], entries[r + j]) for r in range(0, len(entries), n)]
-            gaps += [scratch.sub(slopes[r + j], entries[r + i]) for r in range(0, len(entries), n)]
-            if all(are_zero(scratch, gaps)):
-                yield k, i, j
-                break
+        turned = [state | {heading: state[heading] + _TURN} for state in states]
+        after = sampled_rows(system, system.constraints, turned, units=units)
+        if len(before) == len(after) == _STATES:
+            pairs = [pair for old, new in zip(before, after, strict=True) for pair in zip(old, new, strict=True)]
+            columns = sorted({j for old, new in pairs for j in range(system.n) if abs(new[j] - old[j]) > _ROUNDING})
+            for i, j in (columns, columns[::-1]) if len(columns) == 2 else ():
+                if all(_turns(old[i], old[j], new[i], new[j]) for old, new in pairs):
+                    yield k, i, j
+                    break
+
+
+def _turns(x: float, y: float, new_x: float, new_y: float) -> bool:
+    c, s = math.cos(_TURN), math.sin(_TURN)
+    return abs(c * x - s * y - new_x) + abs(s * x + c * y - new_y) <= _ROUNDING * (1 + abs(x) + abs(y))
 
 
 def _along_axis(system: System, form: Form) -> Form | None:
