@@ -660,3 +660,27 @@ def test_integrals_behind_a_factor(function: str) -> None:
     (found,) = [sympy.sympify(e["integral"].replace("^", "**")) for e in facts.data["integrals"]]
     x, y = sympy.symbols("x y")
     assert sympy.simplify(sympy.diff(found, x) / sympy.diff(found, y) - getattr(sympy, function)(x)) == 0
+
+
+@pytest.mark.parametrize(
+    ("forces", "power"),
+    [
+        ("{v: F}", ("v",)),
+        ("{v: F, theta: -F*theta'}", ("v", "theta")),
+        ("{v: F, tip: -F}", ("v", "tip")),
+        ("{v: F, x: F}", ("x", "v")),
+        ("{v: F*u, u: -F*v}", ()),
+    ],
+)
+def test_work_is_done_by_what_the_spec_names(forces: str, power: tuple[str, ...]) -> None:
+    """A force on a velocity or a position pushes along coordinates, of which the spec says nothing."""
+    text = f"""nhc: 1
+system: sled
+coordinates: [x, y, theta]
+parameters: {{F: 2}}
+define: {{v: x'*cos(theta) + y'*sin(theta), u: y'*cos(theta) - x'*sin(theta), tip: x + cos(theta)}}
+T: (x'^2 + y'^2 + theta'^2)/2
+forces: {forces}
+"""
+    found = find_conserved(resolve(decode(Source("sled.yaml", text))), None)
+    assert found.power == tuple(f"the force on `{name}`" for name in power)

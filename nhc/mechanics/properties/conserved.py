@@ -147,12 +147,13 @@ def driving_terms(system: System) -> list[str]:
     A force whose work others cancel (a gyroscopic one) is none.
     """
     g = system.graph
-    terms = []
+    terms: list[str] = []
     turned = {k for rotation in system.rotations for k in rotation.places}
     idle = _idle_forces(system)
+    given = _given_forces(system)
     for i, q in enumerate(system.Q):
         if i not in turned and not idle[i] and not is_zero(g, q):
-            terms.append(f"the force on `{system.q_names[i]}`")
+            terms += [term for name in given[i] if (term := f"the force on `{name}`") not in terms]
     for rotation, torque in zip(system.rotations, system.torques, strict=True):
         if not all(idle[k] for k in rotation.places) and not all(are_zero(g, torque)):
             terms.append(f"the torque on `{rotation.name}`")
@@ -163,6 +164,14 @@ def driving_terms(system: System) -> list[str]:
         if not is_zero(g, form.constant):
             terms.append(f"the reaction of the moving constraint `{form.name}`")
     return terms
+
+
+def _given_forces(system: System) -> list[list[str]]:
+    """For each coordinate what the spec names in `forces:` that may push along it: itself, or velocities and points."""
+    turning = {velocity for rotation in system.spec.rotations for velocity in rotation.velocities}
+    named = [force.name for force in system.spec.forces if force.name not in turning]
+    others = [name for name in named if name not in system.q_names]
+    return [[name] if name in named or not others else others for name in system.q_names]
 
 
 def _idle_forces(system: System) -> list[bool]:
