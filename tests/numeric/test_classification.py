@@ -31,6 +31,7 @@ from nhc.mechanics.properties.integrability import classify
 from nhc.mechanics.properties.integrals import find_position_integrals
 from nhc.mechanics.properties.sampling import Sampler
 from nhc.mechanics.properties.singular import find_rank_loss
+from nhc.mechanics.properties.timed import timed_parts
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.pipeline import check
@@ -684,3 +685,25 @@ forces: {forces}
 """
     found = find_conserved(resolve(decode(Source("sled.yaml", text))), None)
     assert found.power == tuple(f"the force on `{name}`" for name in power)
+
+
+def test_where_the_time_is_written() -> None:
+    text = """nhc: 1
+system: timed
+coordinates: [x, y]
+rotation: {R: {velocities: [p, q, r]}}
+parameters: {F: 2, w: 0}
+define: {u: x' + y'}
+T: (1 + t^2)*x'^2/2 + y'^2/2 + p^2 + q^2 + r^2
+V: F*y*cos(t)
+forces: {u: F*t, q: F*sin(w*t)}
+constraints: [c: y' = t*x']
+"""
+    system = resolve(decode(Source("timed.yaml", text)))
+    assert timed_parts(system) == ["T", "V", "the force on `u`", "the torque on `R`", "the constraint `c`"]
+    still = resolve(
+        decode(
+            Source("still.yaml", text.replace("t^2", "y^2").replace("cos(t)", "y").replace("*t", "").replace("t*", ""))
+        )
+    )
+    assert timed_parts(still) == []

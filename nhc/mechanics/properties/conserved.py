@@ -150,7 +150,7 @@ def driving_terms(system: System) -> list[str]:
     terms: list[str] = []
     turned = {k for rotation in system.rotations for k in rotation.places}
     idle = _idle_forces(system)
-    given = _given_forces(system)
+    given = given_forces(system)
     for i, q in enumerate(system.Q):
         if i not in turned and not idle[i] and not is_zero(g, q):
             terms += [term for name in given[i] if (term := f"the force on `{name}`") not in terms]
@@ -166,7 +166,7 @@ def driving_terms(system: System) -> list[str]:
     return terms
 
 
-def _given_forces(system: System) -> list[list[str]]:
+def given_forces(system: System) -> list[list[str]]:
     """For each coordinate what the spec names in `forces:` that may push along it: itself, or velocities and points."""
     turning = {velocity for rotation in system.spec.rotations for velocity in rotation.velocities}
     named = [force.name for force in system.spec.forces if force.name not in turning]

@@ -33,6 +33,7 @@ from nhc.mechanics.linearize import (
     symbolic_matrix,
 )
 from nhc.mechanics.properties.symmetry import symmetries_of
+from nhc.mechanics.properties.timed import timed_parts
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
@@ -88,7 +89,10 @@ def steady_model(equations: Equations, formulation: Formulation, p: Sequence[flo
     flow, system = flow_of(equations), equations.system
     if not is_autonomous(flow, p):
         advice = "`nhc stability` measures such a motion; or take a coordinate that turns with the time"
-        raise NotSteady("the equations of motion depend on the time: nothing is steady", math.inf, advice=advice)
+        timed = f" ({', '.join(parts)})" if (parts := timed_parts(system)) else ""
+        raise NotSteady(
+            f"the equations of motion depend on the time{timed}: nothing is steady", math.inf, advice=advice
+        )
     frame, leaf = formulation.frame, HiddenLeaf(system.n)
     if system.constraints:
         try:
