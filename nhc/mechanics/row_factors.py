@@ -6,10 +6,9 @@ about the motion.  They count only where the constraints' own values do: in the 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 
-from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.parts import split_powers
 from nhc.mechanics.rotations.directions import along_direction
@@ -87,23 +86,6 @@ def without_common(graph: Graph, nodes: Sequence[Node], constants: int) -> list[
         return list(nodes)
     left = iter(made[2])
     return [next(left) if node != graph.zero else node for node in nodes]
-
-
-def column_lengths(
-    graph: Graph, columns: Mapping[int, Sequence[Node]], constants: int, known: Mapping[Node, Interval]
-) -> dict[int, Node]:
-    """The parameters that the entries of each column have in common; 1 where all columns have some, and where they may be zero.
-
-    Beside velocities of places the rates of angles come with lengths, and in the row of minors the other columns do.  On columns
-    without them this is a velocity of a place too, as that of a wheel, whatever the unit of length is.
-    """
-    g, found = graph, dict[int, Node]()
-    for j, column in columns.items():
-        split = [(Fraction(1), _powers(g, node)[1]) for node in column if node != g.zero]
-        made = _take_out(g, split, constants) if split else None
-        found[j] = _product(g, made[1]) if made else g.one
-    mixed = g.one in found.values()
-    return {j: shared if mixed and cannot_vanish(g, shared, known) else g.one for j, shared in found.items()}
 
 
 def _take_out(

@@ -423,27 +423,3 @@ def test_a_tug_turns_all_the_way(across: float) -> None:
     assert speeds[0] ** 2 + speeds[1] ** 2 > 0.4
     own = led.accelerations(0.0, led.state(0.0, place, speeds))
     assert own == pytest.approx(whole.accelerations(0.0, whole.state(0.0, place, speeds)), rel=1e-12, abs=1e-12)
-
-
-LIFT = """nhc: 1
-system: lift
-coordinates: [x, y, psi, delta]
-parameters: {M: 12, I: 6, J: 0.4, b: BASE}
-T: M/2*(x'^2 + y'^2) + I/2*psi'^2 + J/2*(psi' + delta')^2
-constraints:
-  - y'*cos(psi) - x'*sin(psi) = 0
-  - (y' - b*psi'*cos(psi))*cos(psi + delta) - (x' + b*psi'*sin(psi))*sin(psi + delta) = 0
-"""
-"""A fork lift: the minors of its two rows have the wheelbase in front of x' and y', and not in front of psi'."""
-
-
-@pytest.mark.parametrize(("base", "is_speed"), [("1.6", True), ("0", False)])
-def test_the_row_of_minors_is_a_velocity_of_a_place(base: str, is_speed: bool) -> None:
-    """It is the speed of the rear wheel, m/s throughout; a length that may be zero stays where it is."""
-    made = model(Source("lift.yaml", LIFT.replace("BASE", base)), Options(formulation="euler-lagrange"))
-    assert made.formulation.frame is not None
-    g, forms = made.system.graph, made.formulation.frame.forms[made.system.l :]
-    (row,) = (form for form in forms if form.name not in made.system.q_names) if is_speed else (forms[0],)
-    parameters = g.mask(made.system.p)
-    assert [g.depends(node, parameters) for node in row.coefficients] == [False, False, is_speed, False]
-    assert all(agreement.accelerations for agreement in certify(made.system, points=1).agreements)

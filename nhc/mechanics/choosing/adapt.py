@@ -31,7 +31,7 @@ from nhc.mechanics.regular.regularity import (
     weak_where_constraints_are_not,
 )
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
-from nhc.mechanics.row_factors import column_lengths, without_common
+from nhc.mechanics.row_factors import without_common
 from nhc.mechanics.system import Form, System
 
 _MOST_ROWS = 3
@@ -101,9 +101,8 @@ def _minor_form(
     known, constants = intervals(system), g.mask(system.p)
     own = {r: without_common(g, system.constraints[r].coefficients, constants) for r in rows}
     found: list[tuple[bool, int, tuple[int, ...], list[Node], Node]] = []
-    lengths = column_lengths(g, {j: [own[r][j] for r in rows] for j in columns}, constants, known)
     for subset in islice(combinations(columns, size + 1), _MOST_SUBSETS):
-        block = [[g.div(own[r][j], lengths[j]) for j in subset] for r in rows]
+        block = [[own[r][j] for j in subset] for r in rows]
         if rank(g, block) < size:
             continue
         minors = []
@@ -120,7 +119,7 @@ def _minor_form(
     coefficients = [g.zero] * system.n
     sign = _leading_sign(system, minors)
     for j, minor in zip(subset, minors, strict=True):
-        coefficients[j] = g.mul(g.neg(minor) if sign < 0 else minor, lengths[j])
+        coefficients[j] = g.neg(minor) if sign < 0 else minor
     outside = [j for j in columns if j not in subset]
     reaches = any(system.constraints[r].coefficients[j] != g.zero for r in rows for j in outside)
     return Form(name, tuple(coefficients), g.zero), subset, singular and reaches

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:8c7cb0ae64a61948)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:f2cb67853185d667)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -229,16 +229,16 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     const double nu = p[7]; /* frequency of the torques [rad/s] */
 
     /* sines and cosines */
-    const double z4 = theta + p_b;
-    const double z30 = t * nu;
-    const double s_p_f = sin(p_f);
-    const double c_p_f = cos(p_f);
+    const double z8 = theta + p_b;
+    const double z42 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
-    const double c1 = cos(z4);
-    const double s1 = sin(z4);
-    const double s2 = sin(z30);
-    const double c2 = cos(z30);
+    const double s_p_f = sin(p_f);
+    const double c_p_f = cos(p_f);
+    const double s1 = sin(z8);
+    const double c1 = cos(z8);
+    const double s2 = sin(z42);
+    const double c2 = cos(z42);
 
     /* what else is read */
     const double v = y[6];
@@ -254,69 +254,79 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
     /* from the parameters alone */
-    const double k1 = 1.0 / l;
-    const double k2 = fabs(l);
-    const double k3 = 2.0 + k2;
-    const double k4 = J + J_r;
-    const double k5 = 1.0 / J_r;
-    const double k6 = 1.0 / J_w;
-    const double k7 = J * (k1 * k1);
+    const double k1 = l * l;
+    const double k2 = 1.0 - k1;
+    const double k3 = fabs(l);
+    const double k4 = 2.0 + k3;
+    const double k5 = J + J_r;
+    const double k6 = 1.0 / J_r;
+    const double k7 = 1.0 / J_w;
 
     /* from the state */
-    const double z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b);
-    const double z2 = l * z1;
-    const double z3 = 1.0 / z1;
-    const double z5 = c1 * c_p_f;
-    const double z6 = z5 - s1 * s_p_f;
-    const double z7 = s1 * c_p_f;
-    const double z8 = z7 + c1 * s_p_f;
-    const double z9 = c_p_b * z6 + s_p_b * z8;
-    const double z10 = z5 + c_p_b * z9;
-    const double z11 = z3 * z10;
-    const double z12 = c_p_b * z8 - s_p_b * z6;
-    const double z13 = z7 + c_p_b * z12;
-    const double z14 = z3 * z13;
-    const double z15 = s1 * z9 - c1 * z12;
-    const double z16 = z3 * z15;
-    const double z17 = m * (z11 * z11 + z14 * z14) + k7 * (z16 * z16);
-    const double z18 = 0.5 * (v / z2 * z15);
-    const double z19 = p_b_dot * s_p_b;
-    const double z20 = p_f_dot * s_p_f;
-    const double z21 = z3 * z3 * (c_p_b * z19 + c_p_f * z20);
-    const double z22 = p_b_dot + z18;
-    const double z23 = s1 * z22;
-    const double z24 = p_f_dot + z18;
-    const double z25 = z12 * z24;
-    const double z26 = c1 * z22;
-    const double z27 = z9 * z24;
-    const double z28 = z11 * (z19 * z9 + (c_p_f * z23 + (c1 * z20 + c_p_b * z25))) + z14 * (z19 * z12 -
-        (c_p_f * z26 - (s1 * z20 - c_p_b * z27)));
-    const double z29 = k1 * z16;
-    const double z31 = 2.0 * (z15 * z21) - z3 * (z9 * z26 - s1 * z25 + (z12 * z23 - c1 * z27));
-    const double z32 = k1 * (v * z31);
-    const double z33 = tau * s2 + 0.5 * (J_r * z32);
-    const double z34 = m * (v * ((z10 * z11 + z13 * z14) * z21 + 0.5 * (z3 * z28))) - z29 * (z33 - 0.5 * (k4
-        * z32));
-    const double z35 = z34 / z17;
-    const double z36 = z29 * z35;
-    const double z37 = sigma * c2;
-    const double z38 = 0.5 * (J_w * z32);
+    const double z1 = s_p_f * s_p_f;
+    const double z2 = 2.0 * z1;
+    const double z3 = 1.0 - z2 - k1 * (3.0 - z2);
+    const double z4 = c_p_b * c_p_f;
+    const double z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
+    const double z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
+    const double z7 = 1.0 / z6;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = c_p_b * z10 - s_p_b * z9;
+    const double z13 = s1 * z11 - c1 * z12;
+    const double z14 = z7 * z13;
+    const double z15 = l * c_p_f;
+    const double z16 = l * c_p_b;
+    const double z17 = s1 * z15 + z16 * z12;
+    const double z18 = z7 * z17;
+    const double z19 = c1 * z15 + z16 * z11;
+    const double z20 = z7 * z19;
+    const double z21 = z17 * z18 + z19 * z20;
+    const double z22 = J * (z14 * z14) + m * (z7 * z21);
+    const double z23 = v * z7;
+    const double z24 = z23 * z13;
+    const double z25 = p_b_dot * c_p_b;
+    const double z26 = p_f_dot * c_p_f;
+    const double z27 = s_p_f * z26;
+    const double z28 = k1 * z27;
+    const double z29 = p_b_dot * s_p_b;
+    const double z30 = p_f_dot * s_p_f;
+    const double z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29
+        + c_p_b * z30)));
+    const double z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const double z33 = p_b_dot - z24;
+    const double z34 = s1 * z33;
+    const double z35 = l * z29;
+    const double z36 = l * z30;
+    const double z37 = p_f_dot - z24;
+    const double z38 = z12 * z37;
+    const double z39 = c1 * z33;
+    const double z40 = z11 * z37;
+    const double z41 = z20 * (z15 * z34 + (z35 * z11 + (c1 * z36 + z16 * z38))) - z18 * (z15 * z39 - (z35 *
+        z12 + (s1 * z36 - z16 * z40)));
+    const double z43 = v * (z32 * z13 - z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40)));
+    const double z44 = tau * s2 - J_r * z43;
+    const double z45 = (m * (v * (z32 * z21 + z7 * z41)) + z14 * (z44 + k5 * z43)) / z22;
+    const double z46 = z14 * z45;
+    const double z47 = sigma * c2;
+    const double z48 = J_w * z43;
     /* (I.2.4) */
-    dydt[0] = -0.5 * (v * z11); /* x' */
-    dydt[1] = -0.5 * (v * z14); /* y' */
-    dydt[2] = z18; /* theta' */
+    dydt[0] = z23 * z19; /* x' */
+    dydt[1] = z23 * z17; /* y' */
+    dydt[2] = -z24; /* theta' */
     dydt[3] = psi_dot; /* psi' */
     dydt[4] = p_b_dot; /* p_b' */
     dydt[5] = p_f_dot; /* p_f' */
     /* (I.2.15) 22:4 */
-    dydt[6] = 2.0 * z35; /* v' */
-    dydt[7] = k5 * z33 - z36; /* psi'' */
-    dydt[8] = k6 * (z37 + z38) - z36; /* p_b'' */
-    dydt[9] = -(k6 * (z37 - z38) + z36); /* p_f'' */
+    dydt[6] = z45; /* v' */
+    dydt[7] = k6 * z44 + z46; /* psi'' */
+    dydt[8] = k7 * (z47 - z48) + z46; /* p_b'' */
+    dydt[9] = z46 - k7 * (z47 + z48); /* p_f'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[6] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
-        && fabs(2.0 * z2) > 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3))
-        && fabs(z17) > 1e-13 * z17)) {
+    if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
+        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
+        && fabs(z22) > 1e-13 * z22)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -326,13 +336,12 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
         /* the coframe is singular */
-        if (!(fabs(2.0 * z2) > 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3)))) {
-            return snakeboard_refuse(fabs(2.0 * z2), 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3)),
-                SNAKEBOARD_SINGULAR_1);
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z17) > 1e-13 * z17)) {
-            return snakeboard_refuse(fabs(z17), 1e-13 * z17, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z22) > 1e-13 * z22)) {
+            return snakeboard_refuse(fabs(z22), 1e-13 * z22, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(10, dydt);
     }
@@ -347,13 +356,13 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
 
     /* sines and cosines */
-    const double z4 = theta + p_b;
-    const double s_p_f = sin(p_f);
-    const double c_p_f = cos(p_f);
+    const double z6 = theta + p_b;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
-    const double c1 = cos(z4);
-    const double s1 = sin(z4);
+    const double s_p_f = sin(p_f);
+    const double c_p_f = cos(p_f);
+    const double c1 = cos(z6);
+    const double s1 = sin(z6);
 
     /* what else is read */
     const double v = y[6];
@@ -363,33 +372,36 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
     const double l = p[1]; /* from the centre to an axle [m] */
 
     /* from the parameters alone */
-    const double k1 = fabs(l);
-    const double k2 = 2.0 + k1;
+    const double k1 = l * l;
+    const double k2 = 1.0 - k1;
+    const double k3 = fabs(l);
+    const double k4 = 2.0 + k3;
 
     /* from the state */
-    const double z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b);
-    const double z2 = l * z1;
-    const double z3 = v / z1;
-    const double z5 = c1 * c_p_f;
-    const double z6 = z5 - s1 * s_p_f;
-    const double z7 = s1 * c_p_f;
-    const double z8 = z7 + c1 * s_p_f;
-    const double z9 = c_p_b * z6 + s_p_b * z8;
-    const double z10 = c_p_b * z8 - s_p_b * z6;
+    const double z1 = s_p_f * s_p_f;
+    const double z2 = 2.0 * z1;
+    const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
+    const double z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1));
+    const double z5 = v / z4;
+    const double z7 = l * c_p_f;
+    const double z8 = l * c_p_b;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = c_p_b * z10 - s_p_b * z9;
     /* (I.2.4) */
-    qdot[0] = -0.5 * (z3 * (z5 + c_p_b * z9)); /* x' */
-    qdot[1] = -0.5 * (z3 * (z7 + c_p_b * z10)); /* y' */
-    qdot[2] = 0.5 * (v / z2 * (s1 * z9 - c1 * z10)); /* theta' */
+    qdot[0] = z5 * (c1 * z7 + z8 * z11); /* x' */
+    qdot[1] = z5 * (s1 * z7 + z8 * z12); /* y' */
+    qdot[2] = (c1 * z12 - s1 * z11) * z5; /* theta' */
     qdot[3] = psi_dot; /* psi' */
     qdot[4] = p_b_dot; /* p_b' */
     qdot[5] = p_f_dot; /* p_f' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3] + qdot[4] + qdot[5]) <= DBL_MAX
-        && fabs(2.0 * z2) > 1e-12 * (k2 * ((4.0 + 2.0 * k1) * k2)))) {
+        && fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
         /* the coframe is singular */
-        if (!(fabs(2.0 * z2) > 1e-12 * (k2 * ((4.0 + 2.0 * k1) * k2)))) {
-            return snakeboard_refuse(fabs(2.0 * z2), 1e-12 * (k2 * ((4.0 + 2.0 * k1) * k2)),
-                SNAKEBOARD_SINGULAR_1);
+        if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z4), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         return snakeboard_finish(6, qdot);
     }
@@ -405,16 +417,16 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double nu = p[7]; /* frequency of the torques [rad/s] */
 
     /* sines and cosines */
-    const double z4 = theta + p_b;
-    const double z32 = t * nu;
-    const double s_p_f = sin(p_f);
-    const double c_p_f = cos(p_f);
+    const double z8 = theta + p_b;
+    const double z40 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
-    const double c1 = cos(z4);
-    const double s1 = sin(z4);
-    const double s2 = sin(z32);
-    const double c2 = cos(z32);
+    const double s_p_f = sin(p_f);
+    const double c_p_f = cos(p_f);
+    const double s1 = sin(z8);
+    const double c1 = cos(z8);
+    const double s2 = sin(z40);
+    const double c2 = cos(z40);
 
     /* what else is read */
     const double v = y[6];
@@ -429,73 +441,81 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
     /* from the parameters alone */
-    const double k1 = 1.0 / l;
-    const double k2 = fabs(l);
-    const double k3 = 2.0 + k2;
-    const double k4 = 1.0 / J_r;
-    const double k5 = 1.0 / J_w;
-    const double k6 = J + J_w;
-    const double k7 = J * (k1 * k1);
+    const double k1 = l * l;
+    const double k2 = 1.0 - k1;
+    const double k3 = fabs(l);
+    const double k4 = 2.0 + k3;
+    const double k5 = 1.0 / J_r;
+    const double k6 = 1.0 / J_w;
+    const double k7 = J + J_w;
 
     /* from the state */
-    const double z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b);
-    const double z2 = l * z1;
-    const double z3 = 1.0 / z1;
-    const double z5 = c1 * c_p_f;
-    const double z6 = z5 - s1 * s_p_f;
-    const double z7 = s1 * c_p_f;
-    const double z8 = z7 + c1 * s_p_f;
-    const double z9 = c_p_b * z6 + s_p_b * z8;
-    const double z10 = z5 + c_p_b * z9;
-    const double z11 = z3 * z10;
-    const double z12 = c_p_b * z8 - s_p_b * z6;
-    const double z13 = z7 + c_p_b * z12;
-    const double z14 = z3 * z13;
-    const double z15 = s1 * z9 - c1 * z12;
-    const double z16 = z3 * z15;
-    const double z17 = m * (z11 * z11 + z14 * z14) + k7 * (z16 * z16);
-    const double z18 = p_f_dot * s_p_f;
-    const double z19 = 1.0 / z2;
-    const double z20 = v * z15;
-    const double z21 = 0.5 * (z19 * z20);
-    const double z22 = p_b_dot + z21;
-    const double z23 = s1 * z22;
-    const double z24 = p_b_dot * s_p_b;
-    const double z25 = p_f_dot + z21;
-    const double z26 = z12 * z25;
-    const double z27 = c_p_b * z24 + c_p_f * z18;
-    const double z28 = z3 * z3 * z27;
-    const double z29 = z3 * (c1 * z18 + c_p_f * z23 + (z24 * z9 + c_p_b * z26)) + 2.0 * (z10 * z28);
+    const double z1 = s_p_f * s_p_f;
+    const double z2 = 2.0 * z1;
+    const double z3 = 1.0 - z2 - k1 * (3.0 - z2);
+    const double z4 = c_p_b * c_p_f;
+    const double z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
+    const double z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
+    const double z7 = 1.0 / z6;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = c_p_b * z10 - s_p_b * z9;
+    const double z13 = s1 * z11 - c1 * z12;
+    const double z14 = z7 * z13;
+    const double z15 = l * c_p_f;
+    const double z16 = l * c_p_b;
+    const double z17 = s1 * z15 + z16 * z12;
+    const double z18 = z7 * z17;
+    const double z19 = c1 * z15 + z16 * z11;
+    const double z20 = z7 * z19;
+    const double z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
+    const double z22 = p_b_dot * c_p_b;
+    const double z23 = p_f_dot * c_p_f;
+    const double z24 = s_p_f * z23;
+    const double z25 = k1 * z24;
+    const double z26 = p_b_dot * s_p_b;
+    const double z27 = p_f_dot * s_p_f;
+    const double z28 = z3 * z22 - 4.0 * (s_p_b * (z24 - z25)) - 2.0 * (k2 * (z4 * z23 - s_p_f * (c_p_f * z26
+        + c_p_b * z27)));
+    const double z29 = z7 * z7 * (z5 * z22 + s_p_b * z28 + (2.0 * z24 - 6.0 * z25));
     const double z30 = v * z29;
-    const double z31 = k1 * z16;
-    const double z33 = c1 * z22;
-    const double z34 = z9 * z25;
-    const double z35 = z9 * z33 - s1 * z26 + (z12 * z23 - c1 * z34);
-    const double z36 = k1 * (v * (z3 * z35 - 2.0 * (z15 * z28)));
-    const double z37 = 0.5 * (J_r * z36);
-    const double z38 = tau * s2 - z37;
-    const double z39 = sigma * c2;
-    const double z40 = 0.5 * (J_w * z36);
-    const double z41 = z39 - z40;
-    const double z42 = z39 + z40;
-    const double z43 = z3 * (s1 * z18 - c_p_f * z33 + (z24 * z12 - c_p_b * z34)) + 2.0 * (z13 * z28);
-    const double z44 = v * z43;
-    const double z45 = z31 * (z38 + (z37 + (z41 + (z40 - (z42 - 0.5 * (k6 * z36)))))) - 0.5 * (m * (z14 *
-        z44));
-    const double z46 = (z45 - 0.5 * (m * (z11 * z30))) / z17;
-    const double z47 = 2.0 * (l * (z20 * (z19 * z19 * z27))) - z19 * (v * z35 - 2.0 * (z15 * z46));
-    const double z48 = z31 * z46;
+    const double z31 = l * z27;
+    const double z32 = v * z13;
+    const double z33 = z7 * z32;
+    const double z34 = p_b_dot - z33;
+    const double z35 = s1 * z34;
+    const double z36 = l * z26;
+    const double z37 = p_f_dot - z33;
+    const double z38 = z12 * z37;
+    const double z39 = c1 * z31 + z15 * z35 + (z36 * z11 + z16 * z38);
+    const double z41 = c1 * z34;
+    const double z42 = z11 * z37;
+    const double z43 = z11 * z41 - s1 * z38 + (z12 * z35 - c1 * z42);
+    const double z44 = v * (z7 * z43 - z29 * z13);
+    const double z45 = J_r * z44;
+    const double z46 = tau * s2 + z45;
+    const double z47 = sigma * c2;
+    const double z48 = J_w * z44;
+    const double z49 = z47 + z48;
+    const double z50 = z47 - z48;
+    const double z51 = s1 * z31 - z15 * z41 + (z36 * z12 - z16 * z42);
+    const double z52 = m * v;
+    const double z53 = z14 * (z46 - (z45 - (z49 - (z48 + (z50 + k7 * z44))))) + (z7 * z51 + z29 * z17) * (z18
+        * z52);
+    const double z54 = (z53 + (z7 * z39 + z29 * z19) * (z20 * z52)) / z21;
+    const double z55 = z14 * z54;
     /* (I.2.15) */
-    qddot[0] = 0.5 * (z30 + 2.0 * (z11 * z46)); /* x'' */
-    qddot[1] = 0.5 * (z44 + 2.0 * (z14 * z46)); /* y'' */
-    qddot[2] = -0.5 * z47; /* theta'' */
-    qddot[3] = z48 + k4 * z38; /* psi'' */
-    qddot[4] = z48 + k5 * z41; /* p_b'' */
-    qddot[5] = z48 - k5 * z42; /* p_f'' */
+    qddot[0] = -(z19 * z30 + z7 * (v * z39 - z19 * z54)); /* x'' */
+    qddot[1] = -(z17 * z30 + z7 * (v * z51 - z17 * z54)); /* y'' */
+    qddot[2] = z29 * z32 - z7 * (v * z43 + z13 * z54); /* theta'' */
+    qddot[3] = k5 * z46 + z55; /* psi'' */
+    qddot[4] = k6 * z49 + z55; /* p_b'' */
+    qddot[5] = z55 - k6 * z50; /* p_f'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
-        && fabs(2.0 * z2) > 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3))
-        && fabs(z17) > 1e-13 * z17)) {
+        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
+        && fabs(z21) > 1e-13 * z21)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -505,13 +525,12 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
         /* the coframe is singular */
-        if (!(fabs(2.0 * z2) > 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3)))) {
-            return snakeboard_refuse(fabs(2.0 * z2), 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3)),
-                SNAKEBOARD_SINGULAR_1);
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z17) > 1e-13 * z17)) {
-            return snakeboard_refuse(fabs(z17), 1e-13 * z17, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z21) > 1e-13 * z21)) {
+            return snakeboard_refuse(fabs(z21), 1e-13 * z21, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(6, qddot);
     }
@@ -551,15 +570,15 @@ int snakeboard_state(double t, const double *q, const double *qdot, const double
     const double z3 = z2 - s1 * s_p_f;
     const double z4 = s1 * c_p_f;
     const double z5 = z4 + c1 * s_p_f;
-    const double z6 = x_dot * (z2 + c_p_b * (c_p_b * z3 + s_p_b * z5)) + y_dot * (z4 + c_p_b * (c_p_b * z5 -
-        s_p_b * z3));
+    const double z6 = x_dot * (l * (z2 + c_p_b * (c_p_b * z3 + s_p_b * z5))) + y_dot * (l * (z4 + c_p_b *
+        (c_p_b * z5 - s_p_b * z3)));
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
     y[3] = psi;
     y[4] = p_b;
     y[5] = p_f;
-    y[6] = theta_dot * (l * (c_p_b * s_p_f - c_p_f * s_p_b)) + z6;
+    y[6] = theta_dot * (c_p_b * s_p_f - c_p_f * s_p_b) + z6;
     y[7] = psi_dot;
     y[8] = p_b_dot;
     y[9] = p_f_dot;
@@ -617,16 +636,16 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double nu = p[7]; /* frequency of the torques [rad/s] */
 
     /* sines and cosines */
-    const double z4 = theta + p_b;
-    const double z18 = t * nu;
-    const double s_p_f = sin(p_f);
-    const double c_p_f = cos(p_f);
+    const double z10 = theta + p_b;
+    const double z23 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
-    const double c1 = cos(z4);
-    const double s1 = sin(z4);
-    const double s2 = sin(z18);
-    const double c2 = cos(z18);
+    const double s_p_f = sin(p_f);
+    const double c_p_f = cos(p_f);
+    const double s1 = sin(z10);
+    const double c1 = cos(z10);
+    const double s2 = sin(z23);
+    const double c2 = cos(z23);
 
     /* what else is read */
     const double v = y[6];
@@ -641,78 +660,79 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
     /* from the parameters alone */
-    const double k1 = 1.0 / l;
-    const double k2 = fabs(l);
-    const double k3 = 2.0 + k2;
-    const double k4 = J + J_w;
-    const double k5 = J * (k1 * k1);
+    const double k1 = l * l;
+    const double k2 = 1.0 - k1;
+    const double k3 = fabs(l);
+    const double k4 = 2.0 + k3;
+    const double k5 = J + J_w;
 
     /* from the state */
-    const double z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b);
-    const double z2 = l * z1;
-    const double z3 = 1.0 / z1;
-    const double z5 = c1 * c_p_f;
-    const double z6 = z5 - s1 * s_p_f;
-    const double z7 = s1 * c_p_f;
-    const double z8 = z7 + c1 * s_p_f;
-    const double z9 = c_p_b * z6 + s_p_b * z8;
-    const double z10 = z5 + c_p_b * z9;
-    const double z11 = z3 * z10;
-    const double z12 = c_p_b * z8 - s_p_b * z6;
-    const double z13 = z7 + c_p_b * z12;
-    const double z14 = z3 * z13;
-    const double z15 = c_p_b * s_p_f - c_p_f * s_p_b;
-    const double z16 = z15 * z3;
-    const double z17 = m * (z11 * z11 + z14 * z14) + k5 * (z16 * z16);
-    const double z19 = tau * s2;
-    const double z20 = 1.0 / z2;
-    const double z21 = p_b_dot * s_p_b;
-    const double z22 = p_f_dot * s_p_f;
-    const double z23 = c_p_b * z21 + c_p_f * z22;
-    const double z24 = z15 * v;
-    const double z25 = 0.5 * (z20 * z24);
-    const double z26 = p_b_dot - z25;
-    const double z27 = c1 * z26;
-    const double z28 = p_f_dot - z25;
-    const double z29 = z12 * z28;
-    const double z30 = s1 * z26;
-    const double z31 = z9 * z28;
-    const double z32 = z9 * z27 - s1 * z29 + (z12 * z30 - c1 * z31);
-    const double z33 = k1 * z16;
-    const double z34 = z3 * z3 * z23;
-    const double z35 = k1 * (v * (z3 * z32 + 2.0 * (z15 * z34)));
-    const double z36 = 0.5 * (J_r * z35);
-    const double z37 = sigma * c2;
-    const double z38 = 0.5 * (J_w * z35);
-    const double z39 = z33 * (z19 - z36 + (z36 + (z37 - z38 + (z38 - (z37 + z38 - 0.5 * (k4 * z35))))));
-    const double z40 = 2.0 * (z13 * z34) + z3 * (s1 * z22 - c_p_f * z27 + (z21 * z12 - c_p_b * z31));
-    const double z41 = v * z40;
-    const double z42 = 2.0 * (z10 * z34) + z3 * (c1 * z22 + c_p_f * z30 + (z21 * z9 + c_p_b * z29));
-    const double z43 = v * z42;
-    const double z44 = (z39 + 0.5 * (m * (z14 * z41)) + 0.5 * (m * (z11 * z43))) / z17;
-    const double z45 = 2.0 * (l * (z20 * z20 * z23 * z24)) + v * z20 * z32 - 2.0 * (z33 * z44);
-    const double z46 = k1 * (z3 * (z19 + 0.5 * (J * z45)));
-    const double z47 = z46 * (c1 * z9 + s1 * z12);
-    const double z48 = l * z15;
-    const double z49 = m * z20;
-    const double z50 = (z41 - 2.0 * (z14 * z44)) * z49;
-    const double z51 = z48 * z50;
-    const double z52 = (z43 - 2.0 * (z11 * z44)) * z49;
-    const double z53 = z48 * z52;
-    const double z54 = l * (z10 * z50 - z13 * z52);
-    const double z55 = 0.5 * (c_p_b * z46 + c_p_f * z47) - 0.25 * (z12 * z51) - 0.25 * (z9 * z53) - 0.25 *
-        (c_p_f * z54);
-    const double z56 = 0.5 * (c_p_f * z46 + c_p_b * z47) - 0.25 * (s1 * z51) - 0.25 * (c1 * z53) + 0.25 *
-        (c_p_b * z54);
+    const double z1 = s_p_f * s_p_f;
+    const double z2 = 2.0 * z1;
+    const double z3 = 1.0 - z2 - k1 * (3.0 - z2);
+    const double z4 = c_p_b * c_p_f;
+    const double z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
+    const double z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
+    const double z7 = c_p_b * s_p_f - c_p_f * s_p_b;
+    const double z8 = 1.0 / z6;
+    const double z9 = z7 * z8;
+    const double z11 = s1 * c_p_f;
+    const double z12 = z11 + c1 * s_p_f;
+    const double z13 = c1 * c_p_f;
+    const double z14 = z13 - s1 * s_p_f;
+    const double z15 = c_p_b * z12 - s_p_b * z14;
+    const double z16 = l * (z11 + c_p_b * z15);
+    const double z17 = z8 * z16;
+    const double z18 = c_p_b * z14 + s_p_b * z12;
+    const double z19 = l * (z13 + c_p_b * z18);
+    const double z20 = z8 * z19;
+    const double z21 = m * z8;
+    const double z22 = J * (z9 * z9) + (z16 * z17 + z19 * z20) * z21;
+    const double z24 = tau * s2;
+    const double z25 = p_b_dot * c_p_b;
+    const double z26 = p_f_dot * c_p_f;
+    const double z27 = s_p_f * z26;
+    const double z28 = k1 * z27;
+    const double z29 = p_b_dot * s_p_b;
+    const double z30 = p_f_dot * s_p_f;
+    const double z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29
+        + c_p_b * z30)));
+    const double z32 = z8 * z8 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const double z33 = v * z9;
+    const double z34 = p_b_dot + z33;
+    const double z35 = c1 * z34;
+    const double z36 = p_f_dot + z33;
+    const double z37 = z15 * z36;
+    const double z38 = s1 * z34;
+    const double z39 = z18 * z36;
+    const double z40 = v * (z7 * z32 + z8 * (z18 * z35 - s1 * z37 + (z15 * z38 - c1 * z39)));
+    const double z41 = J_r * z40;
+    const double z42 = sigma * c2;
+    const double z43 = J_w * z40;
+    const double z44 = l * z30;
+    const double z45 = l * c_p_f;
+    const double z46 = l * z29;
+    const double z47 = l * c_p_b;
+    const double z48 = v * (z32 * z16 + z8 * (s1 * z44 - z45 * z35 + (z46 * z15 - z47 * z39)));
+    const double z49 = z9 * (z24 + z41 - (z41 - (z42 + z43 - (z43 + (z42 - z43 + k5 * z40))))) - m * (z17 *
+        z48);
+    const double z50 = v * (z32 * z19 + z8 * (c1 * z44 + z45 * z38 + (z46 * z18 + z47 * z37)));
+    const double z51 = (z49 - m * (z20 * z50)) / z22;
+    const double z52 = z8 * (z24 - J * (z40 + z9 * z51));
+    const double z53 = z21 * (z48 + z17 * z51);
+    const double z54 = z16 * z52 + z7 * z53;
+    const double z55 = z21 * (z50 + z20 * z51);
+    const double z56 = z19 * z52 + z7 * z55;
+    const double z57 = z19 * z53 - z16 * z55;
     /* (I.4.1) 28:5 */
-    lambda[0] = z55; /* reaction of back: Q_i gains lambda_1 a_1i */
+    lambda[0] = -(z15 * z54 + z18 * z56 + z45 * z57); /* reaction of back: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 29:5 */
-    lambda[1] = -z56; /* reaction of front: Q_i gains lambda_2 a_2i */
+    lambda[1] = s1 * z54 + c1 * z56 - z47 * z57; /* reaction of front: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (0 times it is NaN then, and nothing is larger) */
     if (!(fabs(J_r * J_w) > 0.0 * (lambda[0] + lambda[1])
-        && fabs(2.0 * z2) > 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3))
-        && fabs(z17) > 1e-13 * z17)) {
+        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
+        && fabs(z22) > 1e-13 * z22)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -722,13 +742,12 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
         /* the coframe is singular */
-        if (!(fabs(2.0 * z2) > 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3)))) {
-            return snakeboard_refuse(fabs(2.0 * z2), 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3)),
-                SNAKEBOARD_SINGULAR_1);
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z17) > 1e-13 * z17)) {
-            return snakeboard_refuse(fabs(z17), 1e-13 * z17, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z22) > 1e-13 * z22)) {
+            return snakeboard_refuse(fabs(z22), 1e-13 * z22, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(2, lambda);
     }
@@ -743,13 +762,13 @@ double snakeboard_energy(double t, const double *y, const double *p)
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
 
     /* sines and cosines */
-    const double z4 = theta + p_b;
-    const double s_p_f = sin(p_f);
-    const double c_p_f = cos(p_f);
+    const double z6 = theta + p_b;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
-    const double c1 = cos(z4);
-    const double s1 = sin(z4);
+    const double s_p_f = sin(p_f);
+    const double c_p_f = cos(p_f);
+    const double c1 = cos(z6);
+    const double s1 = sin(z6);
 
     /* what else is read */
     const double v = y[6];
@@ -763,32 +782,36 @@ double snakeboard_energy(double t, const double *y, const double *p)
     const double J_w = p[4]; /* each axle [kg*m^2] */
 
     /* from the parameters alone */
-    const double k1 = fabs(l);
-    const double k2 = 2.0 + k1;
+    const double k1 = l * l;
+    const double k2 = 1.0 - k1;
+    const double k3 = fabs(l);
+    const double k4 = 2.0 + k3;
 
     /* from the state */
-    const double z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b);
-    const double z2 = l * z1;
-    const double z3 = v / z1;
-    const double z5 = c1 * c_p_f;
-    const double z6 = z5 - s1 * s_p_f;
-    const double z7 = s1 * c_p_f;
-    const double z8 = z7 + c1 * s_p_f;
-    const double z9 = c_p_b * z6 + s_p_b * z8;
-    const double z10 = z3 * (z5 + c_p_b * z9);
-    const double z11 = c_p_b * z8 - s_p_b * z6;
-    const double z12 = z3 * (z7 + c_p_b * z11);
-    const double z13 = v / z2 * (s1 * z9 - c1 * z11);
-    const double z14 = 0.5 * z13;
-    const double z15 = psi_dot + z14;
-    const double z16 = 0.25 * (m * (z10 * z10 + z12 * z12) + J * (z13 * z13)) + J_r * (z15 * z15);
-    const double z17 = p_b_dot + z14;
-    const double z18 = p_f_dot + z14;
+    const double z1 = s_p_f * s_p_f;
+    const double z2 = 2.0 * z1;
+    const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
+    const double z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1));
+    const double z5 = v / z4;
+    const double z7 = l * c_p_f;
+    const double z8 = l * c_p_b;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = z5 * (c1 * z7 + z8 * z11);
+    const double z13 = c_p_b * z10 - s_p_b * z9;
+    const double z14 = z5 * (s1 * z7 + z8 * z13);
+    const double z15 = z5 * (s1 * z11 - c1 * z13);
+    const double z16 = psi_dot - z15;
+    const double z17 = p_b_dot - z15;
+    const double z18 = p_f_dot - z15;
+    const double z19 = m * (z12 * z12 + z14 * z14) + J * (z15 * z15) + J_r * (z16 * z16) + J_w * (z17 * z17 +
+        z18 * z18);
     /* the coframe is singular */
-    if (!(fabs(2.0 * z2) > 1e-12 * (k2 * ((4.0 + 2.0 * k1) * k2)))) {
+    if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
         return (double)NAN;
     }
-    return 0.5 * (z16 + J_w * (z17 * z17 + z18 * z18));
+    return 0.5 * z19;
 }
 
 SNAKEBOARD_SLOW
@@ -801,16 +824,16 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double nu = p[7]; /* frequency of the torques [rad/s] */
 
     /* sines and cosines */
-    const double z4 = theta + p_b;
-    const double z52 = t * nu;
-    const double s_p_f = sin(p_f);
-    const double c_p_f = cos(p_f);
+    const double z8 = theta + p_b;
+    const double z63 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
-    const double c1 = cos(z4);
-    const double s1 = sin(z4);
-    const double s2 = sin(z52);
-    const double c2 = cos(z52);
+    const double s_p_f = sin(p_f);
+    const double c_p_f = cos(p_f);
+    const double s1 = sin(z8);
+    const double c1 = cos(z8);
+    const double s2 = sin(z63);
+    const double c2 = cos(z63);
 
     /* what else is read */
     const double v = y[6];
@@ -825,190 +848,201 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
     /* from the parameters alone */
-    const double k1 = 1.0 / l;
-    const double k2 = fabs(l);
-    const double k3 = 2.0 + k2;
-    const double k4 = J_2 + J_w;
-    const double k5 = J_2 * (k1 * k1);
+    const double k1 = l * l;
+    const double k2 = 1.0 - k1;
+    const double k3 = fabs(l);
+    const double k4 = 2.0 + k3;
+    const double k5 = J_2 + J_w;
 
     /* from the state */
-    const double z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b);
-    const double z2 = l * z1;
-    const double z3 = 1.0 / z1;
-    const double z5 = c1 * c_p_f;
-    const double z6 = s1 * s_p_f;
-    const double z7 = z5 - z6;
-    const double z8 = s1 * c_p_f;
-    const double z9 = c1 * s_p_f;
-    const double z10 = z8 + z9;
-    const double z11 = c_p_b * z7 + s_p_b * z10;
-    const double z12 = c_p_b * z11;
-    const double z13 = z5 + z12;
-    const double z14 = z3 * z13;
-    const double z15 = c_p_b * z10 - s_p_b * z7;
-    const double z16 = c_p_b * z15;
-    const double z17 = z8 + z16;
-    const double z18 = z3 * z17;
-    const double z19 = s1 * z11 - c1 * z15;
-    const double z20 = z3 * z19;
-    const double z21 = m * (z14 * z14 + z18 * z18) + k5 * (z20 * z20);
-    const double z22 = z8 + s_p_b * z11;
-    const double z23 = z3 * z3;
-    const double z24 = c_p_b * s_p_b;
-    const double z25 = z23 * z24;
-    const double z26 = z3 * z22 + 2.0 * (z13 * z25);
-    const double z27 = v * z26;
-    const double z28 = z9 + z16;
-    const double z29 = c_p_f * s_p_f;
-    const double z30 = z23 * z29;
-    const double z31 = z3 * z28 + 2.0 * (z13 * z30);
-    const double z32 = v * z31;
-    const double z33 = z5 - s_p_b * z15;
-    const double z34 = z3 * z33 - 2.0 * (z17 * z25);
-    const double z35 = v * z34;
-    const double z36 = z6 - z12;
-    const double z37 = z3 * z36 + 2.0 * (z17 * z30);
-    const double z38 = v * z37;
-    const double z39 = v * z19;
-    const double z40 = 1.0 / z2;
-    const double z41 = z39 * (l * (z40 * z40));
-    const double z42 = c1 * z11 + s1 * z15;
-    const double z43 = v * z40 * z42;
-    const double z44 = 2.0 * (z24 * z41) - z43;
-    const double z45 = z43 + 2.0 * (z29 * z41);
-    const double z46 = z40 * z19;
-    const double z47 = z3 * z42;
-    const double z48 = z47 - 2.0 * (z19 * z25);
-    const double z49 = k5 * z20;
-    const double z50 = 1.0 / z21;
-    const double z51 = k1 * z20;
-    const double z53 = k1 * v;
-    const double z54 = 0.5 * (z40 * z39);
-    const double z55 = p_b_dot + z54;
-    const double z56 = c1 * z55;
-    const double z57 = p_f_dot + z54;
-    const double z58 = z15 * z57;
-    const double z59 = s1 * z55;
-    const double z60 = z11 * z57;
-    const double z61 = z11 * z56 - s1 * z58 + (z15 * z59 - c1 * z60);
-    const double z62 = p_b_dot * c_p_b;
-    const double z63 = p_f_dot * c_p_f;
-    const double z64 = s_p_b * z62 + s_p_f * z63;
-    const double z65 = z23 * z64;
-    const double z66 = z3 * z61 - 2.0 * (z65 * z19);
-    const double z67 = z53 * z66;
-    const double z68 = 0.5 * (J_r * z67);
-    const double z69 = sigma * c2;
-    const double z70 = 0.5 * (J_w * z67);
-    const double z71 = tau * s2 - z68 + (z68 + (z69 - z70 + (z70 - (z69 + z70 - 0.5 * (k4 * z67)))));
-    const double z72 = p_f_dot * s_p_f;
-    const double z73 = s1 * z72;
-    const double z74 = p_b_dot * s_p_b;
-    const double z75 = z74 * z15;
-    const double z76 = z73 - c_p_f * z56 + (z75 - c_p_b * z60);
-    const double z77 = z3 * z76 + 2.0 * (z65 * z17);
-    const double z78 = m * v;
-    const double z79 = z77 * z78;
-    const double z80 = c1 * z72;
-    const double z81 = z74 * z11;
-    const double z82 = z80 + c_p_f * z59 + (z81 + c_p_b * z58);
-    const double z83 = z3 * z82 + 2.0 * (z65 * z13);
-    const double z84 = z83 * z78;
-    const double z85 = z51 * z71 - 0.5 * (z18 * z79) - 0.5 * (z14 * z84);
-    const double z86 = z50 * z50 * z85;
-    const double z87 = k1 * z48;
-    const double z88 = z59 + 0.5 * (c1 * z44);
-    const double z89 = z15 * z44;
-    const double z90 = z56 - 0.5 * (s1 * z44);
-    const double z91 = z11 * z44;
-    const double z92 = z11 * z88 + (c1 * z58 - 0.5 * (s1 * z89)) - (z15 * z90 + (s1 * z60 + 0.5 * (c1 *
-        z91)));
-    const double z93 = z3 * z92;
-    const double z94 = z65 * z42;
-    const double z95 = z64 * (z23 * z3);
-    const double z96 = z23 * (c_p_b * z62 - s_p_b * z74) - 4.0 * (z24 * z95);
-    const double z97 = z53 * (2.0 * (z61 * z25) + z93 + 2.0 * (z94 + z19 * z96));
-    const double z98 = J_2 * z51;
-    const double z99 = z18 * z78;
-    const double z100 = 2.0 * (z76 * z25) - z3 * (z80 + c_p_f * z88 + (z62 * z15 + (s_p_b * z60 + 0.5 *
-        (c_p_b * z91))));
-    const double z101 = z71 * z87 - 0.5 * (z97 * z98) - 0.5 * (z34 * z79 - z99 * (z100 - 2.0 * (z65 * z33 +
-        z17 * z96)));
-    const double z102 = z14 * z78;
-    const double z103 = 2.0 * (z82 * z25) + z3 * (z73 - c_p_f * z90 - (z62 * z11 - (s_p_b * z58 + 0.5 *
-        (c_p_b * z89))));
-    const double z104 = z50 * (z101 + 0.5 * (z26 * z84 + z102 * (z103 + 2.0 * (z65 * z22 - z13 * z96))));
-    const double z105 = 2.0 * ((m * (z14 * z26 - z18 * z34) - z48 * z49) * z86) + z104;
-    const double z106 = z47 + 2.0 * (z19 * z30);
-    const double z107 = c1 * z63 - (s_p_f * z59 + 0.5 * (z8 * z45)) - (z75 - c_p_b * (z60 - 0.5 * (z15 *
-        z45)));
-    const double z108 = z23 * (c_p_f * z63 - s_p_f * z72) - 4.0 * (z29 * z95);
-    const double z109 = z31 * z84 + z102 * (2.0 * (z82 * z30) - z3 * z107 + 2.0 * (z65 * z28 - z13 * z108));
-    const double z110 = s1 * z63 + (s_p_f * z56 + 0.5 * (z5 * z45)) + (z81 + c_p_b * (z58 + 0.5 * (z11 *
-        z45)));
-    const double z111 = z37 * z79 + z99 * (2.0 * (z76 * z30) - z3 * z110 + 2.0 * (z65 * z36 - z17 * z108));
-    const double z112 = k1 * z106;
-    const double z113 = z53 * (2.0 * (z94 - z19 * z108) - (2.0 * (z61 * z30) - z93));
-    const double z114 = 2.0 * (z86 * (m * (z14 * z31 + z18 * z37) + z106 * z49)) + z50 * (0.5 * z109 + (0.5 *
-        z111 - (z71 * z112 - 0.5 * (z98 * z113))));
-    const double z115 = v * z3;
-    const double z116 = m * z14;
-    const double z117 = m * z18;
-    const double z118 = k1 * z66;
-    const double z119 = (z83 + 0.5 * (z115 * (z17 * z46))) * z116 + ((z77 - 0.5 * (z115 * (z13 * z46))) *
-        z117 - z118 * z98);
-    const double z120 = z50 * z119;
-    const double z121 = z53 * z48;
-    const double z122 = z50 * (z121 * z98 + z35 * z117 - z27 * z116);
-    const double z123 = z53 * z106;
-    const double z124 = z50 * (z123 * z98 + z38 * z117 + z32 * z116);
-    const double z125 = z50 * z85;
-    const double z126 = 0.5 * z97 + (z87 * z125 + z51 * z105);
-    const double z127 = 0.5 * z113 + (z112 * z125 - z51 * z114);
-    const double z128 = 0.5 * (z118 + z51 * z120);
-    const double z129 = 0.5 * (z121 - z51 * z122);
-    const double z130 = 0.5 * (z123 - z51 * z124);
+    const double z1 = s_p_f * s_p_f;
+    const double z2 = 2.0 * z1;
+    const double z3 = 1.0 - z2 - k1 * (3.0 - z2);
+    const double z4 = c_p_b * c_p_f;
+    const double z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
+    const double z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
+    const double z7 = 1.0 / z6;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = c_p_b * z10 - s_p_b * z9;
+    const double z13 = s1 * z11 - c1 * z12;
+    const double z14 = z7 * z13;
+    const double z15 = l * c_p_f;
+    const double z16 = s1 * z15;
+    const double z17 = l * c_p_b;
+    const double z18 = z17 * z12;
+    const double z19 = z16 + z18;
+    const double z20 = z7 * z19;
+    const double z21 = c1 * z15;
+    const double z22 = z17 * z11;
+    const double z23 = z21 + z22;
+    const double z24 = z7 * z23;
+    const double z25 = z19 * z20 + z23 * z24;
+    const double z26 = J_2 * (z14 * z14) + m * (z7 * z25);
+    const double z27 = v * z7;
+    const double z28 = l * s_p_b;
+    const double z29 = z16 + z11 * z28;
+    const double z30 = z7 * z7;
+    const double z31 = c_p_f * s_p_b;
+    const double z32 = k2 * (s_p_f * z31);
+    const double z33 = c_p_b * z3 + 2.0 * z32;
+    const double z34 = c_p_b * z5 + s_p_b * z33;
+    const double z35 = z30 * z34;
+    const double z36 = z7 * z29 + z23 * z35;
+    const double z37 = v * z36;
+    const double z38 = l * s_p_f;
+    const double z39 = z18 + c1 * z38;
+    const double z40 = c_p_f * s_p_f;
+    const double z41 = c_p_b * s_p_f;
+    const double z42 = 4.0 * z32 + 2.0 * (k2 * (c_p_f * z4 - s_p_f * z41));
+    const double z43 = 2.0 * z40 - 6.0 * (k1 * z40) - s_p_b * z42;
+    const double z44 = z30 * z43;
+    const double z45 = z7 * z39 + z23 * z44;
+    const double z46 = v * z45;
+    const double z47 = z21 - z12 * z28;
+    const double z48 = z7 * z47 - z19 * z35;
+    const double z49 = v * z48;
+    const double z50 = z22 - s1 * z38;
+    const double z51 = z7 * z50 - z19 * z44;
+    const double z52 = v * z51;
+    const double z53 = s1 * z12 + c1 * z11;
+    const double z54 = z7 * z53;
+    const double z55 = z54 - z13 * z35;
+    const double z56 = v * z55;
+    const double z57 = z54 + z13 * z44;
+    const double z58 = v * z57;
+    const double z59 = z13 * z14;
+    const double z60 = z14 * z53;
+    const double z61 = z7 * (z60 + z13 * z55);
+    const double z62 = 1.0 / z26;
+    const double z64 = p_b_dot * c_p_b;
+    const double z65 = p_f_dot * c_p_f;
+    const double z66 = s_p_f * z65;
+    const double z67 = k1 * z66;
+    const double z68 = z66 - z67;
+    const double z69 = p_b_dot * s_p_b;
+    const double z70 = p_f_dot * s_p_f;
+    const double z71 = c_p_f * z69 + c_p_b * z70;
+    const double z72 = z3 * z64 - 4.0 * (s_p_b * z68) - 2.0 * (k2 * (z4 * z65 - s_p_f * z71));
+    const double z73 = z5 * z64 + s_p_b * z72 + (2.0 * z66 - 6.0 * z67);
+    const double z74 = z30 * z73;
+    const double z75 = z27 * z13;
+    const double z76 = p_b_dot - z75;
+    const double z77 = c1 * z76;
+    const double z78 = p_f_dot - z75;
+    const double z79 = z12 * z78;
+    const double z80 = s1 * z76;
+    const double z81 = z11 * z78;
+    const double z82 = z11 * z77 - s1 * z79 + (z12 * z80 - c1 * z81);
+    const double z83 = z74 * z13 - z7 * z82;
+    const double z84 = v * z83;
+    const double z85 = J_r * z84;
+    const double z86 = sigma * c2;
+    const double z87 = J_w * z84;
+    const double z88 = tau * s2 - z85 + (z85 + (z86 - z87 + (z87 - (z86 + z87 - k5 * z84))));
+    const double z89 = m * v;
+    const double z90 = l * z70;
+    const double z91 = s1 * z90;
+    const double z92 = l * z69;
+    const double z93 = z92 * z12;
+    const double z94 = z91 - z15 * z77 + (z93 - z17 * z81);
+    const double z95 = z74 * z19 + z7 * z94;
+    const double z96 = z89 * z95;
+    const double z97 = c1 * z90;
+    const double z98 = z92 * z11;
+    const double z99 = z97 + z15 * z80 + (z98 + z17 * z79);
+    const double z100 = z74 * z23 + z7 * z99;
+    const double z101 = z89 * z100;
+    const double z102 = z14 * z88 + z20 * z96 + z24 * z101;
+    const double z103 = z62 * z62 * z102;
+    const double z104 = J_2 * z14;
+    const double z105 = z80 + c1 * z56;
+    const double z106 = z12 * z56;
+    const double z107 = z77 - s1 * z56;
+    const double z108 = z11 * z56;
+    const double z109 = z11 * z105 - (s1 * z106 - c1 * z79) - (z12 * z107 + (c1 * z108 + s1 * z81));
+    const double z110 = z74 * z53 + z7 * z109;
+    const double z111 = k2 * (z31 * z65 - s_p_f * (s_p_b * z70 - c_p_f * z64));
+    const double z112 = z64 * z33 - z5 * z69 + (c_p_b * z72 - s_p_b * (z3 * z69 + 4.0 * (c_p_b * z68) - 2.0 *
+        z111));
+    const double z113 = z73 * (z30 * z7);
+    const double z114 = z30 * z112 - 2.0 * (z34 * z113);
+    const double z115 = v * (z110 + (z82 * z35 + z13 * z114));
+    const double z116 = z20 * z89;
+    const double z117 = l * z64;
+    const double z118 = z35 * z94 - z7 * (z97 + z15 * z105 + (z12 * z117 + (z17 * z108 + z81 * z28)));
+    const double z119 = z55 * z88 + z104 * z115 + (z48 * z96 + z116 * (z74 * z47 + z19 * z114 - z118));
+    const double z120 = z24 * z89;
+    const double z121 = z35 * z99 + z7 * (z91 - z15 * z107 - (z11 * z117 - (z17 * z106 + z79 * z28)));
+    const double z122 = (J_2 * (z59 * z35 - z61) + m * (z61 + z25 * z35)) * z103 + z62 * (z119 - (z36 * z101
+        + z120 * (z74 * z29 - z23 * z114 + z121)));
+    const double z123 = z7 * (z60 + z13 * z57);
+    const double z124 = c_p_f * z65 - s_p_f * z70;
+    const double z125 = 2.0 * (k2 * (2.0 * (z41 * z65) + (c_p_f * z71 - s_p_f * (s_p_f * z69 - c_p_b *
+        z65))));
+    const double z126 = z30 * (2.0 * z124 - 6.0 * (k1 * z124) - (z64 * z42 + s_p_b * (4.0 * z111 - z125)));
+    const double z127 = z126 - 2.0 * (z43 * z113);
+    const double z128 = v * (z110 - (z82 * z44 + z13 * z127));
+    const double z129 = l * z65;
+    const double z130 = z7 * (s1 * z129 + (z77 * z38 - z21 * z58) + (z98 + z17 * (z79 - z11 * z58)));
+    const double z131 = z57 * z88 + z104 * z128 - (z51 * z96 - z116 * (z44 * z94 - z130 - (z74 * z50 + z19 *
+        z127)));
+    const double z132 = z7 * (c1 * z129 - (z80 * z38 - z16 * z58) - (z93 - z17 * (z81 + z12 * z58)));
+    const double z133 = z62 * (z131 + (z45 * z101 + z120 * (z44 * z99 - z132 + (z74 * z39 - z23 * z127))));
+    const double z134 = (J_2 * (z59 * z44 + z123) - m * (z123 - z25 * z44)) * z103 - z133;
+    const double z135 = m * z24;
+    const double z136 = m * z20;
+    const double z137 = (z100 - z27 * (z19 * z14)) * z135 + ((z95 + z27 * (z23 * z14)) * z136 + z83 * z104);
+    const double z138 = z62 * z137;
+    const double z139 = z62 * (z56 * z104 + z49 * z136 - z37 * z135);
+    const double z140 = z62 * (z58 * z104 - z52 * z136 + z46 * z135);
+    const double z141 = z62 * z102;
+    const double z142 = z115 - (z55 * z141 + z14 * z122);
+    const double z143 = z128 - (z57 * z141 - z14 * z134);
+    const double z144 = z83 - z14 * z138;
+    const double z145 = z56 - z14 * z139;
+    const double z146 = z58 - z14 * z140;
     /* (I.2.15) */
-    J[2] = 0.5 * (v * z18);
-    J[4] = 0.5 * z27;
-    J[5] = 0.5 * z32;
-    J[6] = -0.5 * z14;
-    J[12] = -0.5 * (v * z14);
-    J[14] = -0.5 * z35;
-    J[15] = 0.5 * z38;
-    J[16] = -0.5 * z18;
-    J[24] = -0.5 * z44;
-    J[25] = -0.5 * z45;
-    J[26] = 0.5 * z46;
+    J[2] = -z27 * z19;
+    J[4] = -z37;
+    J[5] = -z46;
+    J[6] = z24;
+    J[12] = z27 * z23;
+    J[14] = z49;
+    J[15] = z52;
+    J[16] = z20;
+    J[24] = -z56;
+    J[25] = z58;
+    J[26] = -z14;
     J[37] = 1.0;
     J[48] = 1.0;
     J[59] = 1.0;
-    J[64] = -2.0 * z105;
-    J[65] = -2.0 * z114;
-    J[66] = z120;
-    J[68] = -z122;
-    J[69] = z124;
-    J[74] = z126;
-    J[75] = -z127;
-    J[76] = -z128;
-    J[78] = -z129;
-    J[79] = z130;
-    J[84] = z126;
-    J[85] = -z127;
-    J[86] = -z128;
-    J[88] = -z129;
-    J[89] = z130;
-    J[94] = z126;
-    J[95] = -z127;
-    J[96] = -z128;
-    J[98] = -z129;
-    J[99] = z130;
+    J[64] = z122;
+    J[65] = z134;
+    J[66] = z138;
+    J[68] = -z139;
+    J[69] = z140;
+    J[74] = -z142;
+    J[75] = z143;
+    J[76] = -z144;
+    J[78] = z145;
+    J[79] = -z146;
+    J[84] = -z142;
+    J[85] = z143;
+    J[86] = -z144;
+    J[88] = z145;
+    J[89] = -z146;
+    J[94] = -z142;
+    J[95] = z143;
+    J[96] = -z144;
+    J[98] = z145;
+    J[99] = -z146;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (0 times it is NaN then, and nothing is larger) */
-    if (!(fabs(J_r * J_w) > 0.0 * (J[2] + J[4] + J[5] + J[6] + J[12] + J[14] + J[15] + J[16] + J[24] + J[25]
-        + J[26] + J[64] + J[65] + J[69] + J[74] + J[79] + J[95] + J[96] + J[98])
-        && fabs(2.0 * z2) > 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3))
-        && fabs(z21) > 1e-13 * z21)) {
+    if (!(fabs(J_r * J_w) > 0.0 * (J[2] + J[12] + J[65] + J[68] + J[75] + J[78] + J[94] + J[96] + J[99])
+        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
+        && fabs(z26) > 1e-13 * z26)) {
         /* the mass matrix is singular, or the velocities that are kept are */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -1018,13 +1052,12 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
         /* the coframe is singular */
-        if (!(fabs(2.0 * z2) > 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3)))) {
-            return snakeboard_refuse(fabs(2.0 * z2), 1e-12 * (k3 * ((4.0 + 2.0 * k2) * k3)),
-                SNAKEBOARD_SINGULAR_1);
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z21) > 1e-13 * z21)) {
-            return snakeboard_refuse(fabs(z21), 1e-13 * z21, SNAKEBOARD_SINGULAR_2);
+        if (!(fabs(z26) > 1e-13 * z26)) {
+            return snakeboard_refuse(fabs(z26), 1e-13 * z26, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(100, J);
     }
@@ -1038,29 +1071,34 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
 
     /* sines and cosines */
-    const double s_p_f = sin(p_f);
-    const double c_p_f = cos(p_f);
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
+    const double s_p_f = sin(p_f);
+    const double c_p_f = cos(p_f);
 
     /* what else is read */
     const double v = y[6];
     const double l = p[1]; /* from the centre to an axle [m] */
 
     /* from the parameters alone */
-    const double k1 = fabs(l);
-    const double k2 = 2.0 + k1;
+    const double k1 = l * l;
+    const double k2 = 1.0 - k1;
+    const double k3 = fabs(l);
+    const double k4 = 2.0 + k3;
 
     /* from the state */
-    const double z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b);
+    const double z1 = s_p_f * s_p_f;
+    const double z2 = 2.0 * z1;
+    const double z3 = c_p_b * c_p_f;
+    const double z4 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * z3 * k2)) + (z1 + k1 *
+        (4.0 - 3.0 * z1));
     /* 32:10 */
-    out[0] = -c_p_b * c_p_f * v / z1; /* speed */
+    out[0] = 2.0 * (l * (z3 * v / z4)); /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(out[0]) <= DBL_MAX && fabs(2.0 * (l * z1)) > 1e-12 * (k2 * ((4.0 + 2.0 * k1) * k2)))) {
+    if (!(fabs(out[0]) <= DBL_MAX && fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
         /* the coframe is singular */
-        if (!(fabs(2.0 * (l * z1)) > 1e-12 * (k2 * ((4.0 + 2.0 * k1) * k2)))) {
-            return snakeboard_refuse(fabs(2.0 * (l * z1)), 1e-12 * (k2 * ((4.0 + 2.0 * k1) * k2)),
-                SNAKEBOARD_SINGULAR_1);
+        if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z4), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         return snakeboard_finish(1, out);
     }
@@ -1076,18 +1114,19 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     snakeboard_bits bad = {0}; /* singular blocks */
     const double m = fixed[0];
     const double l = fixed[1];
-    const double J_r = fixed[2];
-    const double J_w = fixed[3];
-    const double tau = fixed[4];
-    const double sigma = fixed[5];
-    const double nu = fixed[6];
-    const double k1 = fixed[7];
-    const double k2 = fixed[8];
-    const double k3 = fixed[9];
-    const double k4 = fixed[10];
-    const double k5 = fixed[11];
-    const double k6 = fixed[12];
-    const double k7 = fixed[13];
+    const double J = fixed[2];
+    const double J_r = fixed[3];
+    const double J_w = fixed[4];
+    const double tau = fixed[5];
+    const double sigma = fixed[6];
+    const double nu = fixed[7];
+    const double k1 = fixed[8];
+    const double k2 = fixed[9];
+    const double k3 = fixed[10];
+    const double k4 = fixed[11];
+    const double k5 = fixed[12];
+    const double k6 = fixed[13];
+    const double k7 = fixed[14];
     const snakeboard_lanes t_ = snakeboard_get(t);
     const snakeboard_lanes theta = snakeboard_get(y + 2 * stride);
     const snakeboard_lanes p_b = snakeboard_get(y + 4 * stride);
@@ -1097,74 +1136,84 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes p_b_dot = snakeboard_get(y + 8 * stride);
     const snakeboard_lanes p_f_dot = snakeboard_get(y + 9 * stride);
     snakeboard_lanes sine1, cosine1;
-    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(p_f), &far, &sine1, &cosine1);
-    const snakeboard_lanes s_p_f = sine1;
+    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(p_b), &far, &sine1, &cosine1);
+    const snakeboard_lanes s_p_b = sine1;
     snakeboard_lanes sine2, cosine2;
-    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(p_b), &far, &sine2, &cosine2);
-    const snakeboard_lanes s_p_b = sine2;
-    const snakeboard_lanes z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b);
-    const snakeboard_lanes z2 = l * z1;
+    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(p_f), &far, &sine2, &cosine2);
+    const snakeboard_lanes s_p_f = sine2;
+    const snakeboard_lanes z1 = s_p_f * s_p_f;
+    const snakeboard_lanes z2 = 2.0 * z1;
+    const snakeboard_lanes z3 = 1.0 - z2 - k1 * (3.0 - z2);
+    const snakeboard_lanes c_p_b = cosine1;
+    const snakeboard_lanes c_p_f = cosine2;
+    const snakeboard_lanes z4 = c_p_b * c_p_f;
+    const snakeboard_lanes z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
+    const snakeboard_lanes z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
     /* the coframe is singular */
-    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(2.0 * z2)), SNAKEBOARD_SPREAD(1e-12 * (k3 *
-        ((4.0 + 2.0 * k2) * k3))));
-    const snakeboard_lanes z3 = 1.0 / z1;
-    const snakeboard_lanes z4 = theta + p_b;
+    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z6)), SNAKEBOARD_SPREAD(1e-12 * (k4 * ((2.0 +
+        4.0 * k3) * k4))));
+    const snakeboard_lanes z7 = 1.0 / z6;
+    const snakeboard_lanes z8 = theta + p_b;
     snakeboard_lanes sine3, cosine3;
-    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z4), &far, &sine3, &cosine3);
-    const snakeboard_lanes c1 = cosine3;
-    const snakeboard_lanes c_p_f = cosine1;
-    const snakeboard_lanes z5 = c1 * c_p_f;
-    const snakeboard_lanes c_p_b = cosine2;
+    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z8), &far, &sine3, &cosine3);
     const snakeboard_lanes s1 = sine3;
-    const snakeboard_lanes z6 = z5 - s1 * s_p_f;
-    const snakeboard_lanes z7 = s1 * c_p_f;
-    const snakeboard_lanes z8 = z7 + c1 * s_p_f;
-    const snakeboard_lanes z9 = c_p_b * z6 + s_p_b * z8;
-    const snakeboard_lanes z10 = z5 + c_p_b * z9;
-    const snakeboard_lanes z11 = z3 * z10;
-    const snakeboard_lanes z12 = c_p_b * z8 - s_p_b * z6;
-    const snakeboard_lanes z13 = z7 + c_p_b * z12;
-    const snakeboard_lanes z14 = z3 * z13;
-    const snakeboard_lanes z15 = s1 * z9 - c1 * z12;
-    const snakeboard_lanes z16 = z3 * z15;
-    const snakeboard_lanes z17 = m * (z11 * z11 + z14 * z14) + k7 * (z16 * z16);
+    const snakeboard_lanes c1 = cosine3;
+    const snakeboard_lanes z9 = c1 * c_p_f - s1 * s_p_f;
+    const snakeboard_lanes z10 = s1 * c_p_f + c1 * s_p_f;
+    const snakeboard_lanes z11 = c_p_b * z9 + s_p_b * z10;
+    const snakeboard_lanes z12 = c_p_b * z10 - s_p_b * z9;
+    const snakeboard_lanes z13 = s1 * z11 - c1 * z12;
+    const snakeboard_lanes z14 = z7 * z13;
+    const snakeboard_lanes z15 = l * c_p_f;
+    const snakeboard_lanes z16 = l * c_p_b;
+    const snakeboard_lanes z17 = s1 * z15 + z16 * z12;
+    const snakeboard_lanes z18 = z7 * z17;
+    const snakeboard_lanes z19 = c1 * z15 + z16 * z11;
+    const snakeboard_lanes z20 = z7 * z19;
+    const snakeboard_lanes z21 = z17 * z18 + z19 * z20;
+    const snakeboard_lanes z22 = J * (z14 * z14) + m * (z7 * z21);
     /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z17)), 1e-13 * z17);
-    const snakeboard_lanes z18 = 0.5 * (v / z2 * z15);
-    const snakeboard_lanes z19 = p_b_dot * s_p_b;
-    const snakeboard_lanes z20 = p_f_dot * s_p_f;
-    const snakeboard_lanes z21 = z3 * z3 * (c_p_b * z19 + c_p_f * z20);
-    const snakeboard_lanes z22 = p_b_dot + z18;
-    const snakeboard_lanes z23 = s1 * z22;
-    const snakeboard_lanes z24 = p_f_dot + z18;
-    const snakeboard_lanes z25 = z12 * z24;
-    const snakeboard_lanes z26 = c1 * z22;
-    const snakeboard_lanes z27 = z9 * z24;
-    const snakeboard_lanes z28 = z11 * (z19 * z9 + (c_p_f * z23 + (c1 * z20 + c_p_b * z25))) + z14 * (z19 *
-        z12 - (c_p_f * z26 - (s1 * z20 - c_p_b * z27)));
-    const snakeboard_lanes z29 = k1 * z16;
-    const snakeboard_lanes z30 = t_ * nu;
+    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z22)), 1e-13 * z22);
+    const snakeboard_lanes z23 = v * z7;
+    const snakeboard_lanes z24 = z23 * z13;
+    const snakeboard_lanes z25 = p_b_dot * c_p_b;
+    const snakeboard_lanes z26 = p_f_dot * c_p_f;
+    const snakeboard_lanes z27 = s_p_f * z26;
+    const snakeboard_lanes z28 = k1 * z27;
+    const snakeboard_lanes z29 = p_b_dot * s_p_b;
+    const snakeboard_lanes z30 = p_f_dot * s_p_f;
+    const snakeboard_lanes z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f *
+        (c_p_f * z29 + c_p_b * z30)));
+    const snakeboard_lanes z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const snakeboard_lanes z33 = p_b_dot - z24;
+    const snakeboard_lanes z34 = s1 * z33;
+    const snakeboard_lanes z35 = l * z29;
+    const snakeboard_lanes z36 = l * z30;
+    const snakeboard_lanes z37 = p_f_dot - z24;
+    const snakeboard_lanes z38 = z12 * z37;
+    const snakeboard_lanes z39 = c1 * z33;
+    const snakeboard_lanes z40 = z11 * z37;
+    const snakeboard_lanes z41 = z20 * (z15 * z34 + (z35 * z11 + (c1 * z36 + z16 * z38))) - z18 * (z15 * z39
+        - (z35 * z12 + (s1 * z36 - z16 * z40)));
+    const snakeboard_lanes z42 = t_ * nu;
     snakeboard_lanes sine4, cosine4;
-    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z30), &far, &sine4, &cosine4);
+    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z42), &far, &sine4, &cosine4);
     const snakeboard_lanes s2 = sine4;
-    const snakeboard_lanes z31 = 2.0 * (z15 * z21) - z3 * (z9 * z26 - s1 * z25 + (z12 * z23 - c1 * z27));
-    const snakeboard_lanes z32 = k1 * (v * z31);
-    const snakeboard_lanes z33 = tau * s2 + 0.5 * (J_r * z32);
-    const snakeboard_lanes z34 = m * (v * ((z10 * z11 + z13 * z14) * z21 + 0.5 * (z3 * z28))) - z29 * (z33 -
-        0.5 * (k4 * z32));
-    const snakeboard_lanes z35 = z34 / z17;
-    const snakeboard_lanes z36 = z29 * z35;
+    const snakeboard_lanes z43 = v * (z32 * z13 - z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40)));
+    const snakeboard_lanes z44 = tau * s2 - J_r * z43;
+    const snakeboard_lanes z45 = (m * (v * (z32 * z21 + z7 * z41)) + z14 * (z44 + k5 * z43)) / z22;
+    const snakeboard_lanes z46 = z14 * z45;
     const snakeboard_lanes c2 = cosine4;
-    const snakeboard_lanes z37 = sigma * c2;
-    const snakeboard_lanes z38 = 0.5 * (J_w * z32);
+    const snakeboard_lanes z47 = sigma * c2;
+    const snakeboard_lanes z48 = J_w * z43;
     /* (I.2.4) */
-    const snakeboard_lanes slope1 = -0.5 * (v * z11);
+    const snakeboard_lanes slope1 = z23 * z19;
     sum += slope1;
     snakeboard_put(dydt, slope1);
-    const snakeboard_lanes slope2 = -0.5 * (v * z14);
+    const snakeboard_lanes slope2 = z23 * z17;
     sum += slope2;
     snakeboard_put(dydt + 1 * stride, slope2);
-    const snakeboard_lanes slope3 = z18;
+    const snakeboard_lanes slope3 = -z24;
     snakeboard_put(dydt + 2 * stride, slope3);
     const snakeboard_lanes slope4 = psi_dot;
     sum += slope4;
@@ -1174,16 +1223,15 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes slope6 = p_f_dot;
     snakeboard_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 22:4 */
-    const snakeboard_lanes slope7 = 2.0 * z35;
-    sum += slope7;
+    const snakeboard_lanes slope7 = z45;
     snakeboard_put(dydt + 6 * stride, slope7);
-    const snakeboard_lanes slope8 = k5 * z33 - z36;
+    const snakeboard_lanes slope8 = k6 * z44 + z46;
     sum += slope8;
     snakeboard_put(dydt + 7 * stride, slope8);
-    const snakeboard_lanes slope9 = k6 * (z37 + z38) - z36;
+    const snakeboard_lanes slope9 = k7 * (z47 - z48) + z46;
     sum += slope9;
     snakeboard_put(dydt + 8 * stride, slope9);
-    const snakeboard_lanes slope10 = -(k6 * (z37 - z38) + z36);
+    const snakeboard_lanes slope10 = z46 - k7 * (z47 + z48);
     sum += slope10;
     snakeboard_put(dydt + 9 * stride, slope10);
     snakeboard_put(check, snakeboard_mark(far + (sum - sum), bad));
@@ -1213,14 +1261,14 @@ int snakeboard_rhs_batch(size_t count, const double *t, const double *y, const d
     const double tau = p[5]; /* amplitude of the torque on the rotor [N*m] */
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
     const double nu = p[7]; /* frequency of the torques [rad/s] */
-    const double k1 = 1.0 / l;
-    const double k2 = fabs(l);
-    const double k3 = 2.0 + k2;
-    const double k4 = J + J_r;
-    const double k5 = 1.0 / J_r;
-    const double k6 = 1.0 / J_w;
-    const double k7 = J * (k1 * k1);
-    const double fixed[] = {m, l, J_r, J_w, tau, sigma, nu, k1, k2, k3, k4, k5, k6, k7};
+    const double k1 = l * l;
+    const double k2 = 1.0 - k1;
+    const double k3 = fabs(l);
+    const double k4 = 2.0 + k3;
+    const double k5 = J + J_r;
+    const double k6 = 1.0 / J_r;
+    const double k7 = 1.0 / J_w;
+    const double fixed[] = {m, l, J, J_r, J_w, tau, sigma, nu, k1, k2, k3, k4, k5, k6, k7};
     double check[1 * SNAKEBOARD_LANES];
     int status = SNAKEBOARD_OK;
     for (size_t i = 0; i < count; i += SNAKEBOARD_LANES) {

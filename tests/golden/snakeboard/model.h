@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:f22732982458af76)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:79002468952f2ffc)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -13,8 +13,8 @@
  * y[3] = psi [rad]: rotor, relative to the board
  * y[4] = p_b [rad]: back axle, relative to the board
  * y[5] = p_f [rad]: front axle, relative to the board
- * y[6] = v: x'*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f)) + y'*(sin(theta + p_b)*cos(p_f) +
- *     cos(p_b)*sin(theta + p_f)) + theta'*l*(cos(p_b)*sin(p_f) - cos(p_f)*sin(p_b))
+ * y[6] = v: x'*l*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f)) + y'*l*(sin(theta + p_b)*cos(p_f) +
+ *     cos(p_b)*sin(theta + p_f)) + theta'*(cos(p_b)*sin(p_f) - cos(p_f)*sin(p_b))
  * y[7] = psi' [rad/s]
  * y[8] = p_b' [rad/s]
  * y[9] = p_f' [rad/s]
@@ -37,15 +37,15 @@
  * out[0] = speed [m/s]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 39 +-, 87 *, 6 /, 9 calls
- * velocities: 12 +-, 25 *, 2 /, 7 calls
- * accelerations: 47 +-, 104 *, 6 /, 9 calls
- * state: 10 +-, 16 *, 0 /, 6 calls
+ * rhs: 51 +-, 103 *, 4 /, 9 calls
+ * velocities: 18 +-, 34 *, 1 /, 7 calls
+ * accelerations: 62 +-, 117 *, 4 /, 9 calls
+ * state: 10 +-, 17 *, 0 /, 6 calls
  * residuals: 9 +-, 15 *, 0 /, 6 calls
- * reactions: 55 +-, 131 *, 4 /, 9 calls
- * energy: 20 +-, 35 *, 2 /, 7 calls
- * jacobian: 131 +-, 302 *, 4 /, 9 calls
- * outputs: 4 +-, 9 *, 1 /, 5 calls
+ * reactions: 64 +-, 119 *, 2 /, 9 calls
+ * energy: 26 +-, 45 *, 1 /, 7 calls
+ * jacobian: 164 +-, 299 *, 2 /, 9 calls
+ * outputs: 10 +-, 18 *, 1 /, 5 calls
  *
  * Calls: t is the time; y has SNAKEBOARD_NY entries, p has SNAKEBOARD_NP; snakeboard_parameter_defaults may
  *     be passed as p. snakeboard_state makes y from coordinates and velocities.

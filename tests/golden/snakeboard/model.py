@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:acd4490588483611).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:88c5a56701d273d0).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -15,9 +15,9 @@ y[2] = theta [rad]: heading of the board
 y[3] = psi [rad]: rotor, relative to the board
 y[4] = p_b [rad]: back axle, relative to the board
 y[5] = p_f [rad]: front axle, relative to the board
-y[6] = v: x'*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f)) + y'*(sin(theta
-    + p_b)*cos(p_f) + cos(p_b)*sin(theta + p_f)) + theta'*l*(cos(p_b)*sin(p_f) -
-    cos(p_f)*sin(p_b))
+y[6] = v: x'*l*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f)) +
+    y'*l*(sin(theta + p_b)*cos(p_f) + cos(p_b)*sin(theta + p_f)) +
+    theta'*(cos(p_b)*sin(p_f) - cos(p_f)*sin(p_b))
 y[7] = psi' [rad/s]
 y[8] = p_b' [rad/s]
 y[9] = p_f' [rad/s]
@@ -40,15 +40,15 @@ Outputs:
 out[0] = speed [m/s]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 39 +-, 87 *, 6 /, 9 calls
-velocities: 12 +-, 25 *, 2 /, 7 calls
-accelerations: 47 +-, 104 *, 6 /, 9 calls
-state: 10 +-, 16 *, 0 /, 6 calls
+rhs: 51 +-, 103 *, 4 /, 9 calls
+velocities: 18 +-, 34 *, 1 /, 7 calls
+accelerations: 62 +-, 117 *, 4 /, 9 calls
+state: 10 +-, 17 *, 0 /, 6 calls
 residuals: 9 +-, 15 *, 0 /, 6 calls
-reactions: 55 +-, 131 *, 4 /, 9 calls
-energy: 20 +-, 35 *, 2 /, 7 calls
-jacobian: 131 +-, 302 *, 4 /, 9 calls
-outputs: 4 +-, 9 *, 1 /, 5 calls
+reactions: 64 +-, 119 *, 2 /, 9 calls
+energy: 26 +-, 45 *, 1 /, 7 calls
+jacobian: 164 +-, 299 *, 2 /, 9 calls
+outputs: 10 +-, 18 *, 1 /, 5 calls
 
 A singular point raises SingularModelError.
 Units are in brackets, and nothing is converted.
@@ -153,78 +153,89 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "rhs")
         # from the parameters alone
-        k1 = 1.0 / l
-        k2 = abs(l)
-        k3 = 2.0 + k2
-        k4 = J + J_r
-        k5 = 1.0 / J_r
-        k6 = 1.0 / J_w
-        k7 = J * (k1 * k1)
+        k1 = l * l
+        k2 = 1.0 - k1
+        k3 = abs(l)
+        k4 = 2.0 + k3
+        k5 = J + J_r
+        k6 = 1.0 / J_r
+        k7 = 1.0 / J_w
         # from the state
-        s_p_f = math.sin(p_f)
         s_p_b = math.sin(p_b)
-        z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b)
-        z2 = l * z1
-        s3 = (4.0 + 2.0 * k2) * k3
-        # the coframe is singular
-        if not abs(2.0 * z2) > 1e-12 * (k3 * s3):
-            raise _refuse(abs(2.0 * z2), 1e-12 * (k3 * s3), 1, "rhs")
-        z3 = 1.0 / z1
-        z4 = theta + p_b
-        c1 = math.cos(z4)
-        c_p_f = math.cos(p_f)
-        z5 = c1 * c_p_f
+        s_p_f = math.sin(p_f)
+        z1 = s_p_f * s_p_f
+        z2 = 2.0 * z1
+        z3 = 1.0 - z2 - k1 * (3.0 - z2)
         c_p_b = math.cos(p_b)
-        s1 = math.sin(z4)
-        z6 = z5 - s1 * s_p_f
-        z7 = s1 * c_p_f
-        z8 = z7 + c1 * s_p_f
-        z9 = c_p_b * z6 + s_p_b * z8
-        z10 = z5 + c_p_b * z9
-        z11 = z3 * z10
-        z12 = c_p_b * z8 - s_p_b * z6
-        z13 = z7 + c_p_b * z12
-        z14 = z3 * z13
-        z15 = s1 * z9 - c1 * z12
-        z16 = z3 * z15
-        z17 = m * (z11 * z11 + z14 * z14) + k7 * (z16 * z16)
+        c_p_f = math.cos(p_f)
+        z4 = c_p_b * c_p_f
+        z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2)
+        z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
+        # the coframe is singular
+        if not abs(z6) > 1e-12 * (k4 * s3):
+            raise _refuse(abs(z6), 1e-12 * (k4 * s3), 1, "rhs")
+        z7 = 1.0 / z6
+        z8 = theta + p_b
+        s1 = math.sin(z8)
+        c1 = math.cos(z8)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
+        z13 = s1 * z11 - c1 * z12
+        z14 = z7 * z13
+        z15 = l * c_p_f
+        z16 = l * c_p_b
+        z17 = s1 * z15 + z16 * z12
+        z18 = z7 * z17
+        z19 = c1 * z15 + z16 * z11
+        z20 = z7 * z19
+        z21 = z17 * z18 + z19 * z20
+        z22 = J * (z14 * z14) + m * (z7 * z21)
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z17) > 1e-13 * z17:
-            raise _refuse(abs(z17), 1e-13 * z17, 2, "rhs")
-        z18 = 0.5 * (v / z2 * z15)
-        z19 = p_b_dot * s_p_b
-        z20 = p_f_dot * s_p_f
-        z21 = z3 * z3 * (c_p_b * z19 + c_p_f * z20)
-        z22 = p_b_dot + z18
-        z23 = s1 * z22
-        z24 = p_f_dot + z18
-        z25 = z12 * z24
-        z26 = c1 * z22
-        z27 = z9 * z24
-        s4 = z14 * (z19 * z12 - (c_p_f * z26 - (s1 * z20 - c_p_b * z27)))
-        s5 = z11 * (z19 * z9 + (c_p_f * z23 + (c1 * z20 + c_p_b * z25)))
-        z28 = s5 + s4
-        z29 = k1 * z16
-        z30 = t_ * nu
-        s2 = math.sin(z30)
-        s6 = z3 * (z9 * z26 - s1 * z25 + (z12 * z23 - c1 * z27))
-        z31 = 2.0 * (z15 * z21) - s6
-        z32 = k1 * (v * z31)
-        z33 = tau * s2 + 0.5 * (J_r * z32)
-        s7 = m * (v * ((z10 * z11 + z13 * z14) * z21 + 0.5 * (z3 * z28)))
-        z34 = s7 - z29 * (z33 - 0.5 * (k4 * z32))
-        z35 = z34 / z17
-        z36 = z29 * z35
-        c2 = math.cos(z30)
-        z37 = sigma * c2
-        z38 = 0.5 * (J_w * z32)
+        if not abs(z22) > 1e-13 * z22:
+            raise _refuse(abs(z22), 1e-13 * z22, 2, "rhs")
+        z23 = v * z7
+        z24 = z23 * z13
+        z25 = p_b_dot * c_p_b
+        z26 = p_f_dot * c_p_f
+        z27 = s_p_f * z26
+        z28 = k1 * z27
+        z29 = p_b_dot * s_p_b
+        z30 = p_f_dot * s_p_f
+        s4 = 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29 + c_p_b * z30)))
+        z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - s4
+        z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28))
+        z33 = p_b_dot - z24
+        z34 = s1 * z33
+        z35 = l * z29
+        z36 = l * z30
+        z37 = p_f_dot - z24
+        z38 = z12 * z37
+        z39 = c1 * z33
+        z40 = z11 * z37
+        s5 = z20 * (z15 * z34 + (z35 * z11 + (c1 * z36 + z16 * z38)))
+        s6 = z18 * (z15 * z39 - (z35 * z12 + (s1 * z36 - z16 * z40)))
+        z41 = s5 - s6
+        z42 = t_ * nu
+        s2 = math.sin(z42)
+        s7 = z7 * (z11 * z39 - s1 * z38 + (z12 * z34 - c1 * z40))
+        z43 = v * (z32 * z13 - s7)
+        z44 = tau * s2 - J_r * z43
+        s8 = m * (v * (z32 * z21 + z7 * z41)) + z14 * (z44 + k5 * z43)
+        z45 = s8 / z22
+        z46 = z14 * z45
+        c2 = math.cos(z42)
+        z47 = sigma * c2
+        z48 = J_w * z43
         dydt: list[float] = [
             # x' (I.2.4)
-            -0.5 * (v * z11),
+            z23 * z19,
             # y' (I.2.4)
-            -0.5 * (v * z14),
+            z23 * z17,
             # theta' (I.2.4)
-            z18,
+            -z24,
             # psi' (I.2.4)
             psi_dot,
             # p_b' (I.2.4)
@@ -232,13 +243,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # p_f' (I.2.4)
             p_f_dot,
             # v' (I.2.15) 22:4
-            2.0 * z35,
+            z45,
             # psi'' (I.2.15) 22:4
-            k5 * z33 - z36,
+            k6 * z44 + z46,
             # p_b'' (I.2.15) 22:4
-            k6 * (z37 + z38) - z36,
+            k7 * (z47 - z48) + z46,
             # p_f'' (I.2.15) 22:4
-            -(k6 * (z37 - z38) + z36),
+            z46 - k7 * (z47 + z48),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -265,36 +276,41 @@ def velocities(
     l = float(p[1])  # from the centre to an axle [m]
     try:
         # from the parameters alone
-        k1 = abs(l)
-        k2 = 2.0 + k1
+        k1 = l * l
+        k2 = 1.0 - k1
+        k3 = abs(l)
+        k4 = 2.0 + k3
         # from the state
-        s_p_f = math.sin(p_f)
         s_p_b = math.sin(p_b)
-        z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b)
-        z2 = l * z1
-        s2 = (4.0 + 2.0 * k1) * k2
-        # the coframe is singular
-        if not abs(2.0 * z2) > 1e-12 * (k2 * s2):
-            raise _refuse(abs(2.0 * z2), 1e-12 * (k2 * s2), 1, "velocities")
-        z3 = v / z1
-        z4 = theta + p_b
-        c1 = math.cos(z4)
-        c_p_f = math.cos(p_f)
-        z5 = c1 * c_p_f
+        s_p_f = math.sin(p_f)
+        z1 = s_p_f * s_p_f
+        z2 = 2.0 * z1
         c_p_b = math.cos(p_b)
-        s1 = math.sin(z4)
-        z6 = z5 - s1 * s_p_f
-        z7 = s1 * c_p_f
-        z8 = z7 + c1 * s_p_f
-        z9 = c_p_b * z6 + s_p_b * z8
-        z10 = c_p_b * z8 - s_p_b * z6
+        c_p_f = math.cos(p_f)
+        s2 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
+        z3 = s_p_b * (s2 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
+        z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
+        # the coframe is singular
+        if not abs(z4) > 1e-12 * (k4 * s3):
+            raise _refuse(abs(z4), 1e-12 * (k4 * s3), 1, "velocities")
+        z5 = v / z4
+        z6 = theta + p_b
+        c1 = math.cos(z6)
+        z7 = l * c_p_f
+        z8 = l * c_p_b
+        s1 = math.sin(z6)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
         qdot: list[float] = [
             # x' (I.2.4)
-            -0.5 * (z3 * (z5 + c_p_b * z9)),
+            z5 * (c1 * z7 + z8 * z11),
             # y' (I.2.4)
-            -0.5 * (z3 * (z7 + c_p_b * z10)),
+            z5 * (s1 * z7 + z8 * z12),
             # theta' (I.2.4)
-            0.5 * (v / z2 * (s1 * z9 - c1 * z10)),
+            (c1 * z12 - s1 * z11) * z5,
             # psi' (I.2.4)
             psi_dot,
             # p_b' (I.2.4)
@@ -340,94 +356,99 @@ def accelerations(
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "accelerations")
         # from the parameters alone
-        k1 = 1.0 / l
-        k2 = abs(l)
-        k3 = 2.0 + k2
-        k4 = 1.0 / J_r
-        k5 = 1.0 / J_w
-        k6 = J + J_w
-        k7 = J * (k1 * k1)
+        k1 = l * l
+        k2 = 1.0 - k1
+        k3 = abs(l)
+        k4 = 2.0 + k3
+        k5 = 1.0 / J_r
+        k6 = 1.0 / J_w
+        k7 = J + J_w
         # from the state
-        s_p_f = math.sin(p_f)
         s_p_b = math.sin(p_b)
-        z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b)
-        z2 = l * z1
-        s3 = (4.0 + 2.0 * k2) * k3
-        # the coframe is singular
-        if not abs(2.0 * z2) > 1e-12 * (k3 * s3):
-            raise _refuse(abs(2.0 * z2), 1e-12 * (k3 * s3), 1, "accelerations")
-        z3 = 1.0 / z1
-        z4 = theta + p_b
-        c1 = math.cos(z4)
-        c_p_f = math.cos(p_f)
-        z5 = c1 * c_p_f
+        s_p_f = math.sin(p_f)
+        z1 = s_p_f * s_p_f
+        z2 = 2.0 * z1
+        z3 = 1.0 - z2 - k1 * (3.0 - z2)
         c_p_b = math.cos(p_b)
-        s1 = math.sin(z4)
-        z6 = z5 - s1 * s_p_f
-        z7 = s1 * c_p_f
-        z8 = z7 + c1 * s_p_f
-        z9 = c_p_b * z6 + s_p_b * z8
-        z10 = z5 + c_p_b * z9
-        z11 = z3 * z10
-        z12 = c_p_b * z8 - s_p_b * z6
-        z13 = z7 + c_p_b * z12
-        z14 = z3 * z13
-        z15 = s1 * z9 - c1 * z12
-        z16 = z3 * z15
-        z17 = m * (z11 * z11 + z14 * z14) + k7 * (z16 * z16)
+        c_p_f = math.cos(p_f)
+        z4 = c_p_b * c_p_f
+        z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2)
+        z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
+        # the coframe is singular
+        if not abs(z6) > 1e-12 * (k4 * s3):
+            raise _refuse(abs(z6), 1e-12 * (k4 * s3), 1, "accelerations")
+        z7 = 1.0 / z6
+        z8 = theta + p_b
+        s1 = math.sin(z8)
+        c1 = math.cos(z8)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
+        z13 = s1 * z11 - c1 * z12
+        z14 = z7 * z13
+        z15 = l * c_p_f
+        z16 = l * c_p_b
+        z17 = s1 * z15 + z16 * z12
+        z18 = z7 * z17
+        z19 = c1 * z15 + z16 * z11
+        z20 = z7 * z19
+        z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z17) > 1e-13 * z17:
-            raise _refuse(abs(z17), 1e-13 * z17, 2, "accelerations")
-        z18 = p_f_dot * s_p_f
-        z19 = 1.0 / z2
-        z20 = v * z15
-        z21 = 0.5 * (z19 * z20)
-        z22 = p_b_dot + z21
-        z23 = s1 * z22
-        z24 = p_b_dot * s_p_b
-        z25 = p_f_dot + z21
-        z26 = z12 * z25
-        z27 = c_p_b * z24 + c_p_f * z18
-        z28 = z3 * z3 * z27
-        s4 = z3 * (c1 * z18 + c_p_f * z23 + (z24 * z9 + c_p_b * z26))
-        z29 = s4 + 2.0 * (z10 * z28)
+        if not abs(z21) > 1e-13 * z21:
+            raise _refuse(abs(z21), 1e-13 * z21, 2, "accelerations")
+        z22 = p_b_dot * c_p_b
+        z23 = p_f_dot * c_p_f
+        z24 = s_p_f * z23
+        z25 = k1 * z24
+        z26 = p_b_dot * s_p_b
+        z27 = p_f_dot * s_p_f
+        s4 = 2.0 * (k2 * (z4 * z23 - s_p_f * (c_p_f * z26 + c_p_b * z27)))
+        z28 = z3 * z22 - 4.0 * (s_p_b * (z24 - z25)) - s4
+        z29 = z7 * z7 * (z5 * z22 + s_p_b * z28 + (2.0 * z24 - 6.0 * z25))
         z30 = v * z29
-        z31 = k1 * z16
-        z32 = t_ * nu
-        s2 = math.sin(z32)
-        z33 = c1 * z22
-        z34 = z9 * z25
-        z35 = z9 * z33 - s1 * z26 + (z12 * z23 - c1 * z34)
-        z36 = k1 * (v * (z3 * z35 - 2.0 * (z15 * z28)))
-        z37 = 0.5 * (J_r * z36)
-        z38 = tau * s2 - z37
-        c2 = math.cos(z32)
-        z39 = sigma * c2
-        z40 = 0.5 * (J_w * z36)
-        z41 = z39 - z40
-        z42 = z39 + z40
-        s5 = z3 * (s1 * z18 - c_p_f * z33 + (z24 * z12 - c_p_b * z34))
-        z43 = s5 + 2.0 * (z13 * z28)
-        z44 = v * z43
-        s6 = z31 * (z38 + (z37 + (z41 + (z40 - (z42 - 0.5 * (k6 * z36))))))
-        z45 = s6 - 0.5 * (m * (z14 * z44))
-        z46 = (z45 - 0.5 * (m * (z11 * z30))) / z17
-        s7 = 2.0 * (l * (z20 * (z19 * z19 * z27)))
-        z47 = s7 - z19 * (v * z35 - 2.0 * (z15 * z46))
-        z48 = z31 * z46
+        z31 = l * z27
+        z32 = v * z13
+        z33 = z7 * z32
+        z34 = p_b_dot - z33
+        z35 = s1 * z34
+        z36 = l * z26
+        z37 = p_f_dot - z33
+        z38 = z12 * z37
+        z39 = c1 * z31 + z15 * z35 + (z36 * z11 + z16 * z38)
+        z40 = t_ * nu
+        s2 = math.sin(z40)
+        z41 = c1 * z34
+        z42 = z11 * z37
+        z43 = z11 * z41 - s1 * z38 + (z12 * z35 - c1 * z42)
+        z44 = v * (z7 * z43 - z29 * z13)
+        z45 = J_r * z44
+        z46 = tau * s2 + z45
+        c2 = math.cos(z40)
+        z47 = sigma * c2
+        z48 = J_w * z44
+        z49 = z47 + z48
+        z50 = z47 - z48
+        z51 = s1 * z31 - z15 * z41 + (z36 * z12 - z16 * z42)
+        z52 = m * v
+        s5 = z14 * (z46 - (z45 - (z49 - (z48 + (z50 + k7 * z44)))))
+        z53 = s5 + (z7 * z51 + z29 * z17) * (z18 * z52)
+        z54 = (z53 + (z7 * z39 + z29 * z19) * (z20 * z52)) / z21
+        z55 = z14 * z54
         qddot: list[float] = [
             # x'' (I.2.15)
-            0.5 * (z30 + 2.0 * (z11 * z46)),
+            -(z19 * z30 + z7 * (v * z39 - z19 * z54)),
             # y'' (I.2.15)
-            0.5 * (z44 + 2.0 * (z14 * z46)),
+            -(z17 * z30 + z7 * (v * z51 - z17 * z54)),
             # theta'' (I.2.15)
-            -0.5 * z47,
+            z29 * z32 - z7 * (v * z43 + z13 * z54),
             # psi'' (I.2.15)
-            z48 + k4 * z38,
+            k5 * z46 + z55,
             # p_b'' (I.2.15)
-            z48 + k5 * z41,
+            k6 * z49 + z55,
             # p_f'' (I.2.15)
-            z48 - k5 * z42,
+            z55 - k6 * z50,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -471,8 +492,8 @@ def state(
         z3 = z2 - s1 * s_p_f
         z4 = s1 * c_p_f
         z5 = z4 + c1 * s_p_f
-        s2 = x_dot * (z2 + c_p_b * (c_p_b * z3 + s_p_b * z5))
-        z6 = s2 + y_dot * (z4 + c_p_b * (c_p_b * z5 - s_p_b * z3))
+        s2 = x_dot * (l * (z2 + c_p_b * (c_p_b * z3 + s_p_b * z5)))
+        z6 = s2 + y_dot * (l * (z4 + c_p_b * (c_p_b * z5 - s_p_b * z3)))
         y: list[float] = [
             x,
             y_2,
@@ -480,7 +501,7 @@ def state(
             psi,
             p_b,
             p_f,
-            theta_dot * (l * (c_p_b * s_p_f - c_p_f * s_p_b)) + z6,
+            theta_dot * (c_p_b * s_p_f - c_p_f * s_p_b) + z6,
             psi_dot,
             p_b_dot,
             p_f_dot,
@@ -567,95 +588,94 @@ def reactions(
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "reactions")
         # from the parameters alone
-        k1 = 1.0 / l
-        k2 = abs(l)
-        k3 = 2.0 + k2
-        k4 = J + J_w
-        k5 = J * (k1 * k1)
+        k1 = l * l
+        k2 = 1.0 - k1
+        k3 = abs(l)
+        k4 = 2.0 + k3
+        k5 = J + J_w
         # from the state
-        s_p_f = math.sin(p_f)
         s_p_b = math.sin(p_b)
-        z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b)
-        z2 = l * z1
-        s3 = (4.0 + 2.0 * k2) * k3
-        # the coframe is singular
-        if not abs(2.0 * z2) > 1e-12 * (k3 * s3):
-            raise _refuse(abs(2.0 * z2), 1e-12 * (k3 * s3), 1, "reactions")
-        z3 = 1.0 / z1
-        z4 = theta + p_b
-        c1 = math.cos(z4)
-        c_p_f = math.cos(p_f)
-        z5 = c1 * c_p_f
+        s_p_f = math.sin(p_f)
+        z1 = s_p_f * s_p_f
+        z2 = 2.0 * z1
+        z3 = 1.0 - z2 - k1 * (3.0 - z2)
         c_p_b = math.cos(p_b)
-        s1 = math.sin(z4)
-        z6 = z5 - s1 * s_p_f
-        z7 = s1 * c_p_f
-        z8 = z7 + c1 * s_p_f
-        z9 = c_p_b * z6 + s_p_b * z8
-        z10 = z5 + c_p_b * z9
-        z11 = z3 * z10
-        z12 = c_p_b * z8 - s_p_b * z6
-        z13 = z7 + c_p_b * z12
-        z14 = z3 * z13
-        z15 = c_p_b * s_p_f - c_p_f * s_p_b
-        z16 = z15 * z3
-        z17 = m * (z11 * z11 + z14 * z14) + k5 * (z16 * z16)
+        c_p_f = math.cos(p_f)
+        z4 = c_p_b * c_p_f
+        z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2)
+        z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
+        # the coframe is singular
+        if not abs(z6) > 1e-12 * (k4 * s3):
+            raise _refuse(abs(z6), 1e-12 * (k4 * s3), 1, "reactions")
+        z7 = c_p_b * s_p_f - c_p_f * s_p_b
+        z8 = 1.0 / z6
+        z9 = z7 * z8
+        z10 = theta + p_b
+        s1 = math.sin(z10)
+        z11 = s1 * c_p_f
+        c1 = math.cos(z10)
+        z12 = z11 + c1 * s_p_f
+        z13 = c1 * c_p_f
+        z14 = z13 - s1 * s_p_f
+        z15 = c_p_b * z12 - s_p_b * z14
+        z16 = l * (z11 + c_p_b * z15)
+        z17 = z8 * z16
+        z18 = c_p_b * z14 + s_p_b * z12
+        z19 = l * (z13 + c_p_b * z18)
+        z20 = z8 * z19
+        z21 = m * z8
+        z22 = J * (z9 * z9) + (z16 * z17 + z19 * z20) * z21
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z17) > 1e-13 * z17:
-            raise _refuse(abs(z17), 1e-13 * z17, 2, "reactions")
-        z18 = t_ * nu
-        s2 = math.sin(z18)
-        z19 = tau * s2
-        z20 = 1.0 / z2
-        z21 = p_b_dot * s_p_b
-        z22 = p_f_dot * s_p_f
-        z23 = c_p_b * z21 + c_p_f * z22
-        z24 = z15 * v
-        z25 = 0.5 * (z20 * z24)
-        z26 = p_b_dot - z25
-        z27 = c1 * z26
-        z28 = p_f_dot - z25
-        z29 = z12 * z28
-        z30 = s1 * z26
-        z31 = z9 * z28
-        z32 = z9 * z27 - s1 * z29 + (z12 * z30 - c1 * z31)
-        z33 = k1 * z16
-        z34 = z3 * z3 * z23
-        z35 = k1 * (v * (z3 * z32 + 2.0 * (z15 * z34)))
-        z36 = 0.5 * (J_r * z35)
-        c2 = math.cos(z18)
-        z37 = sigma * c2
-        z38 = 0.5 * (J_w * z35)
-        s4 = z36 + (z37 - z38 + (z38 - (z37 + z38 - 0.5 * (k4 * z35))))
-        z39 = z33 * (z19 - z36 + s4)
-        s5 = z3 * (s1 * z22 - c_p_f * z27 + (z21 * z12 - c_p_b * z31))
-        z40 = 2.0 * (z13 * z34) + s5
-        z41 = v * z40
-        s6 = z3 * (c1 * z22 + c_p_f * z30 + (z21 * z9 + c_p_b * z29))
-        z42 = 2.0 * (z10 * z34) + s6
-        z43 = v * z42
-        s7 = z39 + 0.5 * (m * (z14 * z41)) + 0.5 * (m * (z11 * z43))
-        z44 = s7 / z17
-        s8 = 2.0 * (l * (z20 * z20 * z23 * z24)) + v * z20 * z32
-        z45 = s8 - 2.0 * (z33 * z44)
-        z46 = k1 * (z3 * (z19 + 0.5 * (J * z45)))
-        z47 = z46 * (c1 * z9 + s1 * z12)
-        z48 = l * z15
-        z49 = m * z20
-        z50 = (z41 - 2.0 * (z14 * z44)) * z49
-        z51 = z48 * z50
-        z52 = (z43 - 2.0 * (z11 * z44)) * z49
-        z53 = z48 * z52
-        z54 = l * (z10 * z50 - z13 * z52)
-        s9 = 0.5 * (c_p_b * z46 + c_p_f * z47) - 0.25 * (z12 * z51)
-        z55 = s9 - 0.25 * (z9 * z53) - 0.25 * (c_p_f * z54)
-        s10 = 0.5 * (c_p_f * z46 + c_p_b * z47) - 0.25 * (s1 * z51)
-        z56 = s10 - 0.25 * (c1 * z53) + 0.25 * (c_p_b * z54)
+        if not abs(z22) > 1e-13 * z22:
+            raise _refuse(abs(z22), 1e-13 * z22, 2, "reactions")
+        z23 = t_ * nu
+        s2 = math.sin(z23)
+        z24 = tau * s2
+        z25 = p_b_dot * c_p_b
+        z26 = p_f_dot * c_p_f
+        z27 = s_p_f * z26
+        z28 = k1 * z27
+        z29 = p_b_dot * s_p_b
+        z30 = p_f_dot * s_p_f
+        s4 = 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29 + c_p_b * z30)))
+        z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - s4
+        z32 = z8 * z8 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28))
+        z33 = v * z9
+        z34 = p_b_dot + z33
+        z35 = c1 * z34
+        z36 = p_f_dot + z33
+        z37 = z15 * z36
+        z38 = s1 * z34
+        z39 = z18 * z36
+        s5 = z8 * (z18 * z35 - s1 * z37 + (z15 * z38 - c1 * z39))
+        z40 = v * (z7 * z32 + s5)
+        z41 = J_r * z40
+        c2 = math.cos(z23)
+        z42 = sigma * c2
+        z43 = J_w * z40
+        z44 = l * z30
+        z45 = l * c_p_f
+        z46 = l * z29
+        z47 = l * c_p_b
+        s6 = z8 * (s1 * z44 - z45 * z35 + (z46 * z15 - z47 * z39))
+        z48 = v * (z32 * z16 + s6)
+        s7 = z41 - (z42 + z43 - (z43 + (z42 - z43 + k5 * z40)))
+        z49 = z9 * (z24 + z41 - s7) - m * (z17 * z48)
+        s8 = z8 * (c1 * z44 + z45 * z38 + (z46 * z18 + z47 * z37))
+        z50 = v * (z32 * z19 + s8)
+        z51 = (z49 - m * (z20 * z50)) / z22
+        z52 = z8 * (z24 - J * (z40 + z9 * z51))
+        z53 = z21 * (z48 + z17 * z51)
+        z54 = z16 * z52 + z7 * z53
+        z55 = z21 * (z50 + z20 * z51)
+        z56 = z19 * z52 + z7 * z55
+        z57 = z19 * z53 - z16 * z55
         lambda_: list[float] = [
             # reaction of back: Q_i gains lambda_1 a_1i (I.4.1) 28:5
-            z55,
+            -(z15 * z54 + z18 * z56 + z45 * z57),
             # reaction of front: Q_i gains lambda_2 a_2i (I.4.1) 29:5
-            -z56,
+            s1 * z54 + c1 * z56 - z47 * z57,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -682,39 +702,43 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     J_w = float(p[4])  # each axle [kg*m^2]
     try:
         # from the parameters alone
-        k1 = abs(l)
-        k2 = 2.0 + k1
+        k1 = l * l
+        k2 = 1.0 - k1
+        k3 = abs(l)
+        k4 = 2.0 + k3
         # from the state
-        s_p_f = math.sin(p_f)
         s_p_b = math.sin(p_b)
-        z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b)
-        z2 = l * z1
-        s2 = (4.0 + 2.0 * k1) * k2
-        # the coframe is singular
-        if not abs(2.0 * z2) > 1e-12 * (k2 * s2):
-            raise _refuse(abs(2.0 * z2), 1e-12 * (k2 * s2), 1, "energy")
-        z3 = v / z1
-        z4 = theta + p_b
-        c1 = math.cos(z4)
-        c_p_f = math.cos(p_f)
-        z5 = c1 * c_p_f
+        s_p_f = math.sin(p_f)
+        z1 = s_p_f * s_p_f
+        z2 = 2.0 * z1
         c_p_b = math.cos(p_b)
-        s1 = math.sin(z4)
-        z6 = z5 - s1 * s_p_f
-        z7 = s1 * c_p_f
-        z8 = z7 + c1 * s_p_f
-        z9 = c_p_b * z6 + s_p_b * z8
-        z10 = z3 * (z5 + c_p_b * z9)
-        z11 = c_p_b * z8 - s_p_b * z6
-        z12 = z3 * (z7 + c_p_b * z11)
-        z13 = v / z2 * (s1 * z9 - c1 * z11)
-        z14 = 0.5 * z13
-        z15 = psi_dot + z14
-        s3 = 0.25 * (m * (z10 * z10 + z12 * z12) + J * (z13 * z13))
-        z16 = s3 + J_r * (z15 * z15)
-        z17 = p_b_dot + z14
-        z18 = p_f_dot + z14
-        value1 = 0.5 * (z16 + J_w * (z17 * z17 + z18 * z18))
+        c_p_f = math.cos(p_f)
+        s2 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
+        z3 = s_p_b * (s2 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
+        z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
+        # the coframe is singular
+        if not abs(z4) > 1e-12 * (k4 * s3):
+            raise _refuse(abs(z4), 1e-12 * (k4 * s3), 1, "energy")
+        z5 = v / z4
+        z6 = theta + p_b
+        c1 = math.cos(z6)
+        z7 = l * c_p_f
+        z8 = l * c_p_b
+        s1 = math.sin(z6)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = z5 * (c1 * z7 + z8 * z11)
+        z13 = c_p_b * z10 - s_p_b * z9
+        z14 = z5 * (s1 * z7 + z8 * z13)
+        z15 = z5 * (s1 * z11 - c1 * z13)
+        z16 = psi_dot - z15
+        z17 = p_b_dot - z15
+        z18 = p_f_dot - z15
+        s4 = m * (z12 * z12 + z14 * z14) + J * (z15 * z15)
+        z19 = s4 + J_r * (z16 * z16) + J_w * (z17 * z17 + z18 * z18)
+        value1 = 0.5 * z19
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -753,213 +777,216 @@ def jacobian(
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "jacobian")
         # from the parameters alone
-        k1 = 1.0 / l
-        k2 = abs(l)
-        k3 = 2.0 + k2
-        k4 = J_2 + J_w
-        k5 = J_2 * (k1 * k1)
+        k1 = l * l
+        k2 = 1.0 - k1
+        k3 = abs(l)
+        k4 = 2.0 + k3
+        k5 = J_2 + J_w
         # from the state
-        s_p_f = math.sin(p_f)
         s_p_b = math.sin(p_b)
-        z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b)
-        z2 = l * z1
-        s3 = (4.0 + 2.0 * k2) * k3
-        # the coframe is singular
-        if not abs(2.0 * z2) > 1e-12 * (k3 * s3):
-            raise _refuse(abs(2.0 * z2), 1e-12 * (k3 * s3), 1, "jacobian")
-        z3 = 1.0 / z1
-        z4 = theta + p_b
-        c1 = math.cos(z4)
-        c_p_f = math.cos(p_f)
-        z5 = c1 * c_p_f
+        s_p_f = math.sin(p_f)
+        z1 = s_p_f * s_p_f
+        z2 = 2.0 * z1
+        z3 = 1.0 - z2 - k1 * (3.0 - z2)
         c_p_b = math.cos(p_b)
-        s1 = math.sin(z4)
-        z6 = s1 * s_p_f
-        z7 = z5 - z6
-        z8 = s1 * c_p_f
-        z9 = c1 * s_p_f
-        z10 = z8 + z9
-        z11 = c_p_b * z7 + s_p_b * z10
-        z12 = c_p_b * z11
-        z13 = z5 + z12
-        z14 = z3 * z13
-        z15 = c_p_b * z10 - s_p_b * z7
-        z16 = c_p_b * z15
-        z17 = z8 + z16
-        z18 = z3 * z17
-        z19 = s1 * z11 - c1 * z15
-        z20 = z3 * z19
-        z21 = m * (z14 * z14 + z18 * z18) + k5 * (z20 * z20)
+        c_p_f = math.cos(p_f)
+        z4 = c_p_b * c_p_f
+        z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2)
+        z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
+        # the coframe is singular
+        if not abs(z6) > 1e-12 * (k4 * s3):
+            raise _refuse(abs(z6), 1e-12 * (k4 * s3), 1, "jacobian")
+        z7 = 1.0 / z6
+        z8 = theta + p_b
+        s1 = math.sin(z8)
+        c1 = math.cos(z8)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
+        z13 = s1 * z11 - c1 * z12
+        z14 = z7 * z13
+        z15 = l * c_p_f
+        z16 = s1 * z15
+        z17 = l * c_p_b
+        z18 = z17 * z12
+        z19 = z16 + z18
+        z20 = z7 * z19
+        z21 = c1 * z15
+        z22 = z17 * z11
+        z23 = z21 + z22
+        z24 = z7 * z23
+        z25 = z19 * z20 + z23 * z24
+        z26 = J_2 * (z14 * z14) + m * (z7 * z25)
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z21) > 1e-13 * z21:
-            raise _refuse(abs(z21), 1e-13 * z21, 2, "jacobian")
-        z22 = z8 + s_p_b * z11
-        z23 = z3 * z3
-        z24 = c_p_b * s_p_b
-        z25 = z23 * z24
-        z26 = z3 * z22 + 2.0 * (z13 * z25)
-        z27 = v * z26
-        z28 = z9 + z16
-        z29 = c_p_f * s_p_f
-        z30 = z23 * z29
-        z31 = z3 * z28 + 2.0 * (z13 * z30)
-        z32 = v * z31
-        z33 = z5 - s_p_b * z15
-        z34 = z3 * z33 - 2.0 * (z17 * z25)
-        z35 = v * z34
-        z36 = z6 - z12
-        z37 = z3 * z36 + 2.0 * (z17 * z30)
-        z38 = v * z37
-        z39 = v * z19
-        z40 = 1.0 / z2
-        z41 = z39 * (l * (z40 * z40))
-        z42 = c1 * z11 + s1 * z15
-        z43 = v * z40 * z42
-        z44 = 2.0 * (z24 * z41) - z43
-        z45 = z43 + 2.0 * (z29 * z41)
-        z46 = z40 * z19
-        z47 = z3 * z42
-        z48 = z47 - 2.0 * (z19 * z25)
-        z49 = k5 * z20
-        z50 = 1.0 / z21
-        z51 = k1 * z20
-        z52 = t_ * nu
-        s2 = math.sin(z52)
-        z53 = k1 * v
-        z54 = 0.5 * (z40 * z39)
-        z55 = p_b_dot + z54
-        z56 = c1 * z55
-        z57 = p_f_dot + z54
-        z58 = z15 * z57
-        z59 = s1 * z55
-        z60 = z11 * z57
-        z61 = z11 * z56 - s1 * z58 + (z15 * z59 - c1 * z60)
-        z62 = p_b_dot * c_p_b
-        z63 = p_f_dot * c_p_f
-        z64 = s_p_b * z62 + s_p_f * z63
-        z65 = z23 * z64
-        z66 = z3 * z61 - 2.0 * (z65 * z19)
-        z67 = z53 * z66
-        z68 = 0.5 * (J_r * z67)
-        c2 = math.cos(z52)
-        z69 = sigma * c2
-        z70 = 0.5 * (J_w * z67)
-        s4 = z68 + (z69 - z70 + (z70 - (z69 + z70 - 0.5 * (k4 * z67))))
-        z71 = tau * s2 - z68 + s4
-        z72 = p_f_dot * s_p_f
-        z73 = s1 * z72
-        z74 = p_b_dot * s_p_b
-        z75 = z74 * z15
-        z76 = z73 - c_p_f * z56 + (z75 - c_p_b * z60)
-        z77 = z3 * z76 + 2.0 * (z65 * z17)
-        z78 = m * v
-        z79 = z77 * z78
-        z80 = c1 * z72
-        z81 = z74 * z11
-        z82 = z80 + c_p_f * z59 + (z81 + c_p_b * z58)
-        z83 = z3 * z82 + 2.0 * (z65 * z13)
-        z84 = z83 * z78
-        z85 = z51 * z71 - 0.5 * (z18 * z79) - 0.5 * (z14 * z84)
-        z86 = z50 * z50 * z85
-        z87 = k1 * z48
-        z88 = z59 + 0.5 * (c1 * z44)
-        z89 = z15 * z44
-        z90 = z56 - 0.5 * (s1 * z44)
-        z91 = z11 * z44
-        s5 = z11 * z88 + (c1 * z58 - 0.5 * (s1 * z89))
-        z92 = s5 - (z15 * z90 + (s1 * z60 + 0.5 * (c1 * z91)))
-        z93 = z3 * z92
-        z94 = z65 * z42
-        z95 = z64 * (z23 * z3)
-        z96 = z23 * (c_p_b * z62 - s_p_b * z74) - 4.0 * (z24 * z95)
-        z97 = z53 * (2.0 * (z61 * z25) + z93 + 2.0 * (z94 + z19 * z96))
-        z98 = J_2 * z51
-        z99 = z18 * z78
-        s6 = z62 * z15 + (s_p_b * z60 + 0.5 * (c_p_b * z91))
-        z100 = 2.0 * (z76 * z25) - z3 * (z80 + c_p_f * z88 + s6)
-        s7 = z34 * z79 - z99 * (z100 - 2.0 * (z65 * z33 + z17 * z96))
-        z101 = z71 * z87 - 0.5 * (z97 * z98) - 0.5 * s7
-        z102 = z14 * z78
-        s8 = z62 * z11 - (s_p_b * z58 + 0.5 * (c_p_b * z89))
-        z103 = 2.0 * (z82 * z25) + z3 * (z73 - c_p_f * z90 - s8)
-        s9 = z26 * z84 + z102 * (z103 + 2.0 * (z65 * z22 - z13 * z96))
-        z104 = z50 * (z101 + 0.5 * s9)
-        s10 = 2.0 * ((m * (z14 * z26 - z18 * z34) - z48 * z49) * z86)
-        z105 = s10 + z104
-        z106 = z47 + 2.0 * (z19 * z30)
-        s11 = c1 * z63 - (s_p_f * z59 + 0.5 * (z8 * z45))
-        z107 = s11 - (z75 - c_p_b * (z60 - 0.5 * (z15 * z45)))
-        z108 = z23 * (c_p_f * z63 - s_p_f * z72) - 4.0 * (z29 * z95)
-        s12 = 2.0 * (z65 * z28 - z13 * z108)
-        z109 = z31 * z84 + z102 * (2.0 * (z82 * z30) - z3 * z107 + s12)
-        s13 = s1 * z63 + (s_p_f * z56 + 0.5 * (z5 * z45))
-        z110 = s13 + (z81 + c_p_b * (z58 + 0.5 * (z11 * z45)))
-        s14 = 2.0 * (z65 * z36 - z17 * z108)
-        z111 = z37 * z79 + z99 * (2.0 * (z76 * z30) - z3 * z110 + s14)
-        z112 = k1 * z106
-        z113 = z53 * (2.0 * (z94 - z19 * z108) - (2.0 * (z61 * z30) - z93))
-        s15 = 0.5 * z109 + (0.5 * z111 - (z71 * z112 - 0.5 * (z98 * z113)))
-        s16 = 2.0 * (z86 * (m * (z14 * z31 + z18 * z37) + z106 * z49))
-        z114 = s16 + z50 * s15
-        z115 = v * z3
-        z116 = m * z14
-        z117 = m * z18
-        z118 = k1 * z66
-        s17 = (z77 - 0.5 * (z115 * (z13 * z46))) * z117 - z118 * z98
-        z119 = (z83 + 0.5 * (z115 * (z17 * z46))) * z116 + s17
-        z120 = z50 * z119
-        z121 = z53 * z48
-        z122 = z50 * (z121 * z98 + z35 * z117 - z27 * z116)
-        z123 = z53 * z106
-        z124 = z50 * (z123 * z98 + z38 * z117 + z32 * z116)
-        z125 = z50 * z85
-        z126 = 0.5 * z97 + (z87 * z125 + z51 * z105)
-        z127 = 0.5 * z113 + (z112 * z125 - z51 * z114)
-        z128 = 0.5 * (z118 + z51 * z120)
-        z129 = 0.5 * (z121 - z51 * z122)
-        z130 = 0.5 * (z123 - z51 * z124)
+        if not abs(z26) > 1e-13 * z26:
+            raise _refuse(abs(z26), 1e-13 * z26, 2, "jacobian")
+        z27 = v * z7
+        z28 = l * s_p_b
+        z29 = z16 + z11 * z28
+        z30 = z7 * z7
+        z31 = c_p_f * s_p_b
+        z32 = k2 * (s_p_f * z31)
+        z33 = c_p_b * z3 + 2.0 * z32
+        z34 = c_p_b * z5 + s_p_b * z33
+        z35 = z30 * z34
+        z36 = z7 * z29 + z23 * z35
+        z37 = v * z36
+        z38 = l * s_p_f
+        z39 = z18 + c1 * z38
+        z40 = c_p_f * s_p_f
+        z41 = c_p_b * s_p_f
+        z42 = 4.0 * z32 + 2.0 * (k2 * (c_p_f * z4 - s_p_f * z41))
+        z43 = 2.0 * z40 - 6.0 * (k1 * z40) - s_p_b * z42
+        z44 = z30 * z43
+        z45 = z7 * z39 + z23 * z44
+        z46 = v * z45
+        z47 = z21 - z12 * z28
+        z48 = z7 * z47 - z19 * z35
+        z49 = v * z48
+        z50 = z22 - s1 * z38
+        z51 = z7 * z50 - z19 * z44
+        z52 = v * z51
+        z53 = s1 * z12 + c1 * z11
+        z54 = z7 * z53
+        z55 = z54 - z13 * z35
+        z56 = v * z55
+        z57 = z54 + z13 * z44
+        z58 = v * z57
+        z59 = z13 * z14
+        z60 = z14 * z53
+        z61 = z7 * (z60 + z13 * z55)
+        z62 = 1.0 / z26
+        z63 = t_ * nu
+        s2 = math.sin(z63)
+        z64 = p_b_dot * c_p_b
+        z65 = p_f_dot * c_p_f
+        z66 = s_p_f * z65
+        z67 = k1 * z66
+        z68 = z66 - z67
+        z69 = p_b_dot * s_p_b
+        z70 = p_f_dot * s_p_f
+        z71 = c_p_f * z69 + c_p_b * z70
+        s4 = 2.0 * (k2 * (z4 * z65 - s_p_f * z71))
+        z72 = z3 * z64 - 4.0 * (s_p_b * z68) - s4
+        z73 = z5 * z64 + s_p_b * z72 + (2.0 * z66 - 6.0 * z67)
+        z74 = z30 * z73
+        z75 = z27 * z13
+        z76 = p_b_dot - z75
+        z77 = c1 * z76
+        z78 = p_f_dot - z75
+        z79 = z12 * z78
+        z80 = s1 * z76
+        z81 = z11 * z78
+        z82 = z11 * z77 - s1 * z79 + (z12 * z80 - c1 * z81)
+        z83 = z74 * z13 - z7 * z82
+        z84 = v * z83
+        z85 = J_r * z84
+        c2 = math.cos(z63)
+        z86 = sigma * c2
+        z87 = J_w * z84
+        s5 = z85 + (z86 - z87 + (z87 - (z86 + z87 - k5 * z84)))
+        z88 = tau * s2 - z85 + s5
+        z89 = m * v
+        z90 = l * z70
+        z91 = s1 * z90
+        z92 = l * z69
+        z93 = z92 * z12
+        z94 = z91 - z15 * z77 + (z93 - z17 * z81)
+        z95 = z74 * z19 + z7 * z94
+        z96 = z89 * z95
+        z97 = c1 * z90
+        z98 = z92 * z11
+        z99 = z97 + z15 * z80 + (z98 + z17 * z79)
+        z100 = z74 * z23 + z7 * z99
+        z101 = z89 * z100
+        z102 = z14 * z88 + z20 * z96 + z24 * z101
+        z103 = z62 * z62 * z102
+        z104 = J_2 * z14
+        z105 = z80 + c1 * z56
+        z106 = z12 * z56
+        z107 = z77 - s1 * z56
+        z108 = z11 * z56
+        s6 = z11 * z105 - (s1 * z106 - c1 * z79)
+        z109 = s6 - (z12 * z107 + (c1 * z108 + s1 * z81))
+        z110 = z74 * z53 + z7 * z109
+        z111 = k2 * (z31 * z65 - s_p_f * (s_p_b * z70 - c_p_f * z64))
+        s7 = s_p_b * (z3 * z69 + 4.0 * (c_p_b * z68) - 2.0 * z111)
+        z112 = z64 * z33 - z5 * z69 + (c_p_b * z72 - s7)
+        z113 = z73 * (z30 * z7)
+        z114 = z30 * z112 - 2.0 * (z34 * z113)
+        z115 = v * (z110 + (z82 * z35 + z13 * z114))
+        z116 = z20 * z89
+        z117 = l * z64
+        s8 = z97 + z15 * z105 + (z12 * z117 + (z17 * z108 + z81 * z28))
+        z118 = z35 * z94 - z7 * s8
+        s9 = z48 * z96 + z116 * (z74 * z47 + z19 * z114 - z118)
+        z119 = z55 * z88 + z104 * z115 + s9
+        z120 = z24 * z89
+        s10 = z91 - z15 * z107 - (z11 * z117 - (z17 * z106 + z79 * z28))
+        z121 = z35 * z99 + z7 * s10
+        s11 = z119 - (z36 * z101 + z120 * (z74 * z29 - z23 * z114 + z121))
+        s12 = (J_2 * (z59 * z35 - z61) + m * (z61 + z25 * z35)) * z103
+        z122 = s12 + z62 * s11
+        z123 = z7 * (z60 + z13 * z57)
+        z124 = c_p_f * z65 - s_p_f * z70
+        s13 = c_p_f * z71 - s_p_f * (s_p_f * z69 - c_p_b * z65)
+        z125 = 2.0 * (k2 * (2.0 * (z41 * z65) + s13))
+        s14 = z64 * z42 + s_p_b * (4.0 * z111 - z125)
+        z126 = z30 * (2.0 * z124 - 6.0 * (k1 * z124) - s14)
+        z127 = z126 - 2.0 * (z43 * z113)
+        z128 = v * (z110 - (z82 * z44 + z13 * z127))
+        z129 = l * z65
+        s15 = s1 * z129 + (z77 * z38 - z21 * z58)
+        z130 = z7 * (s15 + (z98 + z17 * (z79 - z11 * z58)))
+        s16 = z116 * (z44 * z94 - z130 - (z74 * z50 + z19 * z127))
+        z131 = z57 * z88 + z104 * z128 - (z51 * z96 - s16)
+        s17 = c1 * z129 - (z80 * z38 - z16 * z58)
+        z132 = z7 * (s17 - (z93 - z17 * (z81 + z12 * z58)))
+        s18 = z120 * (z44 * z99 - z132 + (z74 * z39 - z23 * z127))
+        z133 = z62 * (z131 + (z45 * z101 + s18))
+        s19 = (J_2 * (z59 * z44 + z123) - m * (z123 - z25 * z44)) * z103
+        z134 = s19 - z133
+        z135 = m * z24
+        z136 = m * z20
+        s20 = (z95 + z27 * (z23 * z14)) * z136 + z83 * z104
+        z137 = (z100 - z27 * (z19 * z14)) * z135 + s20
+        z138 = z62 * z137
+        z139 = z62 * (z56 * z104 + z49 * z136 - z37 * z135)
+        z140 = z62 * (z58 * z104 - z52 * z136 + z46 * z135)
+        z141 = z62 * z102
+        z142 = z115 - (z55 * z141 + z14 * z122)
+        z143 = z128 - (z57 * z141 - z14 * z134)
+        z144 = z83 - z14 * z138
+        z145 = z56 - z14 * z139
+        z146 = z58 - z14 * z140
         J: list[float] = [
             0.0,
             0.0,
             # (I.2.15)
-            0.5 * (v * z18),
+            -z27 * z19,
             0.0,
             # (I.2.15)
-            0.5 * z27,
+            -z37,
             # (I.2.15)
-            0.5 * z32,
+            -z46,
             # (I.2.15)
-            -0.5 * z14,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            -0.5 * (v * z14),
-            0.0,
-            # (I.2.15)
-            -0.5 * z35,
-            # (I.2.15)
-            0.5 * z38,
-            # (I.2.15)
-            -0.5 * z18,
-            0.0,
-            0.0,
+            z24,
             0.0,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -0.5 * z44,
+            z27 * z23,
+            0.0,
             # (I.2.15)
-            -0.5 * z45,
+            z49,
             # (I.2.15)
-            0.5 * z46,
-            0.0,
-            0.0,
-            0.0,
+            z52,
+            # (I.2.15)
+            z20,
             0.0,
             0.0,
             0.0,
@@ -968,7 +995,11 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            1.0,
+            -z56,
+            # (I.2.15)
+            z58,
+            # (I.2.15)
+            -z14,
             0.0,
             0.0,
             0.0,
@@ -997,62 +1028,74 @@ def jacobian(
             0.0,
             0.0,
             0.0,
-            # (I.2.15)
-            -2.0 * z105,
-            # (I.2.15)
-            -2.0 * z114,
-            # (I.2.15)
-            z120,
             0.0,
-            # (I.2.15)
-            -z122,
-            # (I.2.15)
-            z124,
+            0.0,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z126,
-            # (I.2.15)
-            -z127,
-            # (I.2.15)
-            -z128,
-            0.0,
-            # (I.2.15)
-            -z129,
-            # (I.2.15)
-            z130,
+            1.0,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z126,
+            z122,
             # (I.2.15)
-            -z127,
+            z134,
             # (I.2.15)
-            -z128,
+            z138,
             0.0,
             # (I.2.15)
-            -z129,
+            -z139,
             # (I.2.15)
-            z130,
+            z140,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z126,
+            -z142,
             # (I.2.15)
-            -z127,
+            z143,
             # (I.2.15)
-            -z128,
+            -z144,
             0.0,
             # (I.2.15)
-            -z129,
+            z145,
             # (I.2.15)
-            z130,
+            -z146,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            -z142,
+            # (I.2.15)
+            z143,
+            # (I.2.15)
+            -z144,
+            0.0,
+            # (I.2.15)
+            z145,
+            # (I.2.15)
+            -z146,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            -z142,
+            # (I.2.15)
+            z143,
+            # (I.2.15)
+            -z144,
+            0.0,
+            # (I.2.15)
+            z145,
+            # (I.2.15)
+            -z146,
         ]
         _finish("jacobian", J)
         return [J[k6 : k6 + 10] for k6 in range(0, 100, 10)]
@@ -1072,22 +1115,28 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     l = float(p[1])  # from the centre to an axle [m]
     try:
         # from the parameters alone
-        k1 = abs(l)
-        k2 = 2.0 + k1
+        k1 = l * l
+        k2 = 1.0 - k1
+        k3 = abs(l)
+        k4 = 2.0 + k3
         # from the state
-        s_p_f = math.sin(p_f)
         s_p_b = math.sin(p_b)
-        z1 = s_p_f * s_p_f - (2.0 - s_p_b * s_p_b)
-        s1 = 2.0 * (l * z1)
-        s2 = (4.0 + 2.0 * k1) * k2
-        # the coframe is singular
-        if not abs(s1) > 1e-12 * (k2 * s2):
-            raise _refuse(abs(s1), 1e-12 * (k2 * s2), 1, "outputs")
+        s_p_f = math.sin(p_f)
+        z1 = s_p_f * s_p_f
+        z2 = 2.0 * z1
         c_p_b = math.cos(p_b)
         c_p_f = math.cos(p_f)
+        z3 = c_p_b * c_p_f
+        s1 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
+        s2 = s_p_b * (s1 - 2.0 * (s_p_f * z3 * k2))
+        z4 = s2 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
+        # the coframe is singular
+        if not abs(z4) > 1e-12 * (k4 * s3):
+            raise _refuse(abs(z4), 1e-12 * (k4 * s3), 1, "outputs")
         out: list[float] = [
             # speed 32:10
-            -c_p_b * c_p_f * v / z1,
+            2.0 * (l * (z3 * v / z4)),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
