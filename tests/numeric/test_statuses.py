@@ -157,6 +157,38 @@ def test_what_jax_does_not_give_is_what_the_others_refuse(formulation: str) -> N
             assert bool(numpy.isnan(found).any()) == (ask_python(module, function, arguments) != 0)
 
 
+LIFT = """nhc: 1
+system: lift
+coordinates: [x, y, psi, delta]
+parameters: {M: 12, I: 6, J: 0.4, b: 1.6}
+T: M/2*(x'^2 + y'^2) + I/2*psi'^2 + J/2*(psi' + delta')^2
+constraints:
+  - y'*cos(psi) - x'*sin(psi) = 0
+  - (y' - b*psi'*cos(psi))*cos(psi + delta) - (x' + b*psi'*sin(psi))*sin(psi + delta) = 0
+dependent: [y, psi]
+"""
+"""The determinant -b cos(psi) cos(delta) vanishes with b, by which is divided ahead of all that depends on the state."""
+
+
+@pytest.mark.parametrize("array", ["", "numpy"])
+def test_a_parameter_in_front_of_a_determinant_has_its_status(array: str, tmp_path: Path) -> None:
+    source, seen = Source("lift.yaml", LIFT), set[int]()
+    (text,) = emit(source, "python", Options(formulation="voronec", array=array)).values()
+    module = python_model(text, f"lift_{array}")
+    files = emit(source, "c", Options(formulation="voronec"))
+    model = CModel("lift", ctypes.CDLL(str(compile_c(files, tmp_path, "lift"))), {})
+    for function, size in list_functions(module).items():
+        for once in (
+            spoil(make_start(module, function, random.Random(function)), (0.0,)) if function != "energy" else ()
+        ):
+            for arguments in (once, *spoil(once, (math.nan,))):
+                given = [numpy.array(argument) for argument in arguments] if array else arguments
+                status = ask_python(module, function, given)
+                assert ask_c(model, function, size, arguments) == status, (function, arguments)
+                seen.add(status)
+    assert seen == {0, 1, 2, module.NOT_FINITE}
+
+
 ENTRIES = """nhc: 1
 system: two_masses
 coordinates: [x, y, z]

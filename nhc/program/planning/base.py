@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from nhc.algebra.graph import Node
+from nhc.algebra.parts import split_powers
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import Matrix, find_eliminated, without_sign
@@ -216,12 +217,23 @@ class PlannerBase:
     ) -> tuple[GuardPlan, ...]:
         g, once = self.graph, dict[Node, GuardPlan]()
         for value, scale in pairs:
-            size = without_sign(g, value)
-            # a constant determinant is only held against zero: its scale would be work for nothing
-            limit = g.zero if self.is_constant(value) else scale
-            tolerance = float(f"{10.0 ** -(digits + usual_digits(self.system, size, limit)):.2g}")
-            once.setdefault(size, GuardPlan(size, limit, tolerance, status, what))
+            whole = without_sign(g, value)
+            # what is made of parameters alone comes first, for it is divided by ahead of all that depends on the state
+            for size in dict.fromkeys((self._still_part(whole), whole)):
+                # a constant determinant is only held against zero: its scale would be work for nothing
+                limit = g.zero if self.is_constant(size) else scale
+                tolerance = float(f"{10.0 ** -(digits + usual_digits(self.system, size, limit)):.2g}")
+                once.setdefault(size, GuardPlan(size, limit, tolerance, status, what))
         return tuple(once.values())
+
+    def _still_part(self, determinant: Node) -> Node:
+        """The parameters in front of a determinant that moves; itself where there are none."""
+        g = self.graph
+        if self.is_constant(determinant):
+            return determinant
+        powers = split_powers(g, determinant)[1]
+        still = g.product([g.power(base, n) for base, n in powers.items() if n > 0 and self.is_constant(base)])
+        return determinant if still == g.one else still
 
     def is_constant(self, node: Node) -> bool:
         """Made of parameters and numbers only."""
