@@ -20,17 +20,18 @@ from typing import TYPE_CHECKING, Any
 
 from nhc.diagnostics import Bag, Diagnostic, Source, SpecError
 from nhc.language import Spec, decode
+from nhc.language.units.primes import warn_lost_primes
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolving.resolve import resolve
-from nhc.mechanics.starts.scenes import check_scene_name, start_of
+from nhc.mechanics.starts.scenes import check_scene_name
 from nhc.mechanics.system import System
 from nhc.program.build import FUNCTIONS
 from nhc.program.ir import Program
 from nhc.program.model import build_program
 from nhc.program.planning.planner import Planner
-from nhc.program.runs.starting import warn_as_given, warn_negative, warn_undetermined
+from nhc.program.runs.starting import check_starts, warn_as_given
 from nhc.records import record
 from nhc.stamp import stamp
 
@@ -172,20 +173,15 @@ def check(source: Source, *, explain: bool = True) -> Report:
     """
     from nhc.mechanics.properties.facts import describe
 
-    spec = decode(source)
-    system = resolve(spec)
-    formulation = formulate(system)
-    planner = Planner(equations_of(system, formulation), formulation)  # refuses what the forces do not determine
-    bag = Bag(source)
-    for scene in spec.scenes:
-        try:
-            start = start_of(system, scene)
-        except SpecError as error:
-            for diagnostic in error.diagnostics:
-                bag.add(diagnostic)
-        else:
-            warn_undetermined(planner, start, bag)
-            warn_negative(planner, start, bag)
+    spec, bag = decode(source), Bag(source)
+    try:
+        system = resolve(spec)
+        formulation = formulate(system)
+        planner = Planner(equations_of(system, formulation), formulation)  # refuses what the forces do not determine
+        check_starts(planner, bag)
+    except SpecError as error:
+        bag.extend(error.diagnostics)
+    warn_lost_primes(spec, bag)
     bag.raise_if_errors()
     warn_as_given(planner, bag)
     facts = describe(system, formulation, bag, explain=explain)

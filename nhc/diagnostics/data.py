@@ -102,6 +102,11 @@ class Bag:
             raise KeyError(diagnostic.code)
         self._found.append(diagnostic)
 
+    def extend(self, diagnostics: Iterable[Diagnostic]) -> None:
+        """Add findings of another bag."""
+        for diagnostic in diagnostics:
+            self.add(diagnostic)
+
     def error(
         self,
         code: str,

@@ -11,6 +11,7 @@ from nhc.language import decode, read
 from nhc.language.expressions.syntax import Name, Prime, walk
 from nhc.language.spec import Spec
 from nhc.language.units.primes import warn_lost_primes
+from nhc.pipeline import check
 
 SPECS = sorted((Path(__file__).resolve().parents[2] / "specs").rglob("*.yaml"))
 FREE = """\
@@ -104,3 +105,40 @@ def test_places(T: str, columns: list[int]) -> None:
     source = Source("free.yaml", FREE.format(T=T))
     places = [source.position(label.span.start) for d in suspected(source) for label in d.labels]
     assert [column for _, column in places] == columns
+
+
+HEAD = """\
+nhc: 1
+system: told
+coordinates: [x, y, theta, phi]
+parameters: {{m: 1, r: 2, I: 3}}
+define: {define}
+T: {T}
+{more}
+"""
+PLAIN = "m/2*(x'^2 + y'^2) + I/2*(theta'^2 + phi'^2)"
+
+
+@pytest.mark.parametrize(
+    ("define", "T", "more", "words"),
+    [
+        ("{}", f"m*r^2/4*phi'^2 + {PLAIN}", "constraints: [x' = r*cos(theta)*phi]", ["phi"]),  # the other side moves
+        ("{}", "m/2*x'^2 + m*r^2/12*phi^2 + m*y'^2 + m*r^2*theta'^2", "constraints: [x' = r*theta']", ["phi"]),
+        ("{X: x + r*cos(theta), Y: y + r*sin(theta)}", f"{PLAIN} + m/2*(X^2 + Y'^2)", "", ["X"]),
+        ("{X: x + r*cos(theta), Z: X + x}", f"{PLAIN} + m/2*(y'*Z + x'^2)", "", ["Z"]),
+        ("{u: -theta - 2*theta'}", PLAIN, "forces: {theta: u}", []),  # gains of 1 and 2, beside no energy
+        ("{u: x' + y, w: u}", PLAIN, "outputs: {w2: w}", []),
+        ("{u: x' + y}", PLAIN, "quasi_velocities: {v: u}", ["y"]),
+    ],
+)
+def test_what_is_looked_at(define: str, T: str, more: str, words: list[str]) -> None:
+    found = suspected(Source("told.yaml", HEAD.format(define=define, T=T, more=more)))
+    assert [diagnostic.message for diagnostic in found] == [f"`{word}` may lack a prime: `{word}'`" for word in words]
+
+
+def test_it_is_told_beside_errors() -> None:
+    """What comes of a lost prime must not hide it: a start that seems not to fit, a coordinate that seems to have no inertia."""
+    more = "constraints: [sin(theta)*x = cos(theta)*y']\nscenes: {go: {initial: {x: 1, theta: 0.5, y': 0}, time: [0, 1]}}"
+    with pytest.raises(SpecError) as caught:
+        check(Source("told.yaml", HEAD.format(define="{}", T=PLAIN, more=more)))
+    assert {diagnostic.code for diagnostic in caught.value.diagnostics} == {"E0409", "W0428"}

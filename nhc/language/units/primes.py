@@ -8,7 +8,7 @@ was most likely forgotten: a kinetic energy stays one without it, and nothing in
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label
@@ -44,12 +44,23 @@ _PLAINEST, _FINEST = 2, 4  # the largest of numbers by themselves that stand for
 
 def warn_lost_primes(spec: Spec, bag: Bag) -> None:
     """Add a warning (W0428) where one prime, and nothing else that is written, keeps powers of time from fitting."""
-    trees = _trees(spec)
-    if _fits(spec):
+    named = _used(spec)
+    if _fits(spec, named):
         return
-    size = sum(1 for tree in trees for _ in walk(tree))
-    tried = [name for tree in trees for name in _unprimed(tree, spec)][: max(1, _MOST // size)]
-    lost = list({name.span: name for name in tried if _fits(spec, name)}.values())[:_SHOWN]
+    rows = [(row.left, row.right) for row in spec.constraints]
+    groups = [*((value,) for _, value in named), (spec.kinetic,), *rows]
+    places = {coordinate.name for coordinate in spec.coordinates}
+    moving = {name for rotation in spec.rotations for name in rotation.velocities} | spec.velocities
+    for name, value in named:
+        held = {node.name for node in walk(value) if isinstance(node, Name)}
+        if held & moving or any(isinstance(node, Prime) for node in walk(value)):
+            moving.add(name)
+        elif held & places:
+            places.add(name)
+    tried = [name for group in groups if _moves(group, moving) for tree in group for name in _unprimed(tree, places)]
+    size = sum(1 for group in groups for tree in group for _ in walk(tree))
+    most = max(1, _MOST // size)
+    lost = list({name.span: name for name in tried[:most] if _fits(spec, named, name)}.values())[:_SHOWN]
     if not lost:
         return
     first, *others = lost
@@ -63,20 +74,34 @@ def warn_lost_primes(spec: Spec, bag: Bag) -> None:
     )
 
 
-def _trees(spec: Spec) -> list[Syntax]:
-    sides = [side for row in spec.constraints for side in (row.left, row.right)]
-    return [*(value for _, value in spec.named_values), spec.kinetic, *sides]
+def _used(spec: Spec) -> list[tuple[str, Syntax]]:
+    """The definitions and quasi-velocities without those that only forces and outputs use, whose numbers may have any unit."""
+    trees = [spec.kinetic, *(side for row in spec.constraints for side in (row.left, row.right))]
+    wanted = {quasi.name for quasi in spec.quasi_velocities}
+    wanted |= {node.name for tree in trees for node in walk(tree) if isinstance(node, Name | Differential)}
+    used = []
+    for name, value in reversed(spec.named_values):
+        if name in wanted:
+            used.append((name, value))
+            wanted |= {node.name for node in walk(value) if isinstance(node, Name)}
+    return used[::-1]
 
 
-def _unprimed(tree: Syntax, spec: Spec) -> Iterator[Name]:
-    """The coordinates in a tree of velocities that could bear a prime: not in an angle, nor in an exponent."""
-    coordinates = {coordinate.name for coordinate in spec.coordinates}
-    if not any(isinstance(node, Prime) for node in walk(tree)):
-        return
+def _moves(trees: Iterable[Syntax], moving: Collection[str]) -> bool:
+    """Whether an expression, or one side of an equation, contains velocities, so that others may be meant in it."""
+    return any(
+        isinstance(node, Prime) or (isinstance(node, Name) and node.name in moving)
+        for tree in trees
+        for node in walk(tree)
+    )
+
+
+def _unprimed(tree: Syntax, places: Collection[str]) -> Iterator[Name]:
+    """The positions in a tree that could bear a prime: not in an angle, nor in an exponent."""
     stack = [tree]
     while stack:
         node = stack.pop()
-        if isinstance(node, Name) and node.name in coordinates:
+        if isinstance(node, Name) and node.name in places:
             yield node
         elif isinstance(node, Binary) and node.op == "^":
             stack.append(node.left)
@@ -84,10 +109,10 @@ def _unprimed(tree: Syntax, spec: Spec) -> Iterator[Name]:
             stack += reversed(children(node))
 
 
-def _fits(spec: Spec, primed: Name | None = None) -> bool:
+def _fits(spec: Spec, named: Sequence[tuple[str, Syntax]], primed: Name | None = None) -> bool:
     """Whether there are powers of time that fit, with a prime more at one name."""
     try:
-        _Powers(spec, primed)
+        _Powers(spec, named, primed)
     except _Misfit:
         return False
     return True
@@ -112,7 +137,7 @@ class _Powers:
         _Misfit: there are none.
     """
 
-    def __init__(self, spec: Spec, primed: Name | None) -> None:
+    def __init__(self, spec: Spec, named: Sequence[tuple[str, Syntax]], primed: Name | None) -> None:
         self.primed = primed
         self.found: dict[str, Power] = {}  # an unknown -> what it is in others
         self.free = 0
@@ -125,7 +150,7 @@ class _Powers:
                 self.names[coordinate.name] = {}
         self.names |= {name: {} for name in rotated}
         self.names |= {name: _RATE for rotation in spec.rotations for name in rotation.velocities}
-        for name, value in spec.named_values:
+        for name, value in named:
             power = self._measure(value)
             self.names[name] = self._any() if power is None else power
         self._measure(spec.kinetic)
@@ -184,8 +209,8 @@ class _Powers:
                 self._equate(left.power, {}, strict=False)
                 return {}
             return _product({}, left.power, right.number)
-        if op == "/" and left.number is not None and right.number is not None:
-            return {}
+        if op == "/" and right.number is not None and right.number.denominator == 1:  # m*r^2/12, 7/10
+            return left.power if left.number is None else {}
         if op == "/" and right.power is None:
             return left.power
         return _product(left.power, right.power, Fraction(1 if op == "*" else -1))

@@ -9,7 +9,6 @@ from typing import Any
 from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.exact.modular import Unlucky, is_zero
 from nhc.diagnostics import Bag, several
-from nhc.language.units.primes import warn_lost_primes
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.formulations.chaplygin import mark_letters
 from nhc.mechanics.frame import coordinate_frame, describe_added
@@ -60,7 +59,6 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     text = ", ".join(_numbered(*part) for part in (*parts, (n - lower, "free velocity", "free velocities")))
     facts.say("degrees", {"n": n, "l": lower}, text)
     _kinetic(system, facts, explain)
-    warn_lost_primes(system.spec, bag)
     warn_of_bare(system, bag)
     warn_of_inertia(system, bag)
     integrals: tuple[PositionIntegral, ...] = ()
@@ -299,12 +297,14 @@ def _spell(integral: Integral) -> str:
 def _dependent(system: System, formulation: Formulation, choice: Choice, facts: Facts, bag: Bag) -> None:
     names = [f"{system.q_names[i]}'" for i in choice.dependent]
     who = "given" if system.dependent else "chosen"
+    never = choice.regular or never_vanishes(system, choice.determinant)
+    regular = "never singular" if never else "singular where it vanishes"
     if choice.determinant is None:
         limit = "the determinant is too large to print"
     else:
         limit = f"determinant ${named_text(system, choice.determinant)}$"
-    never = choice.regular or never_vanishes(system, choice.determinant)
-    regular = "never singular" if never else "singular where it vanishes"
+        if not never and limit.endswith("…$"):
+            limit, regular = "the determinant is long", f"singular where ${zero_text(system, choice.determinant)} = 0$"
     facts.say(
         "dependent",
         [system.q_names[i] for i in choice.dependent],

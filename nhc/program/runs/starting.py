@@ -17,7 +17,7 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.regular.given_rank import find_dependent_as_given, find_dependent_row, given_states
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.regular.undefined import find_pole, find_undefined
-from nhc.mechanics.starts.scenes import Start, kept_velocities, left_at_zero, place_of
+from nhc.mechanics.starts.scenes import Start, kept_velocities, left_at_zero, place_of, start_of
 from nhc.program.planning.planner import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
@@ -42,6 +42,18 @@ def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...
         if not all(abs(x) > guards[0].tolerance * scale for x, scale in zip(values[::2], values[1::2], strict=True)):
             lines.append(f"the scene `{scene.name}` starts where {guards[0].what}: {_LOST}")
     return tuple(lines)
+
+
+def check_starts(planner: Planner, bag: Bag) -> None:
+    """Add the errors of the scenes' starts, and what :func:`warn_undetermined` and :func:`warn_negative` say of the others."""
+    for scene in planner.system.spec.scenes:
+        try:
+            start = start_of(planner.system, scene)
+        except SpecError as error:
+            bag.extend(error.diagnostics)
+        else:
+            warn_undetermined(planner, start, bag)
+            warn_negative(planner, start, bag)
 
 
 def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
