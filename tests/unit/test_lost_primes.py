@@ -138,7 +138,9 @@ def test_what_is_looked_at(define: str, T: str, more: str, words: list[str]) -> 
 
 def test_it_is_told_beside_errors() -> None:
     """What comes of a lost prime must not hide it: a start that seems not to fit, a coordinate that seems to have no inertia."""
-    more = "constraints: [sin(theta)*x = cos(theta)*y']\nscenes: {go: {initial: {x: 1, theta: 0.5, y': 0}, time: [0, 1]}}"
+    more = (
+        "constraints: [sin(theta)*x = cos(theta)*y']\nscenes: {go: {initial: {x: 1, theta: 0.5, y': 0}, time: [0, 1]}}"
+    )
     with pytest.raises(SpecError) as caught:
         check(Source("told.yaml", HEAD.format(define="{}", T=PLAIN, more=more)))
     assert {diagnostic.code for diagnostic in caught.value.diagnostics} == {"E0409", "W0428"}
