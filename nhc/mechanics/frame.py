@@ -16,13 +16,14 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.show import to_text
 from nhc.algebra.solving.linear import is_clearly_regular, solve_rows
+from nhc.algebra.solving.sizes import size_of
 from nhc.mechanics.regular.regularity import pivot_weakness
 from nhc.mechanics.rotations import turning
 from nhc.mechanics.rotations.rotation import Rotation
 from nhc.mechanics.rotations.turning import Direction, along, from_base, moving
-from nhc.mechanics.row_factors import strip_factor
+from nhc.mechanics.row_factors import common_parameters, strip_factor
 from nhc.mechanics.system import Form, System
-from nhc.records import record
+from nhc.records import fresh, record, structure
 from nhc.thesis.tie import equation
 
 Guards = tuple[tuple[Node, Node], ...]
@@ -187,16 +188,24 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node], *,
         return substitute(g, written, moving(system, from_base(system, unknowns, turned)))
 
     def list_rows(everything: bool) -> tuple[list[Node], list[Node]]:
-        values = rename()
+        values, sides = rename(), list(omega)
+        for k, form in enumerate(forms):
+            if form.line is not None:
+                sides[k] = g.mul(form.line.square, omega[k])
+                values[k] = form.line.value(g, unknowns)
         bare = [] if everything else [strip_factor(g, x, g.mask(system.p)) for x in values[: system.l]]
         rows = [own.row for own in bare]
-        rows += [g.sub(x, w) for x, w in zip(values[len(bare) :], omega[len(bare) :], strict=True)]
+        rows += [g.sub(x, w) for x, w in zip(values[len(bare) :], sides[len(bare) :], strict=True)]
         return rows, [divisor for own in bare for divisor in own.divisors]
 
     def solve(everything: bool) -> tuple[Sequence[Node], Sequence[tuple[Node, Node]]]:
         rows, divisors = list_rows(everything)
-        found, guards = solve_rows(g, rows, unknowns, pivot_weakness(system))
-        return found, [*((divisor, divisor) for divisor in divisors), *guards]
+        led = _follow_lines(system, forms, omega, unknowns, rows if everything else None)
+        others = [x for x in unknowns if x not in led.velocities]
+        left = substitute(g, [row for k, row in enumerate(rows) if k not in led.rows], led.velocities)
+        found, guards = solve_rows(g, left, others, pivot_weakness(system))
+        values = {**led.velocities, **dict(zip(others, found, strict=True))}
+        return [values[x] for x in unknowns], [*((divisor, divisor) for divisor in divisors), *led.guards, *guards]
 
     frame = Frame(system, forms, omega, omega, solve, turned, lambda: (list_rows(everything=False)[0], unknowns))
     if not known:
@@ -204,6 +213,44 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node], *,
         if not is_clearly_regular(g, rows, velocities):
             frame.kinematics  # noqa: B018 - refuses what is no basis
     return frame
+
+
+@structure
+class _Led:
+    """Unknowns that follow from lines, by symbol; the rows of the coframe that say so; what must not vanish for that."""
+
+    velocities: dict[Node, Node] = fresh(factory=dict)
+    rows: set[int] = fresh(factory=set)
+    guards: list[tuple[Node, Node]] = fresh(factory=list)
+
+
+def _follow_lines(
+    system: System, forms: Sequence[Form], omega: Sequence[Node], unknowns: Sequence[Node], rows: Sequence[Node] | None
+) -> _Led:
+    """Without ``rows``, which hold the constraints' values, these are zero."""
+    g, led = system.graph, _Led()
+    for k, line in ((k, form.line) for k, form in enumerate(forms) if form.line is not None):
+        closed, own = closed_rows(system, line.columns), [unknowns[j] for j in line.columns]
+        across: Sequence[Node] = [line.carried[j] for j in line.columns]
+        if rows is not None:
+            across, _ = solve_rows(
+                g, [*(rows[r] for r in closed), line.value(g, unknowns)], own, pivot_weakness(system)
+            )
+        for j, x, there in zip(line.columns, own, across, strict=True):
+            led.velocities[x] = g.add(g.mul(line.vector[j], omega[k]), there)
+        led.rows |= {k, *closed}
+        square = g.sum(g.power(x, 2) for x in line.vector)
+        led.guards.append((square, size_of(g, square)))
+        rows_of = (system.constraints[r].coefficients for r in closed)
+        led.guards += [(p, p) for row in rows_of for p in common_parameters(g, row, g.mask(system.p))]
+    return led
+
+
+def closed_rows(system: System, columns: Sequence[int]) -> list[int]:
+    """The constraints that hold no other velocities than those in these columns."""
+    outside = [j for j in range(system.n) if j not in columns]
+    zero = system.graph.zero
+    return [r for r, form in enumerate(system.constraints) if all(form.coefficients[j] == zero for j in outside)]
 
 
 def coordinate_form(system: System, i: int) -> Form:
@@ -237,16 +284,23 @@ def kept_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
 
 
 def describe_added(system: System, frame: Frame | None) -> dict[str, str]:
-    """What the velocities are that nhc made for a motion to keep: their names, and their forms as the language writes them.
+    """What the velocities are that nhc made for a motion to keep: their names, and their forms as the language writes them, or
+    what a line makes of them where that is said sooner.
 
     Those of the spec and of rotations are known by their names, as are the coordinates' velocities.
     """
     known = {*system.q_names, *(form.name for form in system.quasi)}
-    return {
-        form.name: to_text(system.graph, form_value(system, form), _LONGEST_FORM)
-        for form in kept_forms(system, frame)
-        if form.name not in known
-    }
+    return {form.name: _describe(system, form) for form in kept_forms(system, frame) if form.name not in known}
+
+
+def _describe(system: System, form: Form) -> str:
+    g, line = system.graph, form.line
+    text = to_text(g, form_value(system, form), _LONGEST_FORM)
+    if line is None or not text.endswith("…"):
+        return text
+    omega = velocity_symbol(system, form)
+    values = [(j, g.add(g.mul(line.vector[j], omega), line.carried[j])) for j in line.columns]
+    return ", ".join(f"{system.q_names[j]}' = {to_text(g, value, _LONGEST_FORM)}" for j, value in values)
 
 
 def velocity_symbol(system: System, form: Form) -> Node:

@@ -88,6 +88,13 @@ def without_common(graph: Graph, nodes: Sequence[Node], constants: int) -> list[
     return [next(left) if node != graph.zero else node for node in nodes]
 
 
+def common_parameters(graph: Graph, nodes: Sequence[Node], constants: int) -> list[Node]:
+    """The parameters that :func:`without_common` takes away and that may vanish: nothing holds a row then."""
+    split = [_powers(graph, node) for node in nodes if node != graph.zero]
+    made = _take_out(graph, split, constants) if split else None
+    return [] if made is None else [base for base, n in made[1].items() if n > 0 and graph.value(base) is None]
+
+
 def _take_out(
     graph: Graph, products: Sequence[Product], constants: int, *, moving: bool = False
 ) -> tuple[Fraction, dict[Node, int], list[Node]] | None:

@@ -7,7 +7,7 @@ a reaction enters as Q_i + lambda_alpha a_alpha_i.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 
 from nhc.algebra.calculus import derivative
@@ -19,15 +19,33 @@ from nhc.mechanics.rotations.rotation import Rotation
 from nhc.records import record
 
 
+@record
+class Line:
+    """All that some constraints leave to the velocities in ``columns``: q' = vector omega + carried there, omega the form's value.
+
+    ``square`` is the sum of the squares of the vector, which vanishes only where those constraints lose rank.
+    """
+
+    columns: tuple[int, ...]
+    vector: tuple[Node, ...]
+    """n entries, as of ``carried``; zero in other columns."""
+    carried: tuple[Node, ...]
+    square: Node
+
+    def value(self, graph: Graph, velocities: Sequence[Node]) -> Node:
+        """omega times ``square``, by all velocities."""
+        return graph.dot(self.vector, [graph.sub(v, u) for v, u in zip(velocities, self.carried, strict=True)])
+
+
 class Form:
     """A velocity form: coefficients_i * q'_i + constant; as a constraint it is zero, as a quasi-velocity it is omega.
 
     ``equation`` is f for a holonomic constraint f(q, t) = 0, whose derivative the form is.  ``value`` is the form as
     the spec wrote it, over the velocities' symbols, where it was written: it shares what the coefficients repeat, which
-    a written form reads off when they are first asked for (:meth:`written`).
+    a written form reads off when they are first asked for (:meth:`written`).  ``line`` is known of a form that was made for it.
     """
 
-    __slots__ = ("_linear", "_read", "equation", "name", "place", "value")
+    __slots__ = ("_linear", "_read", "equation", "line", "name", "place", "value")
 
     def __init__(
         self,
@@ -37,8 +55,9 @@ class Form:
         place: str = "",
         equation: Node | None = None,
         value: Node | None = None,
+        line: Line | None = None,
     ) -> None:
-        self.name, self.place, self.equation, self.value = name, place, equation, value
+        self.name, self.place, self.equation, self.value, self.line = name, place, equation, value, line
         self._linear: tuple[tuple[Node, ...], Node] | None = (coefficients, constant)
         self._read: Callable[[], tuple[tuple[Node, ...], Node]] | None = None
 
@@ -67,6 +86,11 @@ class Form:
     def coefficients(self) -> tuple[Node, ...]:
         """One for each velocity."""
         return self._known()[0]
+
+    @property
+    def direction(self) -> tuple[Node, ...]:
+        """The coefficients up to a factor: that of a line vanishes, where others would be infinite."""
+        return self.line.vector if self.line is not None else self.coefficients
 
     @property
     def constant(self) -> Node:

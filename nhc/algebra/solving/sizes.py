@@ -66,7 +66,8 @@ def size_of(graph: Graph, root: Node) -> Node:
         elif op == NEG:
             size[node] = size[a]
         elif op == POW and b > 0:
-            size[node] = graph.power(size[a], b)
+            base = size[a]
+            size[node] = graph.power(graph.a[base] if b % 2 == 0 and graph.op[base] == "abs" else base, b)
         elif op in ("sin", "cos"):
             size[node] = graph.one
         else:

@@ -14,6 +14,7 @@ from nhc.mechanics.choosing.energy import SOUND_ENERGY, least_energy
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
 from nhc.mechanics.choosing.length import is_unwieldy
+from nhc.mechanics.choosing.lines import along_lines
 from nhc.mechanics.choosing.pivots import are_headings, set_pivots_aside
 from nhc.mechanics.choosing.reach import are_multipliers_dear, becomes_singular, find_lasting
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
@@ -144,6 +145,7 @@ def build(system: System, name: str) -> Formulation:
 def _euler_lagrange(system: System) -> Formulation:
     try:
         forms, added = complete(system)
+        forms = along_lines(system, forms)
         frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
     except Singular:
         raise NotApplicable(
@@ -296,6 +298,7 @@ def _without_small_divisors(system: System, choice: DependentChoice) -> Formulat
     forms = adapted_forms(system, aside)
     if forms is None:
         return None
+    forms = along_lines(system, forms)
     frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     reason = f"coframe chosen by nhc: along the edges, since {names} would be divided by parameters"

@@ -62,7 +62,7 @@ def _norm(row: Sequence[float]) -> float:
 def _usual_length(system: System, form: Form, units: tuple[float, ...]) -> float:
     """The median of a form's length over the places that regularity is judged by."""
     known: dict[tuple[tuple[Node, ...], tuple[float, ...]], float] = system.graph.memory.setdefault("usual lengths", {})
-    key = form.coefficients, units
+    key = form.direction, units
     if key not in known:
         lengths = sorted(_norm(rows[0]) for rows in sampled_rows(system, [form], units=units))
         known[key] = lengths[len(lengths) // 2] if lengths else 1.0

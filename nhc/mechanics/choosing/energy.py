@@ -20,8 +20,8 @@ SOUND_ENERGY = 1e-2
 
 
 def evaluate_rows(system: System, forms: Sequence[Form], place: Place) -> Rows:
-    """The coefficients of forms at a place."""
-    flat = [float(x) for x in evaluate(system.graph, [a for form in forms for a in form.coefficients], place)]
+    """The directions of forms at a place."""
+    flat = [float(x) for x in evaluate(system.graph, [a for form in forms for a in form.direction], place)]
     return [flat[k * system.n : (k + 1) * system.n] for k in range(len(forms))]
 
 

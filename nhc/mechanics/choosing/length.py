@@ -14,7 +14,6 @@ def is_unwieldy(system: System, frame: Frame) -> bool:
 
     The frame's inverse and its derivatives take a multiple of that, where multipliers take the rows alone.
     """
-    own, rows = (
-        [x for form in forms for x in form.coefficients] for forms in (frame.forms[system.l :], system.constraints)
-    )
+    own = [x for form in frame.forms[system.l :] for x in form.direction]
+    rows = [x for form in system.constraints for x in form.coefficients]
     return count(system.graph, own) > _TIMES * count(system.graph, rows) + _SPARE

@@ -82,9 +82,14 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     added = describe_added(system, formulation.frame)
     data = {"name": formulation.name, "number": formulation.number, "reason": formulation.reason, "added": added}
     line = f"formulation: {formulation.name} ({formulation.number}), {formulation.reason}"
-    facts.say("formulation", data, "; ".join([line, *(f"{name} = {text}" for name, text in added.items())]))
+    facts.say("formulation", data, "; ".join([line, *(_with_its_name(name, text) for name, text in added.items())]))
     warn_rough(system, torn, bag)
     return facts
+
+
+def _with_its_name(name: str, text: str) -> str:
+    """An added velocity as an equation; where it is said what it makes of others, these are equations already."""
+    return f"{name}: {text}" if "' = " in text else f"{name} = {text}"
 
 
 def _numbered(number: int, one: str, several: str) -> str:

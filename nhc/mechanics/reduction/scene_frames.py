@@ -91,7 +91,7 @@ def _named(system: System, forms: Sequence[Form]) -> list[Form]:
         while name in taken:
             name += "_"
         taken.add(name)
-        found.append(Form(name, form.coefficients, form.constant, form.place, None, form.value))
+        found.append(Form(name, form.coefficients, form.constant, form.place, None, form.value, form.line))
     return found
 
 

@@ -91,7 +91,7 @@ def sampled_rows(
     ordinary: bool = False,
     units: Sequence[float] | None = None,
 ) -> list[list[list[float]]]:
-    """The matrix of the forms' coefficients, in these units (by default those of :func:`velocity_units`), at each of the points
+    """The matrix of the forms' directions, in these units (by default those of :func:`velocity_units`), at each of the points
     (trial points, or ordinary ones, by default) where it can be evaluated; the points are told what was evaluated at them.
     """
     chosen = _kept_points(system, ordinary=ordinary) if points is None else points
@@ -103,7 +103,7 @@ def sampled_rows(
 
 def _rows(system: System, forms: Sequence[Form], points: Sequence[dict[Node, float]]) -> list[list[list[float]]]:
     g = system.graph
-    flat = [a for form in forms for a in form.coefficients]
+    flat = [a for form in forms for a in form.direction]
     order, result = reachable(g, flat), []
     for known in points:
         try:

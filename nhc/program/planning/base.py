@@ -182,6 +182,8 @@ class PlannerBase:
         what, known = self.frame_what(), self.eliminated()
         pivots = [pair for pair in self.equations.guards if without_sign(self.graph, pair[0]) in known]
         others = [pair for pair in self.equations.guards if pair not in pivots]
+        # a sum of squares of coordinates is as large as it can be, and zero at one place only
+        others = [(value, self.graph.zero if value == scale else scale) for value, scale in others]
         return (
             *self._guard_determinants(pivots, digits, SINGULAR_FRAME, what),
             *self._guard_determinants(others, _FRAME_DIGITS, SINGULAR_FRAME, what),

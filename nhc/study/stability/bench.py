@@ -298,7 +298,7 @@ def _list_columns(
     found += [Column("", "velocity", v) for v in planner.equations.motion.velocities]
     if planner.formulation.frame is not None:
         free = planner.formulation.frame.forms[system.l :]
-        found += [Column(f.name, "free", a) for f in free for a in f.coefficients]
+        found += [Column(f.name, "free", a) for f in free for a in f.direction]
     if system.n <= _MOST_MASS:
         found += [Column("", "mass", entry) for entry in planner.on_motion(mass_matrix(system))]
     return found

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:8c51b8d559e2377c)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:4618ebbedfeeb0fc)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -119,21 +119,10 @@ static int cartesian_pendulum_one_by_one(size_t count, size_t first, size_t numb
 
 typedef unsigned long long cartesian_pendulum_bits __attribute__((vector_size(8 * CARTESIAN_PENDULUM_LANES)));
 
-/* all bits where value is not above bound, or is no number */
-static inline cartesian_pendulum_bits cartesian_pendulum_misses(cartesian_pendulum_lanes value, cartesian_pendulum_lanes bound)
-{
-    return ~(cartesian_pendulum_bits)(value > bound);
-}
-
 /* makes a NaN of each lane whose bits are set */
 static inline cartesian_pendulum_lanes cartesian_pendulum_mark(cartesian_pendulum_lanes value, cartesian_pendulum_bits bad)
 {
     return (cartesian_pendulum_lanes)((cartesian_pendulum_bits)value | bad);
-}
-
-static inline cartesian_pendulum_lanes cartesian_pendulum_size(cartesian_pendulum_lanes x)
-{
-    return (cartesian_pendulum_lanes)((cartesian_pendulum_bits)x & 0x7fffffffffffffffULL);
 }
 
 /* whether all states are done: no singular block, no infinity, no angle near 1e5; otherwise they go through rhs one by one */
@@ -179,31 +168,31 @@ int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *r
 {
     (void)t;
 
+    /* from the parameters alone */
+    const double m = p[0]; /* mass of the bob [kg] */
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
+    const double k1 = m * g;
+
     /* from the state */
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
-    const double z2 = fabs(y_2) + fabs(x);
-    const double z3 = 1.0 / z1;
+    const double z2 = m * z1;
     const double v = y[2];
-    const double z4 = v * z3;
     /* (I.2.4) */
-    dydt[0] = y_2 * z4; /* x' */
-    dydt[1] = -x * z4; /* y' */
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
+    dydt[0] = y_2 * v; /* x' */
+    dydt[1] = -x * v; /* y' */
     /* (I.2.15) 12:4 */
-    dydt[2] = x * g; /* v' */
-    const double m = p[0]; /* mass of the bob [kg] */
+    dydt[2] = x * k1 / z2; /* v' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
-    if (!(fabs(m * z3) > 0.0 * (dydt[0] + dydt[1] + dydt[2]) && fabs(z1) > 1e-12 * (z2 * z2))) {
+    if (!(fabs(dydt[0] + dydt[1] + dydt[2]) <= DBL_MAX)) {
         /* the coframe is singular */
-        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
+        if (!(fabs(z1) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(z1), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(m * z3) > 0.0)) {
-            return cartesian_pendulum_refuse(fabs(m * z3), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
+        if (!(fabs(z2) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
         return cartesian_pendulum_finish(3, dydt);
     }
@@ -216,20 +205,18 @@ int cartesian_pendulum_velocities(double t, const double *y, const double *p, do
     (void)p;
 
     /* from the state */
-    const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
-    const double z1 = x * x + y_2 * y_2;
-    const double z2 = fabs(y_2) + fabs(x);
     const double v = y[2];
-    const double z3 = v / z1;
     /* (I.2.4) */
-    qdot[0] = y_2 * z3; /* x' */
-    qdot[1] = -x * z3; /* y' */
+    qdot[0] = y_2 * v; /* x' */
+    const double x = y[0]; /* across [m] */
+    qdot[1] = -x * v; /* y' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(z1) > 1e-12 * (z2 * z2))) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(x * x + y_2 * y_2) > 0.0 * (qdot[0] + qdot[1]))) {
         /* the coframe is singular */
-        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
+        if (!(fabs(x * x + y_2 * y_2) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(x * x + y_2 * y_2), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
         return cartesian_pendulum_finish(2, qdot);
     }
@@ -240,30 +227,31 @@ int cartesian_pendulum_accelerations(double t, const double *y, const double *p,
 {
     (void)t;
 
+    /* from the parameters alone */
+    const double m = p[0]; /* mass of the bob [kg] */
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
+    const double k1 = m * g;
+
     /* from the state */
     const double x = y[0]; /* across [m] */
-    const double z1 = x * x;
     const double y_2 = y[1]; /* up [m] */
-    const double z2 = z1 + y_2 * y_2;
-    const double z3 = fabs(y_2) + fabs(x);
-    const double z4 = 1.0 / z2;
+    const double z1 = x * x + y_2 * y_2;
+    const double z2 = m * z1;
     const double v = y[2];
-    const double z5 = z4 * v * v;
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
+    const double z3 = v * v;
+    const double z4 = k1 * (x / z2);
     /* (I.2.15) */
-    qddot[0] = x * z4 * (y_2 * g - z5); /* x'' */
-    qddot[1] = -z4 * (g * z1 + y_2 * z5); /* y'' */
-    const double m = p[0]; /* mass of the bob [kg] */
+    qddot[0] = y_2 * z4 - x * z3; /* x'' */
+    qddot[1] = -(y_2 * z3 + x * z4); /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
-    if (!(fabs(m * z4) > 0.0 * (qddot[0] + qddot[1]) && fabs(z2) > 1e-12 * (z3 * z3))) {
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX)) {
         /* the coframe is singular */
-        if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-            return cartesian_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), CARTESIAN_PENDULUM_SINGULAR_1);
+        if (!(fabs(z1) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(z1), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(m * z4) > 0.0)) {
-            return cartesian_pendulum_refuse(fabs(m * z4), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
+        if (!(fabs(z2) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
         return cartesian_pendulum_finish(2, qddot);
     }
@@ -282,7 +270,7 @@ int cartesian_pendulum_state(double t, const double *q, const double *qdot, cons
     y[1] = y_2;
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
-    y[2] = y_2 * x_dot - x * y_dot;
+    y[2] = (y_2 * x_dot - x * y_dot) / (x * x + y_2 * y_2);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[2]) <= DBL_MAX)) {
         return cartesian_pendulum_finish(3, y);
@@ -318,25 +306,22 @@ int cartesian_pendulum_reactions(double t, const double *y, const double *p, dou
     const double z1 = x * x;
     const double y_2 = y[1]; /* up [m] */
     const double z2 = z1 + y_2 * y_2;
-    const double z3 = fabs(y_2) + fabs(x);
-    const double z4 = 1.0 / z2;
-    const double m = p[0]; /* mass of the bob [kg] */
-    const double z5 = m * z4;
     const double v = y[2];
-    const double z6 = z4 * z4 * v * v;
+    const double z3 = v * v;
+    const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
     /* (I.4.1) 15:5 */
-    lambda[0] = z5 * (y_2 * (g - y_2 * z6) - z1 * z6); /* reaction of rod: Q_i gains lambda_1 a_1i */
+    lambda[0] = m / z2 * (y_2 * (g - y_2 * z3) - z1 * z3); /* reaction of rod: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (0 times it is NaN then, and nothing is larger) */
-    if (!(fabs(z5) > 0.0 * lambda[0] && fabs(z2) > 1e-12 * (z3 * z3))) {
+    if (!(fabs(m) > 0.0 * lambda[0])) {
         /* the coframe is singular */
-        if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-            return cartesian_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), CARTESIAN_PENDULUM_SINGULAR_1);
+        if (!(fabs(z2) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(z5) > 0.0)) {
-            return cartesian_pendulum_refuse(fabs(z5), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
+        if (!(fabs(m * z2) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(m * z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
         return cartesian_pendulum_finish(1, lambda);
     }
@@ -353,57 +338,51 @@ double cartesian_pendulum_energy(double t, const double *y, const double *p)
     const double k1 = m * g;
 
     /* from the state */
-    const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
-    const double z1 = x * x + y_2 * y_2;
-    const double z2 = fabs(y_2) + fabs(x);
     const double v = y[2];
-    const double z3 = v / z1;
-    const double z4 = y_2 * z3;
-    const double z5 = x * z3;
-    /* the coframe is singular */
-    if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-        return (double)NAN;
-    }
-    return y_2 * k1 + 0.5 * (m * (z4 * z4 + z5 * z5));
+    const double z1 = y_2 * v;
+    const double x = y[0]; /* across [m] */
+    const double z2 = x * v;
+    return y_2 * k1 + 0.5 * (m * (z1 * z1 + z2 * z2));
 }
 
 int cartesian_pendulum_jacobian(double t, const double *y, const double *p, double *J)
 {
-    J[7] = 0.0;
+    J[0] = 0.0;
+    J[4] = 0.0;
     J[8] = 0.0;
     (void)t;
+
+    /* from the parameters alone */
+    const double m = p[0]; /* mass of the bob [kg] */
+    const double g = p[1]; /* acceleration of gravity [m/s^2] */
+    const double k1 = m * g;
+    const double k2 = m * k1;
 
     /* from the state */
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
-    const double z2 = fabs(y_2) + fabs(x);
-    const double z3 = 1.0 / z1;
+    const double z2 = m * z1;
+    const double z3 = 1.0 / z2;
+    const double z4 = x * z3 * k2;
     const double v = y[2];
-    const double z4 = v * (x * (z3 * z3));
-    const double z5 = 2.0 * (y_2 * z4);
-    const double z6 = v * z3 - 2.0 * (x * z4);
     /* (I.2.15) */
-    J[0] = -z5;
-    J[1] = -z6;
-    J[2] = y_2 * z3;
-    J[3] = -z6;
-    J[4] = z5;
-    J[5] = -x * z3;
-    const double g = p[1]; /* acceleration of gravity [m/s^2] */
-    J[6] = g;
-    const double m = p[0]; /* mass of the bob [kg] */
+    J[1] = v;
+    J[2] = y_2;
+    J[3] = -v;
+    J[5] = -x;
+    J[6] = z3 * (k1 - 2.0 * (x * z4));
+    J[7] = -2.0 * (z3 * (y_2 * z4));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
-    if (!(fabs(m * z3) > 0.0 * (J[0] + J[2] + J[3] + J[5] + J[6]) && fabs(z1) > 1e-12 * (z2 * z2))) {
+    if (!(fabs(J[3] + J[6] + J[7]) <= DBL_MAX)) {
         /* the coframe is singular */
-        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
+        if (!(fabs(z1) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(z1), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular, or the velocities that are kept are */
-        if (!(fabs(m * z3) > 0.0)) {
-            return cartesian_pendulum_refuse(fabs(m * z3), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
+        if (!(fabs(z2) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
         return cartesian_pendulum_finish(9, J);
     }
@@ -419,14 +398,14 @@ int cartesian_pendulum_outputs(double t, const double *y, const double *p, doubl
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
     const double z1 = x * x + y_2 * y_2;
-    const double z2 = fabs(y_2) + fabs(x);
     /* 17:11 */
     out[0] = sqrt(z1); /* length */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(out[0]) <= DBL_MAX && fabs(z1) > 1e-12 * (z2 * z2))) {
+    /* (0 times it is NaN then, and nothing is larger) */
+    if (!(fabs(z1) > 0.0 * out[0])) {
         /* the coframe is singular */
-        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
+        if (!(fabs(z1) > 0.0)) {
+            return cartesian_pendulum_refuse(fabs(z1), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
         return cartesian_pendulum_finish(1, out);
     }
@@ -442,30 +421,21 @@ static __attribute__((noinline)) void cartesian_pendulum_rhs_lanes(const double 
     cartesian_pendulum_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
     cartesian_pendulum_bits bad = {0}; /* singular blocks */
     const double m = fixed[0];
-    const double g = fixed[1];
+    const double k1 = fixed[1];
     const cartesian_pendulum_lanes x = cartesian_pendulum_get(y);
     const cartesian_pendulum_lanes y_2 = cartesian_pendulum_get(y + 1 * stride);
     const cartesian_pendulum_lanes v = cartesian_pendulum_get(y + 2 * stride);
     const cartesian_pendulum_lanes z1 = x * x + y_2 * y_2;
-    const cartesian_pendulum_lanes z2 = cartesian_pendulum_size(CARTESIAN_PENDULUM_SPREAD(y_2)) +
-        cartesian_pendulum_size(CARTESIAN_PENDULUM_SPREAD(x));
-    /* the coframe is singular */
-    bad |= cartesian_pendulum_misses(cartesian_pendulum_size(CARTESIAN_PENDULUM_SPREAD(z1)), 1e-12 * (z2 *
-        z2));
-    const cartesian_pendulum_lanes z3 = 1.0 / z1;
-    /* the mass matrix is singular, or the velocities that are kept are */
-    bad |= cartesian_pendulum_misses(cartesian_pendulum_size(CARTESIAN_PENDULUM_SPREAD(m * z3)),
-        CARTESIAN_PENDULUM_SPREAD(0.0));
-    const cartesian_pendulum_lanes z4 = v * z3;
+    const cartesian_pendulum_lanes z2 = m * z1;
     /* (I.2.4) */
-    const cartesian_pendulum_lanes slope1 = y_2 * z4;
+    const cartesian_pendulum_lanes slope1 = y_2 * v;
     sum += slope1;
     cartesian_pendulum_put(dydt, slope1);
-    const cartesian_pendulum_lanes slope2 = -x * z4;
+    const cartesian_pendulum_lanes slope2 = -x * v;
     sum += slope2;
     cartesian_pendulum_put(dydt + 1 * stride, slope2);
     /* (I.2.15) 12:4 */
-    const cartesian_pendulum_lanes slope3 = x * g;
+    const cartesian_pendulum_lanes slope3 = x * k1 / z2;
     sum += slope3;
     cartesian_pendulum_put(dydt + 2 * stride, slope3);
     cartesian_pendulum_put(check, cartesian_pendulum_mark(far + (sum - sum), bad));
@@ -489,7 +459,8 @@ int cartesian_pendulum_rhs_batch(size_t count, const double *t, const double *y,
 #if CARTESIAN_PENDULUM_LANES >= 2
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
-    const double fixed[] = {m, g};
+    const double k1 = m * g;
+    const double fixed[] = {m, k1};
     double check[1 * CARTESIAN_PENDULUM_LANES];
     int status = CARTESIAN_PENDULUM_OK;
     for (size_t i = 0; i < count; i += CARTESIAN_PENDULUM_LANES) {

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:d6830191bc8bac8c)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:8faf99aa04e8419f)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -10,7 +10,7 @@
  * State y:
  * y[0] = x [m]: across
  * y[1] = y [m]: up
- * y[2] = v: y*x' - x*y'
+ * y[2] = v: (y*x' - x*y')/(x^2 + y^2)
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the bob
@@ -23,15 +23,15 @@
  * out[0] = length [m]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 2 +-, 8 *, 1 /, 2 calls
- * velocities: 2 +-, 5 *, 1 /, 2 calls
- * accelerations: 4 +-, 12 *, 1 /, 2 calls
- * state: 1 +-, 2 *, 0 /, 0 calls
+ * rhs: 1 +-, 7 *, 1 /, 0 calls
+ * velocities: 1 +-, 4 *, 0 /, 0 calls
+ * accelerations: 3 +-, 10 *, 1 /, 0 calls
+ * state: 2 +-, 4 *, 1 /, 0 calls
  * residuals: 1 +-, 2 *, 0 /, 0 calls
- * reactions: 4 +-, 11 *, 1 /, 2 calls
- * energy: 4 +-, 11 *, 1 /, 2 calls
- * jacobian: 3 +-, 14 *, 1 /, 2 calls
- * outputs: 2 +-, 3 *, 0 /, 3 calls
+ * reactions: 3 +-, 8 *, 1 /, 0 calls
+ * energy: 2 +-, 8 *, 0 /, 0 calls
+ * jacobian: 2 +-, 13 *, 1 /, 0 calls
+ * outputs: 1 +-, 2 *, 0 /, 1 calls
  *
  * Calls: t is the time; y has CARTESIAN_PENDULUM_NY entries, p has CARTESIAN_PENDULUM_NP;
  *     cartesian_pendulum_parameter_defaults may be passed as p. cartesian_pendulum_state makes y from

@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:00cda0b0593d7b9c).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:29771721edb56af9).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -10,7 +10,7 @@ Why: coframe completed by nhc with v: the dependent velocities that nhc would ch
 State y:
 y[0] = x [m]: across
 y[1] = y [m]: up
-y[2] = v: y*x' - x*y'
+y[2] = v: (y*x' - x*y')/(x^2 + y^2)
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bob
@@ -23,15 +23,15 @@ Outputs:
 out[0] = length [m]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 2 +-, 8 *, 1 /, 2 calls
-velocities: 2 +-, 5 *, 1 /, 2 calls
-accelerations: 4 +-, 12 *, 1 /, 2 calls
-state: 1 +-, 2 *, 0 /, 0 calls
+rhs: 1 +-, 7 *, 1 /, 0 calls
+velocities: 1 +-, 4 *, 0 /, 0 calls
+accelerations: 3 +-, 10 *, 1 /, 0 calls
+state: 2 +-, 4 *, 1 /, 0 calls
 residuals: 1 +-, 2 *, 0 /, 0 calls
-reactions: 4 +-, 11 *, 1 /, 2 calls
-energy: 4 +-, 11 *, 1 /, 2 calls
-jacobian: 3 +-, 14 *, 1 /, 2 calls
-outputs: 2 +-, 3 *, 0 /, 3 calls
+reactions: 3 +-, 8 *, 1 /, 0 calls
+energy: 2 +-, 8 *, 0 /, 0 calls
+jacobian: 2 +-, 13 *, 1 /, 0 calls
+outputs: 1 +-, 2 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
 Units are in brackets, and nothing is converted.
@@ -107,24 +107,24 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
+        # from the parameters alone
+        k1 = m * g
         # from the state
         z1 = x * x + y_2 * y_2
-        z2 = abs(y_2) + abs(x)
         # the coframe is singular
-        if not abs(z1) > 1e-12 * (z2 * z2):
-            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "rhs")
-        z3 = 1.0 / z1
+        if not abs(z1) > 0.0:
+            raise _refuse(abs(z1), 0.0, 1, "rhs")
+        z2 = m * z1
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(m * z3) > 0.0:
-            raise _refuse(abs(m * z3), 0.0, 2, "rhs")
-        z4 = v * z3
+        if not abs(z2) > 0.0:
+            raise _refuse(abs(z2), 0.0, 2, "rhs")
         dydt: list[float] = [
             # x' (I.2.4)
-            y_2 * z4,
+            y_2 * v,
             # y' (I.2.4)
-            -x * z4,
+            -x * v,
             # v' (I.2.15) 12:4
-            x * g,
+            x * k1 / z2,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -145,18 +145,16 @@ def velocities(
     y_2 = float(y[1])  # up [m]
     v = float(y[2])
     try:
-        # from the state
-        z1 = x * x + y_2 * y_2
-        z2 = abs(y_2) + abs(x)
+        s1 = x * x + y_2 * y_2
         # the coframe is singular
-        if not abs(z1) > 1e-12 * (z2 * z2):
-            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "velocities")
-        z3 = v / z1
+        if not abs(s1) > 0.0:
+            raise _refuse(abs(s1), 0.0, 1, "velocities")
+        # from the state
         qdot: list[float] = [
             # x' (I.2.4)
-            y_2 * z3,
+            y_2 * v,
             # y' (I.2.4)
-            -x * z3,
+            -x * v,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -179,23 +177,24 @@ def accelerations(
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
+        # from the parameters alone
+        k1 = m * g
         # from the state
-        z1 = x * x
-        z2 = z1 + y_2 * y_2
-        z3 = abs(y_2) + abs(x)
+        z1 = x * x + y_2 * y_2
         # the coframe is singular
-        if not abs(z2) > 1e-12 * (z3 * z3):
-            raise _refuse(abs(z2), 1e-12 * (z3 * z3), 1, "accelerations")
-        z4 = 1.0 / z2
+        if not abs(z1) > 0.0:
+            raise _refuse(abs(z1), 0.0, 1, "accelerations")
+        z2 = m * z1
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(m * z4) > 0.0:
-            raise _refuse(abs(m * z4), 0.0, 2, "accelerations")
-        z5 = z4 * v * v
+        if not abs(z2) > 0.0:
+            raise _refuse(abs(z2), 0.0, 2, "accelerations")
+        z3 = v * v
+        z4 = k1 * (x / z2)
         qddot: list[float] = [
             # x'' (I.2.15)
-            x * z4 * (y_2 * g - z5),
+            y_2 * z4 - x * z3,
             # y'' (I.2.15)
-            -z4 * (g * z1 + y_2 * z5),
+            -(y_2 * z3 + x * z4),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -219,7 +218,7 @@ def state(
     y_dot = float(qdot[1])
     try:
         # from the state
-        y: list[float] = [x, y_2, y_2 * x_dot - x * y_dot]
+        y: list[float] = [x, y_2, (y_2 * x_dot - x * y_dot) / (x * x + y_2 * y_2)]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "state") from error
@@ -271,19 +270,16 @@ def reactions(
         # from the state
         z1 = x * x
         z2 = z1 + y_2 * y_2
-        z3 = abs(y_2) + abs(x)
         # the coframe is singular
-        if not abs(z2) > 1e-12 * (z3 * z3):
-            raise _refuse(abs(z2), 1e-12 * (z3 * z3), 1, "reactions")
-        z4 = 1.0 / z2
-        z5 = m * z4
+        if not abs(z2) > 0.0:
+            raise _refuse(abs(z2), 0.0, 1, "reactions")
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(z5) > 0.0:
-            raise _refuse(abs(z5), 0.0, 2, "reactions")
-        z6 = z4 * z4 * v * v
+        if not abs(m * z2) > 0.0:
+            raise _refuse(abs(m * z2), 0.0, 2, "reactions")
+        z3 = v * v
         lambda_: list[float] = [
             # reaction of rod: Q_i gains lambda_1 a_1i (I.4.1) 15:5
-            z5 * (y_2 * (g - y_2 * z6) - z1 * z6),
+            m / z2 * (y_2 * (g - y_2 * z3) - z1 * z3),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -305,15 +301,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # from the parameters alone
         k1 = m * g
         # from the state
-        z1 = x * x + y_2 * y_2
-        z2 = abs(y_2) + abs(x)
-        # the coframe is singular
-        if not abs(z1) > 1e-12 * (z2 * z2):
-            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "energy")
-        z3 = v / z1
-        z4 = y_2 * z3
-        z5 = x * z3
-        value1 = y_2 * k1 + 0.5 * (m * (z4 * z4 + z5 * z5))
+        z1 = y_2 * v
+        z2 = x * v
+        value1 = y_2 * k1 + 0.5 * (m * (z1 * z1 + z2 * z2))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -335,39 +325,39 @@ def jacobian(
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
+        # from the parameters alone
+        k1 = m * g
+        k2 = m * k1
         # from the state
         z1 = x * x + y_2 * y_2
-        z2 = abs(y_2) + abs(x)
         # the coframe is singular
-        if not abs(z1) > 1e-12 * (z2 * z2):
-            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "jacobian")
-        z3 = 1.0 / z1
+        if not abs(z1) > 0.0:
+            raise _refuse(abs(z1), 0.0, 1, "jacobian")
+        z2 = m * z1
         # the mass matrix is singular, or the velocities that are kept are
-        if not abs(m * z3) > 0.0:
-            raise _refuse(abs(m * z3), 0.0, 2, "jacobian")
-        z4 = v * (x * (z3 * z3))
-        z5 = 2.0 * (y_2 * z4)
-        z6 = v * z3 - 2.0 * (x * z4)
+        if not abs(z2) > 0.0:
+            raise _refuse(abs(z2), 0.0, 2, "jacobian")
+        z3 = 1.0 / z2
+        z4 = x * z3 * k2
         J: list[float] = [
-            # (I.2.15)
-            -z5,
-            # (I.2.15)
-            -z6,
-            # (I.2.15)
-            y_2 * z3,
-            # (I.2.15)
-            -z6,
-            # (I.2.15)
-            z5,
-            # (I.2.15)
-            -x * z3,
-            # (I.2.15)
-            g,
             0.0,
+            # (I.2.15)
+            v,
+            # (I.2.15)
+            y_2,
+            # (I.2.15)
+            -v,
+            0.0,
+            # (I.2.15)
+            -x,
+            # (I.2.15)
+            z3 * (k1 - 2.0 * (x * z4)),
+            # (I.2.15)
+            -2.0 * (z3 * (y_2 * z4)),
             0.0,
         ]
         _finish("jacobian", J)
-        return [J[k1 : k1 + 3] for k1 in range(0, 9, 3)]
+        return [J[k3 : k3 + 3] for k3 in range(0, 9, 3)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 
@@ -383,10 +373,9 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     try:
         # from the state
         z1 = x * x + y_2 * y_2
-        z2 = abs(y_2) + abs(x)
         # the coframe is singular
-        if not abs(z1) > 1e-12 * (z2 * z2):
-            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "outputs")
+        if not abs(z1) > 0.0:
+            raise _refuse(abs(z1), 0.0, 1, "outputs")
         out: list[float] = [
             # length 17:11
             math.sqrt(z1),

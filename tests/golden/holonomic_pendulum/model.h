@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:678e3742f6adfb23)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:79d14df2c3fee273)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -9,7 +9,7 @@
  * State y:
  * y[0] = x [m]: across
  * y[1] = y [m]: up
- * y[2] = v: y*x' - x*y'
+ * y[2] = v: (y*x' - x*y')/(x^2 + y^2)
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the bob
@@ -20,16 +20,16 @@
  * 0: rod [kg/s^2]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 2 +-, 8 *, 1 /, 2 calls
- * velocities: 2 +-, 5 *, 1 /, 2 calls
- * accelerations: 4 +-, 12 *, 1 /, 2 calls
- * state: 1 +-, 2 *, 0 /, 0 calls
+ * rhs: 1 +-, 7 *, 1 /, 0 calls
+ * velocities: 1 +-, 4 *, 0 /, 0 calls
+ * accelerations: 3 +-, 10 *, 1 /, 0 calls
+ * state: 2 +-, 4 *, 1 /, 0 calls
  * residuals: 1 +-, 2 *, 0 /, 0 calls
  * positions: 2 +-, 4 *, 0 /, 0 calls
- * reactions: 4 +-, 11 *, 1 /, 2 calls
- * energy: 4 +-, 11 *, 1 /, 2 calls
- * jacobian: 3 +-, 14 *, 1 /, 2 calls
- * outputs: 2 +-, 3 *, 0 /, 2 calls
+ * reactions: 3 +-, 8 *, 1 /, 0 calls
+ * energy: 2 +-, 8 *, 0 /, 0 calls
+ * jacobian: 2 +-, 13 *, 1 /, 0 calls
+ * outputs: 1 +-, 2 *, 0 /, 0 calls
  *
  * Calls: t is the time; y has HOLONOMIC_PENDULUM_NY entries, p has HOLONOMIC_PENDULUM_NP;
  *     holonomic_pendulum_parameter_defaults may be passed as p. holonomic_pendulum_state makes y from

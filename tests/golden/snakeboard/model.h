@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:79002468952f2ffc)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:d2da2ee0168f12ad)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -13,8 +13,8 @@
  * y[3] = psi [rad]: rotor, relative to the board
  * y[4] = p_b [rad]: back axle, relative to the board
  * y[5] = p_f [rad]: front axle, relative to the board
- * y[6] = v: x'*l*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f)) + y'*l*(sin(theta + p_b)*cos(p_f) +
- *     cos(p_b)*sin(theta + p_f)) + theta'*(cos(p_b)*sin(p_f) - cos(p_f)*sin(p_b))
+ * y[6] = v: x' = l*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f))*v, y' = l*(sin(theta +
+ *     p_b)*cos(p_f) + cos(p_b)*sin(theta + p_f))*v, theta' = (cos(p_b)*sin(p_f) - cos(p_f)*sin(p_b))*v
  * y[7] = psi' [rad/s]
  * y[8] = p_b' [rad/s]
  * y[9] = p_f' [rad/s]
@@ -37,15 +37,15 @@
  * out[0] = speed [m/s]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 51 +-, 103 *, 4 /, 9 calls
- * velocities: 18 +-, 34 *, 1 /, 7 calls
- * accelerations: 62 +-, 117 *, 4 /, 9 calls
- * state: 10 +-, 17 *, 0 /, 6 calls
+ * rhs: 33 +-, 55 *, 3 /, 9 calls
+ * velocities: 11 +-, 22 *, 0 /, 7 calls
+ * accelerations: 41 +-, 63 *, 3 /, 9 calls
+ * state: 18 +-, 27 *, 1 /, 6 calls
  * residuals: 9 +-, 15 *, 0 /, 6 calls
- * reactions: 64 +-, 119 *, 2 /, 9 calls
- * energy: 26 +-, 45 *, 1 /, 7 calls
- * jacobian: 164 +-, 299 *, 2 /, 9 calls
- * outputs: 10 +-, 18 *, 1 /, 5 calls
+ * reactions: 52 +-, 86 *, 2 /, 9 calls
+ * energy: 16 +-, 27 *, 0 /, 6 calls
+ * jacobian: 94 +-, 155 *, 1 /, 9 calls
+ * outputs: 10 +-, 25 *, 0 /, 7 calls
  *
  * Calls: t is the time; y has SNAKEBOARD_NY entries, p has SNAKEBOARD_NP; snakeboard_parameter_defaults may
  *     be passed as p. snakeboard_state makes y from coordinates and velocities.

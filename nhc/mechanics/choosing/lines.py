@@ -1,0 +1,74 @@
+"""Rows of minors as what the velocities are along, in place of a form of their length.
+
+The row n of minors that completes some constraints spans all that these leave to the velocities in its columns.  As the form n q'
+it is divided by |n|^2 where the coframe is solved, with all its derivatives; of the form n q' / |n|^2, which is as regular, the
+vector is n itself: q' = n v.  Its entries have the units of the velocities over that of v, too, where |n|^2 is a sum of several.
+
+What rolls on something that moves has velocities u of that as well: q' = n v + u, where the constraints are written for q' - u.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import islice, product
+
+from nhc.algebra.exact.modular import are_zero
+from nhc.algebra.graph import ADD, Graph, Node
+from nhc.algebra.rewriting.angles import normalise_angles
+from nhc.algebra.walks import count, reachable
+from nhc.mechanics.frame import closed_rows, form_value
+from nhc.mechanics.system import Form, Line, System
+
+_LIMIT = 200  # terms of a square
+_MOST_TRIALS = 16
+
+
+def along_lines(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
+    """The forms, where those that nhc made are all that constraints leave to some velocities by what these velocities are along."""
+    own = {*system.q_names, *(form.name for form in system.quasi)}
+    return tuple(form if form.name in own else _along_line(system, form) or form for form in forms)
+
+
+def _along_line(system: System, form: Form) -> Form | None:
+    g, vector = system.graph, form.coefficients
+    columns = tuple(j for j, node in enumerate(vector) if node != g.zero)
+    rows = [system.constraints[r] for r in closed_rows(system, columns)]
+    if not rows or len(rows) != len(columns) - 1:
+        return None
+    plain = g.sum([g.power(x, 2) for x in vector])
+    square = min(normalise_angles(g, plain, _LIMIT), plain, key=lambda node: count(g, [node]))
+    if g.value(square) is not None or not all(are_zero(g, [g.dot(row.coefficients, vector) for row in rows])):
+        return None
+    carried = _carrying(system, rows, columns)
+    if carried is None:
+        return None
+    coefficients = tuple(g.div(x, square) for x in vector)
+    constant = g.neg(g.div(g.dot(vector, carried), square))
+    line = Line(columns, vector, carried, square)
+    return Form(form.name, coefficients, constant, form.place, value=g.div(line.value(g, system.v), square), line=line)
+
+
+def _carrying(system: System, rows: Sequence[Form], columns: Sequence[int]) -> tuple[Node, ...] | None:
+    """Velocities in the columns that the rows allow where v is zero; None where they are not written down in the rows."""
+    g, carried = system.graph, [system.graph.zero] * system.n
+    if all(row.constant == g.zero for row in rows):
+        return tuple(carried)
+    written = [form_value(system, row) for row in rows]
+    choices = [_carriers(g, written, system.v[j], g.mask(system.v)) for j in columns]
+    for trial in islice(product(*choices), _MOST_TRIALS):
+        for j, node in zip(columns, trial, strict=True):
+            carried[j] = node
+        if all(are_zero(g, [g.add(g.dot(row.coefficients, carried), row.constant) for row in rows])):
+            return tuple(carried)
+    return None
+
+
+def _carriers(graph: Graph, written: Sequence[Node], velocity: Node, velocities: int) -> list[Node]:
+    """What is taken from a velocity before it is multiplied by anything, the most frequent first; nothing where that is so."""
+    g, own = graph, graph.deps[velocity]
+    found: dict[Node, int] = {}
+    for node in reachable(g, written, own):
+        for kind, x, y in ((g.op[node], g.a[node], g.b[node]), (g.op[node], g.b[node], g.a[node])):
+            if kind == ADD and x == velocity and not g.deps[y] & velocities:
+                found[g.neg(y)] = found.get(g.neg(y), 0) + 1
+    return [*sorted(found, key=lambda node: -found[node]), g.zero]
