@@ -18,7 +18,8 @@ from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import depends, solve
 from nhc.algebra.walks import count
-from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build
+from nhc.mechanics.choosing.choose import Formulation, build
+from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value

@@ -12,7 +12,8 @@ from functools import partial
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Differential, Name, Number, Prime, Syntax, decode, walk
 from nhc.language.expressions.syntax import Binary
-from nhc.mechanics.choosing.choose import NotApplicable, build
+from nhc.mechanics.choosing.choose import build
+from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.resolving.resolve import resolve
 from tests.generate import Writer

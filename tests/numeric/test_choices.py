@@ -398,7 +398,7 @@ scenes:
     [
         ("course", "swing", ["v", "swing", "stretch"]),
         ("course + 0.3", "swing", ["v", "swing", "stretch"]),
-        ("course", "swing - course", ["x", "y", "stretch"]),  # both angles follow from the place
+        ("course", "swing - course", ["v", "course", "stretch"]),  # both angles turn with all
         ("course + x", "swing", ["course", "swing", "stretch"]),  # not the same on its axes
     ],
 )
@@ -410,16 +410,66 @@ def test_what_turns_in_the_plane_is_led_along_its_axis(heading: str, swing: str,
     assert [form.name for form in found.formulation.frame.forms[found.system.l :]] == free
 
 
+@pytest.mark.parametrize("swing", ["swing", "swing - course"])
 @pytest.mark.parametrize("across", [0.0, math.pi / 2, math.pi, -math.pi / 2, 2.0])
-def test_a_tug_turns_all_the_way(across: float) -> None:
+def test_a_tug_turns_all_the_way(across: float, swing: str) -> None:
     """The accelerations are those of the multiplier equations at every heading, also where it stands across."""
-    source = Source("tug.yaml", TUG.replace("AHEAD", "course").replace("HEADING", "course").replace("SWING", "swing"))
+    source = Source("tug.yaml", TUG.replace("AHEAD", "course").replace("HEADING", "course").replace("SWING", swing))
     led, whole = (
         python_model(next(iter(emit(source, "python", options=Options(formulation=name)).values())), f"tug_{name}")
         for name in ("auto", "multipliers")
     )
-    place = [0.3, -0.2, across, 0.4, 0.05]
+    place = [0.3, -0.2, across, 0.4 if swing == "swing" else across + 0.4, 0.05]
     speeds = led.velocities(0.0, [*place, 0.7, -0.3, 0.2])
     assert speeds[0] ** 2 + speeds[1] ** 2 > 0.4
     own = led.accelerations(0.0, led.state(0.0, place, speeds))
     assert own == pytest.approx(whole.accelerations(0.0, whole.state(0.0, place, speeds)), rel=1e-12, abs=1e-12)
+
+
+OMNI = """nhc: 1
+system: omni
+coordinates: [x, y, th, p1, p2, p3]
+parameters: {m: 10, I: 0.7, J: 0.02, L: 0.3, R: 0.1, c: 0.05}
+T: m/2*((x' - c*sin(th)*th')^2 + (y' + c*cos(th)*th')^2) + I/2*th'^2 + J/2*(p1'^2 + p2'^2 + p3'^2)
+forces: {p1: 1, p2: sin(t), p3: -0.1*p3'}
+constraints:
+  - R*p1' = -sin(th)*x' + cos(th)*y' + L*th'
+  - R*p2' = -sin(th + 2*pi/3)*x' + cos(th + 2*pi/3)*y' + L*th'
+  - R*p3' = -sin(th + 4*pi/3)*x' + cos(th + 4*pi/3)*y' + L*th'
+"""
+"""A robot on three wheels that roll in all directions."""
+CART = """  - -sin(ps)*(x' + 0.4*sin(th)*th') + cos(ps)*(y' - 0.4*cos(th)*th') = 0.6*ps'
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "free"),
+    [
+        ("c: 0.05", "c: 0.05", ["v", "v2", "th'"]),
+        ("c: 0.05", "c: 0", ["x'", "y'", "th'"]),  # T is the same at all headings by x' and y', too
+        ("c*sin(th)", "c*sin(th + x)", ["x'", "y'", "th'"]),  # not the same on its axes
+        ("p3]", "p3, ps]", ["v", "v2", "th'"]),  # with a cart, whose angle counts from the same direction
+        ("L: 0.3", "v: 0.3, L: 0.3", ["v2", "v3", "th'"]),
+    ],
+)
+def test_a_robot_is_led_on_its_axes_where_its_energy_is_the_same_there(old: str, new: str, free: list[str]) -> None:
+    text = OMNI.replace(old, new)
+    if "ps]" in new:
+        text = text.replace("p3'^2)\nforces", "p3'^2) + ps'^2/5\nforces") + CART
+    source = Source("omni.yaml", text)
+    found = model(source)
+    assert found.formulation.frame is not None
+    assert [
+        f"{form.name}'" * (form.name in found.system.q_names) or form.name
+        for form in found.formulation.frame.forms[found.system.l :]
+    ] == free
+    own, whole = (
+        python_model(next(iter(emit(source, "python", options=Options(formulation=name)).values())), f"omni_{name}")
+        for name in ("auto", "multipliers")
+    )
+    draw = random.Random(new)
+    for _ in range(5):
+        q = [draw.uniform(-3, 3) for _ in own.COORDINATES]
+        qdot = own.velocities(0.3, [*q, *(draw.uniform(-1, 1) for _ in free)])
+        one, two = (each.accelerations(0.3, each.state(0.3, q, qdot)) for each in (own, whole))
+        assert one == pytest.approx(two, rel=1e-11, abs=1e-11)

@@ -170,7 +170,7 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
         best = _least_weak_turning(system, forms)
     else:
         best = _least_weak(system, forms, wanted)
-    return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in angular)
+    return best, tuple(spelled(system, form) for form in best[len(forms) :] if form.name not in angular)
 
 
 def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[Form, ...]:
@@ -340,6 +340,6 @@ def _start_points(system: System) -> list[dict[Node, float]]:
     return points[:-2] or points
 
 
-def _spelled(system: System, form: Form) -> str:
+def spelled(system: System, form: Form) -> str:
     """The velocity of a form as the language writes it."""
     return f"{form.name}'" if form.name in system.q_names else form.name

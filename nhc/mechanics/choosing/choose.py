@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
-from nhc.diagnostics import Bag, Span, several
-from nhc.mechanics.choosing.adapt import adapted_forms, complete, turning_choices
+from nhc.diagnostics import several
+from nhc.mechanics.choosing.adapt import adapted_forms, complete, spelled, turning_choices
+from nhc.mechanics.choosing.axes import frame_on_axes
 from nhc.mechanics.choosing.energy import SOUND_ENERGY, least_energy
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
@@ -17,6 +18,7 @@ from nhc.mechanics.choosing.length import is_unwieldy
 from nhc.mechanics.choosing.lines import along_lines
 from nhc.mechanics.choosing.pivots import are_headings, set_pivots_aside
 from nhc.mechanics.choosing.reach import are_multipliers_dear, becomes_singular, find_lasting
+from nhc.mechanics.choosing.refusal import NotApplicable, refuse
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import Choice as DependentChoice
 from nhc.mechanics.regular.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
@@ -53,14 +55,6 @@ class Formulation:
     broken: tuple[str, ...] = ()
 
 
-class NotApplicable(Exception):
-    """The formulation does not apply; ``reasons`` say why, ``where`` is the place to look at."""
-
-    def __init__(self, formulation: str, reasons: Iterable[str], code: str = "E0411", key: str = "constraints") -> None:
-        self.formulation, self.reasons, self.code, self.key = formulation, tuple(reasons), code, key
-        super().__init__(formulation, self.reasons)
-
-
 def formulate(system: System, name: str = "") -> Formulation:
     """The formulation of that name (or of the spec, or the best) on this system.
 
@@ -73,7 +67,7 @@ def formulate(system: System, name: str = "") -> Formulation:
     except NotApplicable as error:
         spans = dict(system.spec.key_spans)
         written = [spans[key] for key in (error.key if name else "formulation", "holonomic") if key in spans]
-        _refuse(system, error, written[0] if written else system.spec.kinetic.span)
+        refuse(system, error, written[0] if written else system.spec.kinetic.span)
         raise
 
 
@@ -86,34 +80,8 @@ def checked_dependent(system: System) -> DependentChoice:
     try:
         return dependent_of(system)
     except NotApplicable as error:
-        _refuse(system, error, system.spec.key_span(error.key))
+        refuse(system, error, system.spec.key_span(error.key))
         raise
-
-
-def _refuse(system: System, error: NotApplicable, place: Span) -> None:
-    """Raise the diagnostic; ``place`` is where a formulation that does not apply (E0411) is said."""
-    bag = Bag(system.spec.origin)
-    general = error.code == "E0411"
-    bag.error(
-        error.code,
-        f"`{error.formulation}` does not apply to this system" if general else error.reasons[0],
-        place if general else system.spec.key_span(error.key),
-        notes=error.reasons if general else error.reasons[1:],
-        help=(_help(system, error),),
-    )
-    bag.raise_if_errors()
-
-
-def _help(system: System, error: NotApplicable) -> str:
-    if error.code == "E0406":
-        return "give forms that are independent of each other and of the constraints, or fewer: nhc completes them"
-    if error.code == "E0407":
-        return "choose other dependent velocities, or leave `dependent:` out: nhc chooses them"
-    if error.formulation in ("newton", "lagrange"):
-        return "use `formulation: multipliers`, or leave it out"
-    if not system.constraints:
-        return "use `formulation: lagrange` or `euler-lagrange`, or leave it out"
-    return "use `formulation: voronec` or `euler-lagrange`, or leave it out"
 
 
 def build(system: System, name: str) -> Formulation:
@@ -258,7 +226,8 @@ def choose(system: System) -> Formulation:
         return build(system, "lagrange")
     choice = dependent_of(system)
     if choice.regular and leaves_digits(system, choice.dependent):
-        return _without_small_divisors(system, choice) or _reduced_or_voronec(system)
+        led = _without_small_divisors(system, choice) or _on_axes(system, choice)
+        return led or _reduced_or_voronec(system)
     try:
         adapted = build(system, "euler-lagrange")
     except NotApplicable:
@@ -307,7 +276,19 @@ def _without_small_divisors(system: System, choice: DependentChoice) -> Formulat
         if found >= SOUND_ENERGY or least_energy(system, frame) < max(SOUND_ENERGY, 2 * found):
             return None
         reason = f"coframe chosen by nhc: solved for {names}, little is left of the energy of the other velocities"
-    added = tuple(f"{form.name}'" if form.name in system.q_names else form.name for form in forms)
+    added = tuple(spelled(system, form) for form in forms)
+    return Formulation("euler-lagrange", "I.2.15", frame, None, added, reason)
+
+
+def _on_axes(system: System, choice: DependentChoice) -> Formulation | None:
+    """The velocities along and across a body in place of x' and y', where the kinetic energy holds its heading in these alone."""
+    found = None if system.dependent else frame_on_axes(system, choice.dependent)
+    if found is None:
+        return None
+    frame, places = found
+    added = tuple(spelled(system, form) for form in frame.forms[system.l :])
+    names = " and ".join(f"{system.q_names[k]}'" for k in places)
+    reason = f"coframe chosen by nhc: on axes that turn, since the kinetic energy by {names} would hold their heading"
     return Formulation("euler-lagrange", "I.2.15", frame, None, added, reason)
 
 

@@ -10,8 +10,9 @@ from itertools import combinations
 from math import comb, sqrt
 
 from nhc.algebra.graph import Node
-from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build, turning_formulations
+from nhc.mechanics.choosing.choose import Formulation, build, turning_formulations
 from nhc.mechanics.choosing.energy import SOUND_ENERGY, Place, Rows, evaluate_rows, free_energy, least_eigenvalue
+from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import balanced_units, sampled_rows, trial_points, velocity_units
 from nhc.mechanics.starts.scenes import Start

@@ -26,7 +26,7 @@ from nhc.mechanics.system import Form, System
 from nhc.records import record
 
 _LIMIT = 200  # terms of a product with a row of minors
-_MOST_HEADINGS = 3
+MOST_HEADINGS = 3
 _STATES, _TURN, _ROUNDING = 2, 1.0, 1e-9
 
 
@@ -37,6 +37,27 @@ def along_headings(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
         return tuple(forms)
     weak, before = (coframe_weakness(system, (*system.constraints, *own))[0] for own in (made, forms))
     return tuple(forms) if weak > before else tuple(made)
+
+
+@record
+class Turning:
+    """Columns ``first`` and ``second`` of constraints turn with the coordinates in ``places``; ``heading`` is one of these."""
+
+    places: tuple[int, ...]
+    heading: int
+    first: int
+    second: int
+
+    def axes(self, system: System, names: Sequence[str]) -> tuple[Form, Form]:
+        """The velocities along the axis with that heading, and across it to the left."""
+        g = system.graph
+        s, c = g.function("sin", system.q[self.heading]), g.function("cos", system.q[self.heading])
+        found = []
+        for name, first, second in ((names[0], c, s), (names[-1], g.neg(s), c)):
+            coefficients = [g.zero] * system.n
+            coefficients[self.first], coefficients[self.second] = first, second
+            found.append(Form(name, tuple(coefficients), g.zero))
+        return found[0], found[1]
 
 
 @record
@@ -55,41 +76,77 @@ def on_axes(system: System, name: str) -> list[Axes]:
     """What may complete the constraints where these look the same at all headings of a body: the velocity along its axis or across
     it, which bears that name, and the rates of other coordinates, its heading the first or the last of them.
     """
-    g, found = system.graph, []
-    for heading, i, j in islice(_turning(system), _MOST_HEADINGS):
+    found = []
+    for turning in islice(find_turning(system, range(system.n)), MOST_HEADINGS):
+        i, j = turning.first, turning.second
         others = [k for k in range(system.n) if k not in (i, j)]
-        orders = others, [*(k for k in others if k != heading), heading]
-        s, c = g.function("sin", system.q[heading]), g.function("cos", system.q[heading])
-        pools = []
-        for first, second in ((c, s), (g.neg(s), c)):
-            coefficients = [g.zero] * system.n
-            coefficients[i], coefficients[j] = first, second
-            axis = Form(name, tuple(coefficients), g.zero)
-            pools += [(axis, *(coordinate_form(system, k) for k in order)) for order in orders]
+        orders = others, [*(k for k in others if k != turning.heading), turning.heading]
+        pools = [
+            (axis, *(coordinate_form(system, k) for k in order))
+            for axis in turning.axes(system, (name,))
+            for order in orders
+        ]
         found.append(Axes((system.q_names[i], system.q_names[j]), tuple(pools)))
     return found
 
 
-def _turning(system: System) -> Iterator[tuple[int, int, int]]:
-    """Each coordinate with which two columns of the constraints turn, while nothing else in them changes; with these columns.
+def find_turning(system: System, columns: Sequence[int]) -> Iterator[Turning]:
+    """Coordinates with which two of these columns of the constraints turn, while nothing else in them changes: one angle, or all of
+    them where each counts from the same direction, as those of a car and of its trailer.
 
     By their values at random states, before and after some turn: it is a choice, on whose ground nothing is left out.
     """
-    states, units = trial_points(system)[-_STATES:], [1.0] * system.n
-    before = sampled_rows(system, system.constraints, [dict(state) for state in states], units=units)
-    g, entries = system.graph, [node for form in system.constraints for node in form.coefficients]
-    for k, heading in enumerate(system.q):
-        if not any(g.depends(node, g.deps[heading]) for node in entries):
+    g = system.graph
+    moving = 0
+    for form in system.constraints:
+        for node in form.coefficients:
+            moving |= g.deps[node]
+    held = [k for k, q in enumerate(system.q) if moving & g.deps[q]]
+    if sum(k not in held for k in columns) < 2:
+        return
+    states = trial_points(system)[-_STATES:]
+    before = _constraint_rows(system, states)
+    periodic = [
+        k for k in held if not _changed(before, _constraint_rows(system, _turn(system, states, [k], 2 * math.pi)))
+    ]
+    for places in (*((k,) for k in periodic), *((tuple(periodic),) if len(periodic) > 1 else ())):
+        after = _constraint_rows(system, _turn(system, states, places, _TURN))
+        changed = sorted(_changed(before, after))
+        if len(changed) != 2 or set(changed) & set(held) or not set(changed) <= set(columns):
             continue
-        turned = [state | {heading: state[heading] + _TURN} for state in states]
-        after = sampled_rows(system, system.constraints, turned, units=units)
-        if len(before) == len(after) == _STATES:
-            pairs = [pair for old, new in zip(before, after, strict=True) for pair in zip(old, new, strict=True)]
-            columns = sorted({j for old, new in pairs for j in range(system.n) if abs(new[j] - old[j]) > _ROUNDING})
-            for i, j in (columns, columns[::-1]) if len(columns) == 2 else ():
-                if all(_turns(old[i], old[j], new[i], new[j]) for old, new in pairs):
-                    yield k, i, j
-                    break
+        pairs = [pair for old, new in zip(before, after, strict=True) for pair in zip(old, new, strict=True)]
+        for i, j in (changed, changed[::-1]):
+            if all(_turns(old[i], old[j], new[i], new[j]) for old, new in pairs):
+                yield from (Turning(places, heading, i, j) for heading in places)
+                break
+
+
+def _constraint_rows(system: System, states: Sequence[Mapping[Node, float]]) -> list[list[list[float]]]:
+    return sampled_rows(system, system.constraints, [dict(state) for state in states], units=[1.0] * system.n)
+
+
+def _changed(before: Sequence[Sequence[Sequence[float]]], after: Sequence[Sequence[Sequence[float]]]) -> set[int]:
+    """The columns that differ; all where one of the states has no values."""
+    if len(before) != _STATES or len(after) != _STATES:
+        return set(range(len(before[0][0]))) if before else {0}
+    return {
+        j
+        for old, new in zip(before, after, strict=True)
+        for one, other in zip(old, new, strict=True)
+        for j, (x, y) in enumerate(zip(one, other, strict=True))
+        if abs(x - y) > _ROUNDING * (1 + abs(x))
+    }
+
+
+def _turn(
+    system: System, states: Sequence[Mapping[Node, float]], places: Sequence[int], angle: float
+) -> list[dict[Node, float]]:
+    return [{**state, **{system.q[k]: state[system.q[k]] + angle for k in places}} for state in states]
+
+
+def turned(system: System, state: Mapping[Node, float], places: Sequence[int]) -> dict[Node, float]:
+    """The state with these coordinates, angles, turned by the same."""
+    return _turn(system, [state], places, _TURN)[0]
 
 
 def _turns(x: float, y: float, new_x: float, new_y: float) -> bool:

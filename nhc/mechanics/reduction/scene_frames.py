@@ -12,7 +12,8 @@ from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build
+from nhc.mechanics.choosing.choose import Formulation, build
+from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.dependence import find_vanishing
 from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.flow import flow_of

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.language.spec import FORMULATIONS, Scene
-from nhc.mechanics.choosing.choose import Formulation, NotApplicable, build, formulate
+from nhc.mechanics.choosing.choose import Formulation, build, formulate
+from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduction.reduce import Reduction
 from nhc.mechanics.starts.scenes import start_of

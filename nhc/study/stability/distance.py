@@ -11,7 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from nhc.mechanics.choosing.choose import NotApplicable, dependent_of
+from nhc.mechanics.choosing.choose import dependent_of
+from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.records import record
