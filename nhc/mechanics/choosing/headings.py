@@ -27,6 +27,7 @@ from nhc.records import record
 
 _LIMIT = 200  # terms of a product with a row of minors
 MOST_HEADINGS = 3
+_MOST_TRIALS = 40  # sets of angles that are turned
 _STATES, _TURN, _ROUNDING = 2, 1.0, 1e-9
 
 
@@ -91,8 +92,8 @@ def on_axes(system: System, name: str) -> list[Axes]:
 
 
 def find_turning(system: System, columns: Sequence[int]) -> Iterator[Turning]:
-    """Coordinates with which two of these columns of the constraints turn, while nothing else in them changes: one angle, or all of
-    them where each counts from the same direction, as those of a car and of its trailer.
+    """Coordinates with which two of these columns of the constraints turn, while nothing else in them changes: one angle, or
+    several that count from the same direction, as those of a car and of its trailer.
 
     By their values at random states, before and after some turn: it is a choice, on whose ground nothing is left out.
     """
@@ -109,7 +110,8 @@ def find_turning(system: System, columns: Sequence[int]) -> Iterator[Turning]:
     periodic = [
         k for k in held if not _changed(before, _constraint_rows(system, _turn(system, states, [k], 2 * math.pi)))
     ]
-    for places in (*((k,) for k in periodic), *((tuple(periodic),) if len(periodic) > 1 else ())):
+    together = (places for size in range(1, len(periodic) + 1) for places in combinations(periodic, size))
+    for places in islice(together, _MOST_TRIALS):
         after = _constraint_rows(system, _turn(system, states, places, _TURN))
         changed = sorted(_changed(before, after))
         if len(changed) != 2 or set(changed) & set(held) or not set(changed) <= set(columns):
