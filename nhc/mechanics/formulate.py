@@ -169,10 +169,11 @@ def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) 
     if moved is None:
         return _route(system, formulation, kinetic)
     there = _route(system, formulation, kinetic, moved)
-    if moved.settled:
+    led = frame is not None and any(form.line is not None for form in frame.forms)  # what was found on the spec's axes
+    if moved.settled and not led:
         return there
     cost = there.cost(system.graph)
-    if cost > _SMALL:
+    if cost > _SMALL and not led:
         return there
     here = _route(system, formulation, kinetic)
     return here if here.cost(system.graph) < cost else there
