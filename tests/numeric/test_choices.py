@@ -396,8 +396,8 @@ scenes:
 @pytest.mark.parametrize(
     ("heading", "swing", "free"),
     [
-        ("course", "swing", ["v", "swing", "stretch"]),
-        ("course + 0.3", "swing", ["v", "swing", "stretch"]),
+        ("course", "swing", ["v", "course", "stretch"]),
+        ("course + 0.3", "swing", ["v", "course", "stretch"]),
         ("course", "swing - course", ["v", "course", "stretch"]),  # both angles turn with all
         ("course + x", "swing", ["course", "swing", "stretch"]),  # not the same on its axes
     ],

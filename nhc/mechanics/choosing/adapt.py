@@ -37,6 +37,7 @@ from nhc.mechanics.system import Form, System
 _MOST_ROWS = 3
 _MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
+_ALIKE = 0.03  # what two completions on axes may differ by, of which the first is taken
 _FEW_COORDINATES = 8  # of mechanisms up to which multipliers are short
 
 
@@ -184,7 +185,10 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
         return (weak, any(found.halves(made) for found in axes), size), made
 
     weighed = [weigh(pool) for pool in pools]
-    (weak, _, _), best = min(weighed, key=lambda found: found[0])
+    (weak, halved, size), best = least = min(weighed, key=lambda found: found[0])
+    led = weighed[len(weighed) - sum(len(found.pools) for found in axes) :]
+    if least in led:  # one that leads along the heading's own body is shorter
+        best = next(made for (*whole, own), made in led if whole == [weak, halved] and own <= size + _ALIKE)
     if system.l > MANY_ROWS:
         best = _along_rows(system, forms, best, pools[0])
         weak = coframe_weakness(system, (*system.constraints, *best))[0] if forms else 0
