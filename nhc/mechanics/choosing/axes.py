@@ -19,9 +19,9 @@ from nhc.mechanics.system import System
 _SAME = 1e-9
 
 
-def frame_on_axes(system: System, dependent: Sequence[int]) -> tuple[Frame, tuple[int, int]] | None:
-    """The frame of the velocities that are not dependent, two of them on axes that turn, and the places of these; None where the
-    kinetic energy does not gain by it.
+def frame_on_axes(system: System, dependent: Sequence[int]) -> tuple[Frame, Turning] | None:
+    """The frame of the velocities that are not dependent, two of them on axes that turn, and how these turn; None where the kinetic
+    energy does not gain by it.
     """
     free = [k for k in range(system.n) if k not in dependent]
     names = [name := unused_name(system, []), unused_name(system, [name])]
@@ -33,7 +33,7 @@ def frame_on_axes(system: System, dependent: Sequence[int]) -> tuple[Frame, tupl
         forms = [along.get(k) or coordinate_form(system, k) for k in free]
         frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
         if _is_same(system, frame, turning):
-            return frame, pair
+            return frame, turning
     return None
 
 

@@ -285,10 +285,13 @@ def _on_axes(system: System, choice: DependentChoice) -> Formulation | None:
     found = None if system.dependent else frame_on_axes(system, choice.dependent)
     if found is None:
         return None
-    frame, places = found
+    frame, turning = found
     added = tuple(spelled(system, form) for form in frame.forms[system.l :])
-    names = " and ".join(f"{system.q_names[k]}'" for k in places)
-    reason = f"coframe chosen by nhc: on axes that turn, since the kinetic energy by {names} would hold their heading"
+    names = " and ".join(f"{system.q_names[k]}'" for k in (turning.first, turning.second))
+    heading = system.q_names[turning.heading]
+    reason = (
+        f"coframe chosen by nhc: on axes that turn with {heading}, which the kinetic energy in {names} would contain"
+    )
     return Formulation("euler-lagrange", "I.2.15", frame, None, added, reason)
 
 

@@ -33,7 +33,8 @@ def _along_line(system: System, form: Form) -> Form | None:
     g, vector = system.graph, form.coefficients
     columns = tuple(j for j, node in enumerate(vector) if node != g.zero)
     rows = [system.constraints[r] for r in closed_rows(system, columns)]
-    if not rows or len(rows) != len(columns) - 1:
+    turned = {k for rotation in system.rotations for k in rotation.places}
+    if not rows or len(rows) != len(columns) - 1 or not turned.isdisjoint(columns):
         return None
     plain = g.sum([g.power(x, 2) for x in vector])
     square = min(normalise_angles(g, plain, _LIMIT), plain, key=lambda node: count(g, [node]))
