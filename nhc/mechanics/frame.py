@@ -242,7 +242,8 @@ def _follow_lines(
         square = g.sum(g.power(x, 2) for x in line.vector)
         led.guards.append((square, size_of(g, square)))
         rows_of = (system.constraints[r].coefficients for r in closed)
-        led.guards += [(p, p) for row in rows_of for p in common_parameters(g, row, g.mask(system.p))]
+        shared = [p for row in rows_of for p in common_parameters(g, row, g.mask(system.p))]
+        led.guards += [(p, p) for p in (*line.over, *shared)]
     return led
 
 

@@ -31,6 +31,8 @@ class Line:
     """n entries, as of ``carried``; zero in other columns."""
     carried: tuple[Node, ...]
     square: Node
+    over: tuple[Node, ...]
+    """Parameters that the vector is divided by."""
 
     def value(self, graph: Graph, velocities: Sequence[Node]) -> Node:
         """omega times ``square``, by all velocities."""

@@ -12,11 +12,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import islice, product
 
+from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import ADD, Graph, Node
+from nhc.algebra.parts import split_powers
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.frame import closed_rows, form_value
+from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.system import Form, Line, System
 
 _LIMIT = 200  # terms of a square
@@ -32,10 +35,13 @@ def along_lines(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
 def _along_line(system: System, form: Form) -> Form | None:
     g, vector = system.graph, form.coefficients
     columns = tuple(j for j, node in enumerate(vector) if node != g.zero)
-    rows = [system.constraints[r] for r in closed_rows(system, columns)]
+    closed = closed_rows(system, columns)
+    rows = [system.constraints[r] for r in closed]
     turned = {k for rotation in system.rotations for k in rotation.places}
     if not rows or len(rows) != len(columns) - 1 or not turned.isdisjoint(columns):
         return None
+    over = _in_front(system, vector, closed)
+    vector = tuple(g.div(x, g.product(over)) for x in vector)
     plain = g.sum([g.power(x, 2) for x in vector])
     square = min(normalise_angles(g, plain, _LIMIT), plain, key=lambda node: count(g, [node]))
     if g.value(square) is not None or not all(are_zero(g, [g.dot(row.coefficients, vector) for row in rows])):
@@ -45,8 +51,22 @@ def _along_line(system: System, form: Form) -> Form | None:
         return None
     coefficients = tuple(g.div(x, square) for x in vector)
     constant = g.neg(g.div(g.dot(vector, carried), square))
-    line = Line(columns, vector, carried, square)
+    line = Line(columns, vector, carried, square, over)
     return Form(form.name, coefficients, constant, form.place, value=g.div(line.value(g, system.v), square), line=line)
+
+
+def _in_front(system: System, vector: Sequence[Node], closed: Sequence[int]) -> tuple[Node, ...]:
+    """Parameters in front of most entries of a vector that other constraints hold as well, and that are zero in no scene.
+
+    A tractor whose wheelbase is the length of its trailers, too, is led by the speed of its front wheel, (cos d, sin d / L): with
+    (L cos d, sin d) the length would cancel in the rates of the angles and not in the velocities, and no product would be in both.
+    """
+    g, known = system.graph, intervals(system)
+    powers = [split_powers(g, x)[1] for x in vector if x != g.zero]
+    most = [p for p in system.p if 2 * sum(own.get(p, 0) > 0 for own in powers) > len(powers)]
+    others = [form.coefficients for r, form in enumerate(system.constraints) if r not in closed]
+    held = (p for p in most if any(g.depends(x, g.deps[p]) for row in others for x in row))
+    return tuple(p for p in held if cannot_vanish(g, p, known))
 
 
 def _carrying(system: System, rows: Sequence[Form], columns: Sequence[int]) -> tuple[Node, ...] | None:
