@@ -1,155 +1,34 @@
-"""Regular adapted coframes: free forms that complete the constraints wherever these have full rank.
+"""Regular adapted coframes: free forms that complete the constraints, and the spec's own velocities, wherever these have full rank.
 
-Constraint rows with a pivot that cannot vanish are set aside, each with its column.  What remains, k rows, is
-completed on k + 1 columns by the row of its signed maximal minors: its determinant with the rows is the sum of the
-squares of all the minors (Cauchy-Binet), which vanishes only where the rows lose rank.  For a knife edge this is the
-velocity along the edge.  Rows that share no column are completed each by themselves.
+What completes them is chosen among velocities of coordinates, rows of minors (:mod:`nhc.mechanics.choosing.minors`) and
+velocities along the axes of bodies (:mod:`nhc.mechanics.choosing.headings`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations, islice
 
-from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
-from nhc.algebra.rewriting.angles import normalise_angles as normalise
-from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.choosing.headings import Axes, along_headings, on_axes
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
+from nhc.mechanics.choosing.minors import adapted_forms, stepwise_forms, unused_name
 from nhc.mechanics.choosing.orders import count_weak, list_orders, may_vanish
-from nhc.mechanics.choosing.pivots import set_pivots_aside
-from nhc.mechanics.choosing.stepwise import Step, order_stepwise
+from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.regularity import (
     choose_dependent,
     coframe_weakness,
-    intervals,
     relative_determinant,
     weak_where_constraints_are_not,
 )
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
-from nhc.mechanics.row_factors import without_common
 from nhc.mechanics.system import Form, System
 
-_MOST_ROWS = 3
-_MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
 _ALIKE = 0.03  # what two completions on axes may differ by, of which the first is taken
 _FEW_COORDINATES = 8  # of mechanisms up to which multipliers are short
-
-
-def adapted_forms(system: System, aside: tuple[list[int], set[int]] | None = None) -> tuple[Form, ...] | None:
-    """n - l free forms, or None where no small completion is found; ``aside`` are the pivots, if not the usual ones."""
-    rows, columns = aside or set_pivots_aside(system)
-    free_columns = [j for j in range(system.n) if j not in columns]
-    made: list[Form] = []
-    used: set[int] = set()
-    for group in _apart(system, rows, free_columns):
-        if len(group) > _MOST_ROWS:
-            return None
-        seen = [
-            j for j in free_columns if any(system.constraints[r].coefficients[j] != system.graph.zero for r in group)
-        ]
-        best = _minor_form(system, group, seen, unused_name(system, [form.name for form in made]))
-        if best is None or best[2]:
-            return None
-        made.append(best[0])
-        used.update(best[1])
-    return (*made, *(coordinate_form(system, j) for j in free_columns if j not in used))
-
-
-def stepwise_forms(system: System, steps: Sequence[Step] | None) -> tuple[Form, ...] | None:
-    """n - l free forms where each constraint in turn is solved for a velocity of its own, or completed by the row of its minors on
-    two of them; None where there are no such ``steps``, as one has no velocity of its own.
-    """
-    if steps is None:
-        return None
-    made: list[Form] = []
-    used: set[int] = set()
-    for step in steps:
-        if step.pivot is not None or len(step.columns) == 1:
-            used.add(step.columns[0] if step.pivot is None else step.pivot)
-            continue
-        best = _minor_form(system, [step.row], step.columns, unused_name(system, [form.name for form in made]))
-        if best is None:
-            return None
-        made.append(best[0])
-        used.update(best[1])
-    return (*made, *(coordinate_form(system, j) for j in range(system.n) if j not in used))
-
-
-def _apart(system: System, rows: Sequence[int], columns: Sequence[int]) -> list[list[int]]:
-    """The rows in groups that share no column, each in its order: skates that roll by themselves."""
-    g = system.graph
-    groups: list[tuple[set[int], list[int]]] = []
-    for row in rows:
-        seen = {j for j in columns if system.constraints[row].coefficients[j] != g.zero}
-        joined = [group for group in groups if group[0] & seen]
-        groups = [group for group in groups if not group[0] & seen]
-        merged = seen.union(*(group[0] for group in joined))
-        groups.append((merged, sorted([*(r for group in joined for r in group[1]), row])))
-    return sorted((members for _, members in groups), key=lambda members: members[0])
-
-
-def _minor_form(
-    system: System, rows: Sequence[int], columns: Sequence[int], name: str
-) -> tuple[Form, tuple[int, ...], bool] | None:
-    """The row of signed minors on the best k + 1 columns, under that name; the rows must not reach outside them."""
-    g, size = system.graph, len(rows)
-    known, constants = intervals(system), g.mask(system.p)
-    own = {r: without_common(g, system.constraints[r].coefficients, constants) for r in rows}
-    found: list[tuple[bool, int, tuple[int, ...], list[Node], Node]] = []
-    for subset in islice(combinations(columns, size + 1), _MOST_SUBSETS):
-        block = [[own[r][j] for j in subset] for r in rows]
-        if rank(g, block) < size:
-            continue
-        minors = []
-        for k in range(size + 1):
-            minor = determinant_of(g, [[*row[:k], *row[k + 1 :]] for row in block])
-            minors.append(normalise(g, g.neg(minor) if k % 2 else minor, 120))
-        gram = normalise(g, g.sum([g.power(m, 2) for m in minors]), 200)
-        found.append((not cannot_vanish(g, gram, known), len(found), subset, minors, gram))
-        if not found[-1][0]:
-            break
-    if not found:
-        return None
-    singular, _, subset, minors, _ = min(found)
-    coefficients = [g.zero] * system.n
-    sign = _leading_sign(system, minors)
-    for j, minor in zip(subset, minors, strict=True):
-        coefficients[j] = g.neg(minor) if sign < 0 else minor
-    outside = [j for j in columns if j not in subset]
-    reaches = any(system.constraints[r].coefficients[j] != g.zero for r in rows for j in outside)
-    return Form(name, tuple(coefficients), g.zero), subset, singular and reaches
-
-
-def _leading_sign(system: System, minors: Sequence[Node]) -> int:
-    """So that the first nonzero minor does not start with a minus sign."""
-    g = system.graph
-    first = next((m for m in minors if m != g.zero), g.one)
-    coefficient, _ = g.split_coefficient(first)
-    return -1 if coefficient < 0 else 1
-
-
-def unused_name(system: System, others: Sequence[str]) -> str:
-    """v, or v with a number, so that it is no name of the spec and none of the others."""
-    spec = system.spec
-    taken = {
-        *others,
-        *(c.name for c in spec.coordinates),
-        *(p.name for p in spec.parameters),
-        *(d.name for d in spec.definitions),
-        *(d.name for d in spec.quasi_velocities),
-        *(o.name for o in spec.outputs),
-    }
-    name, k = "v", 1
-    while name in taken:
-        k += 1
-        name = f"v{k}"
-    return name
 
 
 def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
@@ -179,16 +58,12 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
 
     pools, axes = _pools(system, not forms)
 
-    def weigh(pool: Sequence[Form]) -> tuple[tuple[int, bool, float], tuple[Form, ...]]:
+    def weigh(pool: Sequence[Form]) -> _Weighed:
         made = _extend(system, forms, wanted, pool)
         weak, size = coframe_weakness(system, (*system.constraints, *made))
         return (weak, any(found.halves(made) for found in axes), size), made
 
-    weighed = [weigh(pool) for pool in pools]
-    (weak, halved, size), best = least = min(weighed, key=lambda found: found[0])
-    led = weighed[len(weighed) - sum(len(found.pools) for found in axes) :]
-    if least in led:  # one that leads along the heading's own body is shorter
-        best = next(made for (*whole, own), made in led if whole == [weak, halved] and own <= size + _ALIKE)
+    weak, best = _soundest(system, [weigh(pool) for pool in pools], axes, bare=not forms)
     if system.l > MANY_ROWS:
         best = _along_rows(system, forms, best, pools[0])
         weak = coframe_weakness(system, (*system.constraints, *best))[0] if forms else 0
@@ -199,6 +74,32 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
         if trial < measure:
             measure, best = trial, made
     return best
+
+
+_Weighed = tuple[tuple[int, bool, float], tuple[Form, ...]]
+"""How weak a completion is, smaller is better, and its forms."""
+
+
+def _soundest(
+    system: System, weighed: Sequence[_Weighed], axes: Sequence[Axes], *, bare: bool
+) -> tuple[int, tuple[Form, ...]]:
+    """At how many trial points the best of the completions is weak, and that one; those on ``axes`` are the last."""
+    (weak, halved, size), best = least = min(weighed, key=lambda found: found[0])
+    if len(weighed) > 1 and weak and weak_where_constraints_are_not(system, (*system.constraints, *best)):
+        # it may be weak more seldom than others; but it would be given up where it is
+        lost = [weak_where_constraints_are_not(system, (*system.constraints, *made)) for _, made in weighed]
+        (weak, halved, size), best = least = weighed[min(range(len(lost)), key=lambda k: (lost[k], weighed[k][0]))]
+    first = len(weighed) - sum(len(found.pools) for found in axes)
+    if least in weighed[first:]:  # one that leads along the heading's own body is shorter
+        alike = ((own, made) for (*whole, own), made in weighed[first:] if whole == [weak, halved])
+        best = next(made for own, made in alike if own <= size + _ALIKE)
+    elif bare and all(form.name in system.q_names for form in best):
+        # by the trial points alone nobody knows where the velocities of coordinates are singular
+        for (own, _, _), made in weighed[:first]:
+            minors = own <= weak and any(form.name not in system.q_names for form in made)
+            if minors and not may_vanish(system, [*system.constraints, *made]):
+                return own, made
+    return weak, best
 
 
 def _along_rows(

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import islice
 
-from nhc.mechanics.choosing.adapt import unused_name
 from nhc.mechanics.choosing.energy import free_energy
 from nhc.mechanics.choosing.headings import MOST_HEADINGS, Turning, find_turning, turned
+from nhc.mechanics.choosing.minors import unused_name
 from nhc.mechanics.frame import Frame, coordinate_form, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.diagnostics import several
-from nhc.mechanics.choosing.adapt import adapted_forms, complete, spelled, turning_choices
+from nhc.mechanics.choosing.adapt import complete, spelled, turning_choices
 from nhc.mechanics.choosing.axes import frame_on_axes
 from nhc.mechanics.choosing.energy import SOUND_ENERGY, least_energy
 from nhc.mechanics.choosing.faults import list_faults
 from nhc.mechanics.choosing.independence import leaves_digits
 from nhc.mechanics.choosing.length import is_unwieldy
 from nhc.mechanics.choosing.lines import along_lines
+from nhc.mechanics.choosing.minors import adapted_forms
 from nhc.mechanics.choosing.pivots import are_headings, set_pivots_aside
 from nhc.mechanics.choosing.reach import are_multipliers_dear, becomes_singular, find_lasting
 from nhc.mechanics.choosing.refusal import NotApplicable, refuse

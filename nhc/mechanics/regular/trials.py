@@ -31,9 +31,15 @@ def trial_points(system: System) -> list[dict[Node, float]]:
     rng, defaults = random.Random(11), default_values(system)
     quarter = (0.0, math.pi / 2, math.pi / 4, math.pi)
     turned = [[quarter[(k + j * (k > 1)) % 4] for j in range(system.n)] for k in range(1, 4)]
-    special = [_state_at(system, defaults, rng, angles, 0.0) for angles in turned]
+    special = [_state_at(system, defaults, rng, _in_range(system, angles), 0.0) for angles in turned]
     drawn = [_state_at(system, defaults, rng, [0.0] * system.n, 3.0) for _ in range(_TRIALS - 4)]
     return ordinary_points(system) + special + drawn
+
+
+def _in_range(system: System, values: Sequence[float]) -> list[float]:
+    """Values of the coordinates, those beyond their ranges at the ends of these."""
+    ranges = [c.range or (-math.inf, math.inf) for c in system.spec.coordinates]
+    return [min(max(x, float(low)), float(high)) for x, (low, high) in zip(values, ranges, strict=True)]
 
 
 def ordinary_points(system: System) -> list[dict[Node, float]]:
