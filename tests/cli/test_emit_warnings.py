@@ -137,7 +137,7 @@ def test_where_the_constraints_lose_rank_no_choice_is_called_better() -> None:
     (made,) = emit(
         Source("board.yaml", f"{text.rstrip()}\n{lost}"), "python", Options(scene="lost"), told.append
     ).values()
-    assert len(told) == 1 and "the scene `lost` starts where the coframe is singular" in " ".join(made.split())
+    assert len(told) == 1 and "the scene `lost` starts where the constraint `front` follows" in " ".join(made.split())
     assert "chosen for the start" not in made
 
 

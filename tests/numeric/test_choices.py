@@ -473,3 +473,65 @@ def test_a_robot_is_led_on_its_axes_where_its_energy_is_the_same_there(old: str,
         qdot = own.velocities(0.3, [*q, *(draw.uniform(-1, 1) for _ in free)])
         one, two = (each.accelerations(0.3, each.state(0.3, q, qdot)) for each in (own, whole))
         assert one == pytest.approx(two, rel=1e-11, abs=1e-11)
+
+
+CAR = """nhc: 1
+system: car
+coordinates: {x: {}, y: {}, th: {}, d: {RANGE}}
+parameters: {m: 2, I: 1, a: 0.5, b: 1.2, J: 0.05}
+define: {X: x + a*cos(th), Y: y + a*sin(th)}
+T: m/2*(X'^2 + Y'^2) + I/2*th'^2 + J/2*(th' + d')^2
+constraints:
+  - rear: -sin(th)*x' + cos(th)*y' = 0
+  - front: -sin(th + d)*x' + cos(th + d)*y' + b*cos(d)*th' = 0
+scenes:
+  s: {initial: {d: START, x': 1}, time: [0, 2]}
+"""
+
+
+@pytest.mark.parametrize("bounds", ["", "range: [-0.6, 0.6]", "range: [-0.1, 1.4]"])
+@pytest.mark.parametrize("start", ["0", "0.01", "0.2"])
+@pytest.mark.parametrize("formulation", ["auto", "euler-lagrange"])
+def test_a_car_is_led_by_its_speed_wherever_its_wheel_may_stand(bounds: str, start: str, formulation: str) -> None:
+    """Beyond its range a wheel across says nothing, and th', singular straight ahead, is no choice for a start in a bend."""
+    found = model(
+        Source("car.yaml", CAR.replace("RANGE", bounds).replace("START", start)), Options(formulation=formulation)
+    )
+    assert found.formulation.name == "euler-lagrange" and found.formulation.added == ("v", "d'")
+
+
+@pytest.mark.parametrize("bend", ["0", "0.1"])
+def test_a_start_in_a_bend_does_not_hide_what_is_singular_straight_ahead(bend: str) -> None:
+    """Two steered cars: rates of angles are seldom singular at random states, but they are at the ordinary one."""
+    text = CAR.replace("d: {RANGE}", "d: {}, ps: {}, e: {}").replace("START", f"0, ps: {bend}, e: {bend}")
+    text = text.replace("J/2*(th' + d')^2", "J/2*(th' + d')^2 + (ps'^2 + (ps' + e')^2)/2 + (P'^2 + Q'^2)/2")
+    text = text.replace(
+        "Y: y + a*sin(th)}", "Y: y + a*sin(th), P: x - a*cos(th) - cos(ps), Q: y - a*sin(th) - sin(ps)}"
+    )
+    text = text.replace("scenes:", "  - hind: -sin(ps + e)*P' + cos(ps + e)*Q' = 0\nscenes:")
+    found = model(Source("train.yaml", text))
+    assert found.formulation.added == ("v", "d'", "e'")
+
+
+SADDLE = """nhc: 1
+system: saddle
+coordinates: [x, y, z, th]
+parameters: {m: 3, I: 0.2, a: 0.3, g: 9.81, L: 4, w: 5}
+T: m/2*(x'^2 + y'^2 + z'^2) + I/2*th'^2
+V: m*g*z
+holonomic:
+  - floor: z = a*x*y
+  - rope: (x - w)^2 + y^2 + z^2 = (L - t/5)^2
+constraints:
+  - blade: sin(th)*x' - cos(th)*y' = 0
+forces: {th: 0.3 - th'/2}
+scenes:
+  pull: {initial: {x: {near: 1.2}, y: 0.3, z: {near: 0.1}, th: 0.2}, time: [0, 3]}
+"""
+"""A skate that a rope pulls: its blade and the rope may stand across each other, and nothing determines its motion there."""
+
+
+def test_where_the_constraints_themselves_lose_rank_no_coframe_is_given_up() -> None:
+    found = model(Source("saddle.yaml", SADDLE))
+    assert found.formulation.name == "euler-lagrange" and found.formulation.added == ("th'",)
+    assert certify(found.system).holds

@@ -27,6 +27,7 @@ _FREEDOM = 2  # velocities that the constraints leave free
 _TURN = 0.3  # radians by which a step may turn the rows of the constraints
 _SWERVE = 0.4  # from step to step
 _PROBE = 1e-5
+_HALVINGS = 24  # between two places of a walk
 _ZERO = 1e-11  # of the rows' lengths: nothing but rounding
 _LOST = 1e-4  # of the lengths of the constraints' rows: what is left of them where they are about to lose rank
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
@@ -42,7 +43,32 @@ def becomes_singular(system: System, forms: Sequence[Form]) -> bool:
 
     Long mechanisms are not walked but those of one degree of freedom, and are not thought to become singular.
     """
-    return any(_changes_sign([_rows(system, forms, place) for place in walk]) for walk in _walks(system, _WALKS))
+    return any(_becomes_singular_on(system, forms, walk) for walk in _walks(system, _WALKS))
+
+
+def _becomes_singular_on(system: System, forms: Sequence[Form], walk: Sequence[Point]) -> bool:
+    places = [(place, _rows(system, forms, place)) for place in walk]
+    for (first, rows), (second, others) in [*pairwise(places)] or [(place, place) for place in places]:
+        if rows is None or others is None:
+            return False
+        if _changes_sign([rows, others]) and not _is_lost_between(system, forms, first, second):
+            return True
+    return False
+
+
+def _is_lost_between(system: System, forms: Sequence[Form], first: Point, second: Point) -> bool:
+    """Whether the constraints lose rank where the determinant changes its sign between two places: a step may go over that."""
+    equations = [form.equation for form in system.constraints if form.equation is not None]
+    sign = float_determinant(_rows(system, forms, first) or [[0.0]])
+    for _ in range(_HALVINGS):
+        middle = {**first, **{x: (first[x] + second[x]) / 2 for x in (*system.q, system.t)}}
+        place = find_common_zero(system.graph, equations, system.q, [middle]) or middle
+        rows = _rows(system, forms, place)
+        if rows is None:
+            return False
+        first, second = (place, second) if float_determinant(rows) * sign > 0.0 else (first, place)
+    rows = _rows(system, system.constraints, second)
+    return rows is None or _orthonormal(rows) is None
 
 
 def are_multipliers_dear(system: System) -> bool:

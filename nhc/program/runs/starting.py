@@ -21,11 +21,13 @@ from nhc.mechanics.starts.scenes import Start, kept_velocities, left_at_zero, pl
 from nhc.program.planning.planner import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
-_LOST = "the functions refuse that start; the formulation `multipliers` has no coframe"
+_REFUSED, _OTHER = "the functions refuse that start", "the formulation `multipliers` has no coframe"
 
 
 def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...]:
-    """A line for each scene that starts where the planner's own formulation is singular, though another may not be."""
+    """A line for each scene that starts where the planner's own formulation is singular, though another may not be, or where every
+    one is, since the constraints lose their rank there.
+    """
     g, system = planner.graph, planner.system
     told = g.mask((system.t, *system.q, *system.p))  # a determinant of parameters alone may vanish for their values
     pairs = [pair for pair in planner.full_equations.guards if g.deps[pair[0]] & told]
@@ -34,13 +36,20 @@ def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...
         pairs = [(guard.value, guard.scale) for guard in guards]
     nodes = [x for pair in pairs for x in pair]
     lines = []
-    for scene in scenes if guards else ():
+    for scene in scenes if guards or system.l else ():
         try:
-            values = [float(x) for x in evaluate(g, nodes, place_of(system, scene))]
+            place = place_of(system, scene)
+            form = find_dependent_row(system, place)
+            values = [float(x) for x in evaluate(g, nodes, place)]
         except (SpecError, ArithmeticError, ValueError):
             continue  # a scene without a start
-        if not all(abs(x) > guards[0].tolerance * scale for x, scale in zip(values[::2], values[1::2], strict=True)):
-            lines.append(f"the scene `{scene.name}` starts where {guards[0].what}: {_LOST}")
+        starts = f"the scene `{scene.name}` starts where"
+        if form is not None:
+            lines.append(
+                f"{starts} the constraint `{form.name}` follows from the others: {_REFUSED}, in every formulation"
+            )
+        elif not all(abs(x) > guards[0].tolerance * scale for x, scale in zip(values[::2], values[1::2], strict=True)):
+            lines.append(f"{starts} {guards[0].what}: {_REFUSED}; {_OTHER}")
     return tuple(lines)
 
 
