@@ -139,6 +139,9 @@ def test_where_the_constraints_lose_rank_no_choice_is_called_better() -> None:
     ).values()
     assert len(told) == 1 and "the scene `lost` starts where the constraint `front` follows" in " ".join(made.split())
     assert "chosen for the start" not in made
+    told.clear()
+    emit(Source("board.yaml", f"{text.rstrip()}\n{lost}"), "c", Options(formulation="multipliers"), told.append)
+    assert [line.partition(": ")[2] for line in told] == ["the functions refuse that start, in every formulation"]
 
 
 def test_a_function_that_the_scenes_model_lacks(capsys: pytest.CaptureFixture[str]) -> None:
