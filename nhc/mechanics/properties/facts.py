@@ -118,9 +118,10 @@ def _constraints(
     kinds = [word for word, holds in ((affine, found.affine), ("time-dependent", found.rheonomic)) if holds]
     kind = ", ".join(kinds) or "homogeneous, scleronomic"
     growth = ", ".join(str(r) for r in found.growth)
-    facts.say(
-        "growth", list(found.growth), f"constraints: {kind}; growth vector of the allowed directions: $({growth})$"
-    )
+    # with what moves by itself, which is no direction that is chosen, the rest is filled
+    still = " while the time stands still" if found.growth and system.n - found.growth[-1] > found.hidden else ""
+    text = f"constraints: {kind}; growth vector of the allowed directions: $({growth})${still}"
+    facts.say("growth", list(found.growth), text)
     facts.data.update({"affine": found.affine, "time_dependent": found.rheonomic, "kinds": _kinds(system, found)})
     special = classify_as_given(system, found, levels=explain)
     text = _count_hidden(system, found)

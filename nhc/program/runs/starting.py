@@ -36,19 +36,20 @@ def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...
         pairs = [(guard.value, guard.scale) for guard in guards]
     nodes = [x for pair in pairs for x in pair]
     lines = []
-    for scene in scenes if guards or system.l else ():
+    for scene in scenes if guards or planner.full_equations.multipliers else ():
         try:
             place = place_of(system, scene)
-            form = find_dependent_row(system, place)
             values = [float(x) for x in evaluate(g, nodes, place)]
         except (SpecError, ArithmeticError, ValueError):
             continue  # a scene without a start
-        starts = f"the scene `{scene.name}` starts where"
+        if guards and all(abs(x) > guards[0].tolerance * y for x, y in zip(values[::2], values[1::2], strict=True)):
+            continue
+        starts, form = f"the scene `{scene.name}` starts where", find_dependent_row(system, place)
         if form is not None:
             lines.append(
                 f"{starts} the constraint `{form.name}` follows from the others: {_REFUSED}, in every formulation"
             )
-        elif not all(abs(x) > guards[0].tolerance * scale for x, scale in zip(values[::2], values[1::2], strict=True)):
+        elif guards:
             lines.append(f"{starts} {guards[0].what}: {_REFUSED}; {_OTHER}")
     return tuple(lines)
 
