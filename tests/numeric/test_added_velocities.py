@@ -24,7 +24,7 @@ def test_a_velocity_that_nhc_added_is_what_its_header_says(name: str, capsys: py
     assert model.__doc__ is not None
     header = " ".join(model.__doc__.split())
     place = model.STATE.index("v")
-    found = re.search(rf"y\[{place}\] = v: (.*?) (?:y\[|Parameters p:)", header)
+    found = re.search(rf"y\[{place}\] = v(?: \[[^]]*\])?: (.*?) (?:y\[|Parameters p:)", header)
     assert found is not None, header
     q, qdot = ([draw.uniform(-1, 1) for _ in model.COORDINATES] for _ in range(2))
     y = model.state(0.3, q, qdot)
@@ -44,3 +44,35 @@ def test_a_velocity_that_nhc_added_is_what_its_header_says(name: str, capsys: py
         assert main(["check", name, "--json", "--explain"]) == 0
         said_there = json.loads(capsys.readouterr().out)["specs"][0]["data"]["formulation"]["added"]
         assert said_there == {"v": found[1]}
+
+
+CAR = """nhc: 1
+system: car
+coordinates: {x: {unit: XY}, y: {unit: XY}, th: {unit: rad}, d: {unit: rad}, e: {unit: rad}}
+parameters: {m: {value: 3, unit: kg}, I: {value: 0.7, unit: kg*XY^2}, a: {value: 0.5, unit: XY}, b: {value: 0.6, unit: XY}}
+T: m/2*(x'^2 + y'^2) + I/2*(th'^2 + d'^2 + e'^2)
+constraints:
+  - -sin(th + d)*x' + cos(th + d)*y' + a*cos(d)*th' = 0
+  - -sin(th + e)*x' + cos(th + e)*y' - b*cos(e)*th' = 0
+"""
+EDGE = "constraints:\n  - -sin(th)*x' + cos(th)*y' = 0\n  - d' = 0\n"
+
+
+@pytest.mark.parametrize(
+    ("length", "heading", "rest", "unit"),
+    [
+        ("m", "unit: rad", "", " [1/s]"),
+        ("km", "unit: rad", "", " [1/s]"),
+        ("m", "unit: rad", EDGE, " [m/s]"),
+        ("km", "unit: rad", EDGE, " [km/s]"),
+        ("m", "about: heading", "", ""),  # nobody knows th'
+    ],
+)
+def test_a_velocity_that_nhc_added_has_its_unit(length: str, heading: str, rest: str, unit: str) -> None:
+    text = CAR.replace("XY", length).replace("th: {unit: rad}", f"th: {{{heading}}}")
+    text = text.partition("constraints:")[0] + rest if rest else text
+    (source,) = emit(Source("car.yaml", text), "python", Options(formulation="euler-lagrange")).values()
+    assert f"= v{unit}: " in source
+    bare = re.sub(r"unit: [^,}]+", "about: none", text)
+    (source,) = emit(Source("bare.yaml", bare), "python", Options(formulation="euler-lagrange")).values()
+    assert "= v: " in source

@@ -34,6 +34,12 @@ def derive_units(spec: Spec) -> dict[str, str]:
     return _Deriver(spec).derive() if spec.time_unit else {}
 
 
+def show_unit(spec: Spec, dimension: Dimension) -> str:
+    """A unit of that dimension in the base units as the spec writes these; empty where it mixes scales."""
+    words = base_words([unit for _, unit in list_units(spec) if unit])
+    return "" if words is None else show(dimension, words)
+
+
 class _Deriver:
     def __init__(self, spec: Spec) -> None:
         self.spec = spec

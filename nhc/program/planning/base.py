@@ -12,6 +12,7 @@ from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import Matrix, find_eliminated, without_sign
 from nhc.algebra.solving.determinants import in_determinants
 from nhc.algebra.walks import count, reachable
+from nhc.mechanics.added_units import added_units
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
@@ -319,7 +320,9 @@ class PlannerBase:
     def state_quantities(self) -> tuple[Quantity, ...]:
         """The full state: the coordinates, then the kept velocities."""
         coordinates = [Quantity(c.name, c.unit, c.about) for c in self.system.spec.coordinates]
-        units, added = self.system.units, describe_added(self.system, self.formulation.frame)
+        frame = self.formulation.frame
+        units = {**added_units(self.system, frame), **self.system.units}
+        added = describe_added(self.system, frame)
         kept = [Quantity(name, units.get(name, ""), added.get(name, "")) for name in self.kept_names()]
         return (*coordinates, *kept)
 

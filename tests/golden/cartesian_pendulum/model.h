@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:8faf99aa04e8419f)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:1378c83cbd7db1c8)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -10,7 +10,7 @@
  * State y:
  * y[0] = x [m]: across
  * y[1] = y [m]: up
- * y[2] = v: (y*x' - x*y')/(x^2 + y^2)
+ * y[2] = v [1/s]: (y*x' - x*y')/(x^2 + y^2)
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the bob

@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:29771721edb56af9).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:4dabc536cfcec040).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -10,7 +10,7 @@ Why: coframe completed by nhc with v: the dependent velocities that nhc would ch
 State y:
 y[0] = x [m]: across
 y[1] = y [m]: up
-y[2] = v: (y*x' - x*y')/(x^2 + y^2)
+y[2] = v [1/s]: (y*x' - x*y')/(x^2 + y^2)
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bob

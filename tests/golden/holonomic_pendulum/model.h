@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:79d14df2c3fee273)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:e4f498d4b10190a1)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -9,7 +9,7 @@
  * State y:
  * y[0] = x [m]: across
  * y[1] = y [m]: up
- * y[2] = v: (y*x' - x*y')/(x^2 + y^2)
+ * y[2] = v [1/s]: (y*x' - x*y')/(x^2 + y^2)
  *
  * Parameters p:
  * p[0]: m = 1.0 [kg]: mass of the bob

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:78351810ab915fde).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:aa80f4b31e18495a).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -11,7 +11,7 @@ Why: coframe completed by nhc with v: the dependent velocities that nhc would ch
 State y:
 y[0] = x [m]: across
 y[1] = y [m]: up
-y[2] = v: (y*x' - x*y')/(x^2 + y^2)
+y[2] = v [1/s]: (y*x' - x*y')/(x^2 + y^2)
 
 Parameters p:
 p[0]: m = 1.0 [kg]: mass of the bob

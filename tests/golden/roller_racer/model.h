@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:4d1e5bf34ab5f559)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:cb3d2898ca1979a8)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -11,7 +11,7 @@
  * y[1] = y [m]: axle of the main body
  * y[2] = theta [rad]: heading of the main body
  * y[3] = phi [rad]: second body, relative to the first
- * y[4] = v: x'*cos(theta) + y'*sin(theta)
+ * y[4] = v [m/s]: x'*cos(theta) + y'*sin(theta)
  * y[5] = theta' [rad/s]
  *
  * Parameters p:

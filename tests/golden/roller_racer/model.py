@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:c08223a66eb2c51c).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:ae8b348445f78f3b).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -11,7 +11,7 @@ y[0] = x [m]: axle of the main body
 y[1] = y [m]: axle of the main body
 y[2] = theta [rad]: heading of the main body
 y[3] = phi [rad]: second body, relative to the first
-y[4] = v: x'*cos(theta) + y'*sin(theta)
+y[4] = v [m/s]: x'*cos(theta) + y'*sin(theta)
 y[5] = theta' [rad/s]
 
 Parameters p:

@@ -1,5 +1,5 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:6f3782413b57a77b)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:f5c4a64877b72342)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -10,7 +10,7 @@
  * y[0] = x [m]: down the slope
  * y[1] = y [m]: across the slope
  * y[2] = phi [rad]: heading, from the fall line
- * y[3] = v: x'*cos(phi) + y'*sin(phi)
+ * y[3] = v [m/s]: x'*cos(phi) + y'*sin(phi)
  * y[4] = phi' [rad/s]
  *
  * Parameters p:

@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:da960cc22eb217d4).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:c4910d3d7dea905a).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -11,7 +11,7 @@ State y:
 y[0] = x [m]: down the slope
 y[1] = y [m]: across the slope
 y[2] = phi [rad]: heading, from the fall line
-y[3] = v: x'*cos(phi) + y'*sin(phi)
+y[3] = v [m/s]: x'*cos(phi) + y'*sin(phi)
 y[4] = phi' [rad/s]
 
 Parameters p:

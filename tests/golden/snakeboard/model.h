@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:d2da2ee0168f12ad)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:39c9772015f13eb9)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -13,7 +13,7 @@
  * y[3] = psi [rad]: rotor, relative to the board
  * y[4] = p_b [rad]: back axle, relative to the board
  * y[5] = p_f [rad]: front axle, relative to the board
- * y[6] = v: x' = l*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f))*v, y' = l*(sin(theta +
+ * y[6] = v [1/s]: x' = l*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f))*v, y' = l*(sin(theta +
  *     p_b)*cos(p_f) + cos(p_b)*sin(theta + p_f))*v, theta' = (cos(p_b)*sin(p_f) - cos(p_f)*sin(p_b))*v
  * y[7] = psi' [rad/s]
  * y[8] = p_b' [rad/s]

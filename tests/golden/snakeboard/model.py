@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:d8cdd1a52760d1ca).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:39285b2553459b5a).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -15,8 +15,8 @@ y[2] = theta [rad]: heading of the board
 y[3] = psi [rad]: rotor, relative to the board
 y[4] = p_b [rad]: back axle, relative to the board
 y[5] = p_f [rad]: front axle, relative to the board
-y[6] = v: x' = l*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f))*v, y' =
-    l*(sin(theta + p_b)*cos(p_f) + cos(p_b)*sin(theta + p_f))*v, theta' =
+y[6] = v [1/s]: x' = l*(cos(theta + p_b)*cos(p_f) + cos(p_b)*cos(theta + p_f))*v, y'
+    = l*(sin(theta + p_b)*cos(p_f) + cos(p_b)*sin(theta + p_f))*v, theta' =
     (cos(p_b)*sin(p_f) - cos(p_f)*sin(p_b))*v
 y[7] = psi' [rad/s]
 y[8] = p_b' [rad/s]
