@@ -8,7 +8,7 @@ from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Node
 from nhc.algebra.walks import reachable
 from nhc.language.units.derived import show_unit
 from nhc.language.units.dimensions import ONE, SECOND, Dimension, multiply, parse_unit, raise_to
-from nhc.mechanics.frame import Frame, form_value, kept_forms
+from nhc.mechanics.frame import Frame, added_forms, form_value, kept_forms
 from nhc.mechanics.system import Form, System
 
 _PER_SECOND = raise_to(SECOND, -1)
@@ -17,8 +17,7 @@ _SAME = ("abs", "min", "max")  # functions whose values have the unit of their a
 
 def added_units(system: System, frame: Frame | None) -> dict[str, str]:
     """By name; those whose units are not known, or that add different ones, are left out."""
-    known = {*system.q_names, *(form.name for form in system.quasi)}
-    added = [form for form in kept_forms(system, frame) if form.name not in known]
+    added = added_forms(system, kept_forms(system, frame))
     if not added or not system.units:
         return {}
     measured = _measure_symbols(system)
@@ -32,7 +31,7 @@ def added_units(system: System, frame: Frame | None) -> dict[str, str]:
 
 def _measure_symbols(system: System) -> dict[Node, Dimension | None]:
     found: dict[Node, Dimension | None] = {system.t: SECOND}
-    for symbol, velocity, coordinate in zip(system.q, system.v, system.spec.coordinates, strict=False):
+    for symbol, velocity, coordinate in zip(system.q, system.v, system.spec.coordinates, strict=True):
         found[symbol] = parse_unit(coordinate.unit) if coordinate.unit else None
         found[velocity] = multiply(parse_unit(coordinate.unit), _PER_SECOND) if coordinate.unit else None
     for symbol, parameter in zip(system.p, system.spec.parameters, strict=True):

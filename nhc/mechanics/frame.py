@@ -284,14 +284,19 @@ def kept_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
     return frame.forms[system.l :]
 
 
+def added_forms(system: System, forms: Iterable[Form]) -> list[Form]:
+    """Those that nhc made: no velocities of coordinates, and none of the spec or of its rotations."""
+    known = {*system.q_names, *(form.name for form in system.quasi)}
+    return [form for form in forms if form.name not in known]
+
+
 def describe_added(system: System, frame: Frame | None) -> dict[str, str]:
     """What the velocities are that nhc made for a motion to keep: their names, and their forms as the language writes them, or
     what a line makes of them where that is said sooner.
 
     Those of the spec and of rotations are known by their names, as are the coordinates' velocities.
     """
-    known = {*system.q_names, *(form.name for form in system.quasi)}
-    return {form.name: _describe(system, form) for form in kept_forms(system, frame) if form.name not in known}
+    return {form.name: _describe(system, form) for form in added_forms(system, kept_forms(system, frame))}
 
 
 def _describe(system: System, form: Form) -> str:

@@ -18,7 +18,7 @@ from nhc.algebra.graph import ADD, Graph, Node
 from nhc.algebra.parts import split_powers
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.walks import count, reachable
-from nhc.mechanics.frame import closed_rows, form_value
+from nhc.mechanics.frame import added_forms, closed_rows, form_value
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.system import Form, Line, System
 
@@ -28,8 +28,8 @@ _MOST_TRIALS = 16
 
 def along_lines(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
     """The forms, where those that nhc made are all that constraints leave to some velocities by what these velocities are along."""
-    own = {*system.q_names, *(form.name for form in system.quasi)}
-    return tuple(form if form.name in own else _along_line(system, form) or form for form in forms)
+    made = {form: _along_line(system, form) for form in added_forms(system, forms)}
+    return tuple(made.get(form) or form for form in forms)
 
 
 def _along_line(system: System, form: Form) -> Form | None:

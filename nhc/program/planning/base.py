@@ -183,8 +183,6 @@ class PlannerBase:
         what, known = self.frame_what(), self.eliminated()
         pivots = [pair for pair in self.equations.guards if without_sign(self.graph, pair[0]) in known]
         others = [pair for pair in self.equations.guards if pair not in pivots]
-        # a sum of squares of coordinates is as large as it can be, and zero at one place only
-        others = [(value, self.graph.zero if value == scale else scale) for value, scale in others]
         return (
             *self._guard_determinants(pivots, digits, SINGULAR_FRAME, what),
             *self._guard_determinants(others, _FRAME_DIGITS, SINGULAR_FRAME, what),
@@ -223,8 +221,8 @@ class PlannerBase:
             whole = without_sign(g, value)
             # what is made of parameters alone comes first, for it is divided by ahead of all that depends on the state
             for size in dict.fromkeys((self._still_part(whole), whole)):
-                # a constant determinant is only held against zero: its scale would be work for nothing
-                limit = g.zero if self.is_constant(size) else scale
+                # what is constant, or its own scale, as a sum of squares of coordinates, is only held against zero
+                limit = g.zero if size == scale or self.is_constant(size) else scale
                 tolerance = float(f"{10.0 ** -(digits + usual_digits(self.system, size, limit)):.2g}")
                 once.setdefault(size, GuardPlan(size, limit, tolerance, status, what))
         return tuple(once.values())
