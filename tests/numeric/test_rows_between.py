@@ -60,3 +60,36 @@ def test_smooth_steps_are_not_refused(compiled: bool) -> None:
     tasks = [Task(job.p, job.y, [30.0 * k / n for k in range(n + 1)], 1e-10) for n in (1, 1000)]
     few, many = (model.integrate(task, "dop853", model.news()) for task in tasks)
     assert (few.steps, few.rejected, few.y) == (many.steps, many.rejected, many.y)
+
+
+TOY = """nhc: 1
+system: toy
+coordinates: [x, y, theta, delta]
+parameters: {m: 0.8, I: 0.01, J: 0.0005, a: 0.06, b: 0.14, W: 0.7, k: 0.02, c: 0.002, F: 0.4}
+define: {X: x + a*cos(theta), Y: y + a*sin(theta), ux: x' + W*y, uy: y' - W*x, xf: x + b*cos(theta), yf: y + b*sin(theta)}
+T: m/2*(X'^2 + Y'^2) + I/2*theta'^2 + J/2*(theta' + delta')^2
+forces: {u: F, delta: "-k*delta - c*delta'"}
+constraints:
+  - -sin(theta)*ux + cos(theta)*uy = 0
+  - -sin(theta + delta)*(xf' + W*yf) + cos(theta + delta)*(yf' - W*xf) = 0
+quasi_velocities: {u: cos(theta)*ux + sin(theta)*uy, w: delta'}
+scenes: {go: {initial: {x: 0.3, theta: 0.4, delta: 0.2, u: 0.2}, time: [0, 3.5], need: [x, y, theta, delta, delta', theta']}}
+"""
+"""A car on a turntable, whose steering is damped the faster the faster it drives."""
+
+
+@pytest.mark.parametrize("compiled", [True, False], ids=["C", "Python"])
+def test_an_entry_is_not_hidden_by_the_estimate_of_another(compiled: bool) -> None:
+    """One estimate for all entries let the steering's speed err by 12 to 25 tolerances, at the ends and within steps."""
+    job = open_scene(Source("toy.yaml", TOY), method="dop853")
+    exact = run(open_scene(Source("toy.yaml", TOY), method="radau5"), Settings("radau5", 1e-11, points=701))
+    size = [max(abs(row[k]) for row in exact.rows) for k in range(6)]
+    for tolerance in (1e-6, 1e-7, 1e-8, 1e-9):
+        found = run(job, Settings("dop853", tolerance, points=701, compiled=compiled))
+        assert found.ended == exact.ended == "done"
+        wrong = [
+            abs(a - b) / s
+            for mine, other in zip(found.rows, exact.rows, strict=True)
+            for a, b, s in zip(mine, other, size, strict=True)
+        ]
+        assert max(wrong) < 3 * tolerance
