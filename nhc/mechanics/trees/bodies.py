@@ -67,10 +67,32 @@ def read_bodies(system: System, motion: Motion, *, every: bool = False) -> list[
 
     None where T has no points in space that turn, or others than these.
     """
+    writer = find_writer(system, motion)
+    # each on a rotation of its own, in space: T's forms are over the kept velocities as they are written
+    if writer is None or (system.rotations and not writer.turning):
+        return []
+    views = writer.views() if "own axes" not in system.graph.off else []
+    found = [made for own in views if (made := _write(writer, own, (True, False))) is not None]
+    in_space = _write(writer, {}, (False,)) if every or not found else None
+    return [*found, *([in_space] if in_space is not None else [])]
+
+
+def find_writer(system: System, motion: Motion) -> Writer | None:
+    """T's forms as points and as components of angular velocities."""
+    known: list[tuple[System, tuple[Node, ...], Writer | None]] = system.graph.memory.setdefault("bodies", [])
+    moved = (*motion.w, *motion.velocities)
+    for owner, same, writer in known:
+        if owner is system and same == moved:
+            return writer
+    known.append((system, moved, _read_writer(system, motion)))
+    return known[-1][2]
+
+
+def _read_writer(system: System, motion: Motion) -> Writer | None:
     kinetic = whole_kinetic(system, system.graph.rate_of)
     squares = list_squares(system, kinetic) if kinetic is not None else []
     if kinetic is None or not any(len(group) > 1 for group in squares):
-        return []
+        return None
     g, rates = system.graph, Rates(system, motion)
     places = {k: place_of(g, kinetic.atoms[k]) for group in squares for k in group}
     own = [*kinetic.atoms, *(place for place, _ in places.values())]
@@ -79,30 +101,23 @@ def read_bodies(system: System, motion: Motion, *, every: bool = False) -> list[
         marks.bind(rates.unbound)
         named = rates.named(own)
         if named is None:
-            return []
+            return None
         atoms, where = named[: len(kinetic.atoms)], dict(zip(places, named[len(kinetic.atoms) :], strict=True))
         frames = Frames(rates, marks)
         points = Points(frames, g.mask(system.p), where).read(squares)
         if not any(point.turns for _, point in points):
-            return []
+            return None
         signs = {k: sign for k, (_, sign) in places.items()}
-        writer = _Writer(rates, kinetic, atoms, marks, frames, points, signs)
+        return Writer(rates, kinetic, atoms, marks, frames, points, signs)
     except (Unread, Unlucky, NotLinear):
-        return []
-    # each on a rotation of its own, in space: T's forms are over the kept velocities as they are written
-    if system.rotations and not writer.turning:
-        return []
-    views = writer.views() if "own axes" not in g.off else []
-    found = [made for own in views if (made := _write(writer, frames, own, (True, False))) is not None]
-    in_space = _write(writer, frames, {}, (False,)) if every or not found else None
-    return [*found, *([in_space] if in_space is not None else [])]
+        return None
 
 
-def _write(writer: _Writer, frames: Frames, views: dict[int, Frame], ways: Sequence[bool]) -> Spatial | None:
+def _write(writer: Writer, views: dict[int, Frame], ways: Sequence[bool]) -> Spatial | None:
     """The recursion on these views, direct where it can be."""
     for direct in ways:
         with suppress(Unread, NotLinear):
-            return writer.write(Views(frames, views, direct=direct))
+            return writer.write(Views(writer.frames, views, direct=direct))
     return None
 
 
@@ -130,8 +145,10 @@ def _without_number(graph: Graph, atom: Node) -> tuple[Fraction, Node]:
     return outer.number, rest
 
 
-class _Writer:
-    """T's forms over the symbols of ``rates``."""
+class Writer:
+    """T's forms over the symbols of ``rates``: ``points`` with the forms that are their components (``inside``), and ``angular``, the
+    components of angular velocities along vectors on frames, with a factor; ``field`` is what pulls at all masses.
+    """
 
     def __init__(
         self,
@@ -147,38 +164,38 @@ class _Writer:
         self.graph: Graph = rates.graph
         self.frames, self.points, self.signs = frames, points, signs
         self._mask = self.graph.mask(self.system.p)
-        self._weighed = weigh(self.system, kinetic, coordinates=True)
-        self._field = field_of(kinetic, [components for components, _ in points], signs, self._weighed[2])
-        self._inside = {k for components, _ in points for k in components}
-        self._of: dict[int, tuple[Frame, Vector, Fraction]] = {}
+        self.weighed = weigh(self.system, kinetic, coordinates=True)
+        self.field = field_of(kinetic, [components for components, _ in points], signs, self.weighed[2])
+        self.inside = {k for components, _ in points for k in components}
+        self.angular: dict[int, tuple[Frame, Vector, Fraction]] = {}
         names = self._angular(_frames_of(point for _, point in points))
         for k, atom in enumerate(atoms):
-            if k not in self._inside:
+            if k not in self.inside:
                 number, bare = _without_number(self.graph, atom)
                 found = names.get(self.marks.of(bare)) or self._last(bare, names)
                 if found is not None:
-                    self._of[k] = *found[:2], found[2] * number
+                    self.angular[k] = *found[:2], found[2] * number
 
     @property
     def turning(self) -> bool:
         """Whether T has components of angular velocities."""
-        return bool(self._of)
+        return bool(self.angular)
 
     def views(self) -> list[dict[int, Frame]]:
         """The axes on which the recursion may be written beside those of space."""
-        return list_views((point for _, point in self.points), (frame for frame, _, _ in self._of.values()))
+        return list_views((point for _, point in self.points), (frame for frame, _, _ in self.angular.values()))
 
     # --- the recursion --------------------------------------------------------------------------------------
 
     def write(self, views: Views) -> Spatial:
         """Points from the root on, each frame when it is first needed; then T's other forms."""
         g, self._views = self.graph, views
-        self._velocities = Velocities(self.rates, views, None if views.in_space else self._field)
+        self._velocities = Velocities(self.rates, views, None if views.in_space else self.field)
         self.made = Spatial(self.kinetic, self._velocities.recursion, self._velocities.turns)
         self._momenta: dict[Variables, tuple[Frame, Vector]] = {}
         forms: list[Terms] = [{} for _ in self.atoms]
         in_space: dict[int, Terms] = {}
-        waiting = dict(self._of)
+        waiting = dict(self.angular)
         for components, point in self.points if views.in_space else sorted(self.points, key=_depth):
             variables = self._velocities.place(point)
             view = views.of_point(point)
@@ -197,7 +214,7 @@ class _Writer:
         for k, atom in enumerate(self.atoms):
             if k in waiting:
                 forms[k] = self._component(k, *waiting.pop(k))
-            elif k not in self._inside and k not in self._of:
+            elif k not in self.inside and k not in self.angular:
                 forms[k] = self._plain(atom)
         for variables, (frame, momentum) in self._momenta.items():
             torque = self.rates.on_motion(cross(g, momentum, self._velocities.omega(frame)))
@@ -206,7 +223,7 @@ class _Writer:
         self.made.placed = [in_space.get(k, terms) for k, terms in enumerate(self.made.recursion.forms)]
         self.made.turned = views.turned(self.made.recursion)
         self.made.offsets = self._velocities.list_offsets()
-        self.made.weighed = self._weighed
+        self.made.weighed = self.weighed
         return self.made
 
     # --- T's other forms ------------------------------------------------------------------------------------
@@ -254,12 +271,8 @@ class _Writer:
 
     def _plain(self, atom: Node) -> Terms:
         """Other forms, of few rates."""
-        g, symbols = self.graph, self.rates.symbols
-        coefficients, constant = linear_form(g, atom, symbols)
-        found = [(v, a) for v, a in zip(symbols, coefficients, strict=True) if a != g.zero]
-        if len(found) > _FEW:
-            raise Unread
-        terms: Terms = {}
+        g, terms = self.graph, dict[int, Node]()
+        found, constant = self.plain(atom)
         for v, a in found:
             self._velocities.add(terms, v, a)
         if len(found) == 1 and constant == g.zero and not any(g.deps[a] & ~self._mask for a in terms.values()):
@@ -267,3 +280,16 @@ class _Writer:
         (turn,) = tangent(g, [atom], self.rates.seeds)
         number = self._velocities.define(terms, constant, turn)
         return {number: g.one} if number != STILL else {}
+
+    def plain(self, atom: Node) -> tuple[list[tuple[Node, Node]], Node]:
+        """Coefficients and constant of a form of few rates.
+
+        Raises:
+            Unread: it has many.
+        """
+        symbols = self.rates.symbols
+        coefficients, constant = linear_form(self.graph, atom, symbols)
+        found = [(v, a) for v, a in zip(symbols, coefficients, strict=True) if a != self.graph.zero]
+        if len(found) > _FEW:
+            raise Unread
+        return found, constant

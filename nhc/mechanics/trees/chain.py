@@ -89,7 +89,7 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     for k, force in weight.items() if spatial is None or not spatial.offsets else ():
         for i, a in placed[k].items():
             pull[i] = g.add(pull[i], g.mul(a, force))
-    forces = _forces(kinetic, sweeps, potential, places, to_motion, spatial.known if spatial is not None else ())
+    forces = forces_of(kinetic, sweeps, potential, places, to_motion, spatial.known if spatial is not None else ())
     if forces is None:
         return None
     own = pullback_gradient(g, forces, motion.w)
@@ -138,7 +138,7 @@ def _hessian(
     return {key: h for key, h in weights.items() if h != g.zero}, pull
 
 
-def _forces(
+def forces_of(
     kinetic: Kinetic,
     sweeps: Sweeps,
     potential: Node,

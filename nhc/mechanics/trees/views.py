@@ -205,13 +205,13 @@ class Views:
         Raises:
             Unread: it does not.
         """
-        for frame in _between(old, new):
+        for frame in between(old, new):
             triple = triple.turned(self.graph, self.step(frame))
         return triple
 
     def shift_vector(self, vector: Vector, old: Frame, new: Frame) -> Vector:
         """The same for a vector."""
-        for frame in _between(old, new):
+        for frame in between(old, new):
             x, y, z = (self.graph.dot(column, vector) for column in zip(*self.step(frame), strict=True))
             vector = x, y, z
         return vector
@@ -253,7 +253,12 @@ def _chain(frame: Frame) -> list[Frame]:
     return found[::-1]
 
 
-def _between(old: Frame, new: Frame) -> list[Frame]:
+def between(old: Frame, new: Frame) -> list[Frame]:
+    """The frames after one on the way to another, which turns on it.
+
+    Raises:
+        Unread: it does not.
+    """
     before, whole = _chain(old), _chain(new)
     if before != whole[: len(before)]:
         raise Unread

@@ -30,6 +30,12 @@ Residual = Callable[[Sequence[Node]], list[Node]]
 _LONG = 90
 """Operations of the dense way for each rate, from which a tree is looked for where constraints leave few rates and T holds the
 time: the dense way then differentiates the matrices of what moves by itself."""
+_APART = 40
+"""Operations for each rate, from which bodies in space are also taken each on its own axes."""
+_SHORTER = 1.05
+"""How many times as long another way has to be for that."""
+_MOST_BODIES = 20
+"""Rates up to which the matrix of bodies may be shorter than the elimination along their tree."""
 
 
 @structure
@@ -71,11 +77,16 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
         if held is not None:
             found.append(held)
     found += [_by(way, equations, put_in) for way in (find_detour(full), find_in_space(full, kept)) if way is not None]
-    if len(found) == 1:
+    bodies = _of_bodies(full, put_in) if min(count(g, way.values) for way in found) > _APART * size else None
+    if len(found) == 1 and bodies is None:
         return found[0]
     from nhc.mechanics.trees.choice import CHAINED, work
 
-    return min(found, key=lambda way: work(g, way.values) + CHAINED * size * way.chained)
+    def cost(way: MassRoute) -> float:
+        return work(g, way.values) + CHAINED * size * way.chained
+
+    best = min(found, key=cost)
+    return bodies if bodies is not None and _SHORTER * cost(bodies) < cost(best) else best
 
 
 def _along_held(
@@ -128,6 +139,24 @@ def _by(detour: Detour, equations: Equations, put_in: Mapping[Node, Node]) -> Ma
 def _in_pairs(g: Graph, pairs: Sequence[tuple[Node, Node]], put_in: Mapping[Node, Node]) -> Pairs:
     flat = substitute(g, [node for pair in pairs for node in pair], put_in)
     return list(zip(flat[::2], flat[1::2], strict=True))
+
+
+def _of_bodies(full: Equations, put_in: Mapping[Node, Node]) -> MassRoute | None:
+    """The dense way with the matrix and the right side of bodies in space that nothing holds."""
+    g, size = full.system.graph, len(full.motion.w)
+    if not 2 < size <= _MOST_BODIES or "composite inertias" in g.off:
+        return None
+    from nhc.mechanics.trees.composite import assemble
+
+    found = assemble(full.system, full.motion)
+    if found is None:
+        return None
+    flat = substitute(g, [*(x for row in found.mass for x in row), *found.force], put_in)
+    mass = [flat[k * size : (k + 1) * size] for k in range(size)]
+    factors = factor(g, mass, g.mask(full.system.p))
+    values = shorten(g, solve_factored(g, factors, flat[size * size :]))
+    pivots = [(pivot, mass[k][k]) for k, pivot in zip(factors.order, factors.pivots, strict=True)]
+    return MassRoute(values, pivots, lambda right: solve_factored(g, factors, right))
 
 
 def _is_small(equations: Equations) -> bool:
