@@ -6,7 +6,7 @@ another the first of them, y1' = l sin(th1) th1', has to stay what the next ones
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Collection, Container
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import MUL, NEG, Graph, Node
@@ -16,10 +16,10 @@ from nhc.mechanics.energies.kinetic import Kinetic, energy_as_squares, list_atom
 from nhc.mechanics.system import System
 
 
-def whole_kinetic(system: System, whole: Container[Node] = ()) -> Kinetic | None:
+def whole_kinetic(system: System, whole: Collection[Node] = ()) -> Kinetic | None:
     """T by forms of which only parameters are taken out; None where T is no quadratic polynomial in forms, or the rule is off.
 
-    Forms in ``whole``, and their negatives, keep their parameters.
+    Forms in ``whole``, and their negatives, keep their parameters, and the number in front of them.
     """
     g = system.graph
     if "trees" in g.off:
@@ -29,9 +29,14 @@ def whole_kinetic(system: System, whole: Container[Node] = ()) -> Kinetic | None
     if degree[energy] != 2:
         return None
     parameters = g.mask(system.p)
-    atoms = list_atoms(g, energy, degree, lambda node: _without_parameters(g, node, parameters, whole))
+    numbers = {rest: number for number, rest in map(g.split_coefficient, whole) if abs(number) != 1}
+    kept = {*whole, *numbers}
+    atoms = list_atoms(g, energy, degree, lambda node: _without_parameters(g, node, parameters, kept))
     u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
-    (tau,) = substitute(g, [energy], dict(zip(atoms, u, strict=True)))
+    # z' = l cos(a) a'/2, whose square has the 1/4 in front, is the rate of a position as it is
+    scale = [g.number(numbers.get(atom, 1)) for atom in atoms]
+    (tau,) = substitute(g, [energy], {atom: g.div(x, c) for atom, x, c in zip(atoms, u, scale, strict=True)})
+    atoms = [g.mul(c, atom) for atom, c in zip(atoms, scale, strict=True)]
     if g.depends(tau, g.mask(system.v)):
         return None
     slope = tuple(gradient(g, tau, u))

@@ -12,6 +12,7 @@ from nhc.language.expressions.syntax import Syntax
 from nhc.mechanics.regular.dependent_rows import check_freedom, check_rank
 from nhc.mechanics.resolving.expressions import Resolver, define_names, tangent_slopes
 from nhc.mechanics.resolving.forces import resolve_forces
+from nhc.mechanics.resolving.short_rows import short_row
 from nhc.mechanics.system import Form, System
 
 _LARGEST = Fraction(sys.float_info.max)
@@ -31,7 +32,11 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
     U = _potential(build)
     constraints = _constraints(build)
     quasi = tuple(
-        build.form(entry.name, build.names[entry.name], entry.value.span, "E0412", "the quasi-velocity")
+        short_row(
+            build.graph,
+            build.v,
+            build.form(entry.name, build.names[entry.name], entry.value.span, "E0412", "the quasi-velocity"),
+        )
         for entry in spec.quasi_velocities
     )
     Q, torques, pulls = resolve_forces(build, quasi)
@@ -110,7 +115,7 @@ def _constraints(build: Resolver) -> tuple[Form, ...]:
         form = build.form(held.name, build.derivation.of(f), held.span, "E0401", "the constraint")
         form.equation = f
         rows.append(form)
-    return tuple(rows)
+    return tuple(short_row(g, build.v, form) for form in rows)
 
 
 def _places(build: Resolver) -> dict[str, str]:

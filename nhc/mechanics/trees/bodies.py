@@ -24,9 +24,10 @@ from nhc.mechanics.moving.signatures import Signatures
 from nhc.mechanics.rotations.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.frames import ROOT, ZERO, Frame, Frames
-from nhc.mechanics.trees.points import Components, Point, Points, Unread
+from nhc.mechanics.trees.points import Components, Points, Unread
 from nhc.mechanics.trees.rates import Rates
 from nhc.mechanics.trees.recursion import Recursion, Terms
+from nhc.mechanics.trees.sharing import Point
 from nhc.mechanics.trees.triples import list_squares, place_of
 from nhc.mechanics.trees.velocities import STILL, Variables, Velocities
 from nhc.mechanics.trees.views import Turned, Views, list_views
@@ -146,8 +147,8 @@ def _without_number(graph: Graph, atom: Node) -> tuple[Fraction, Node]:
 
 
 class Writer:
-    """T's forms over the symbols of ``rates``: ``points`` with the forms that are their components (``inside``), and ``angular``, the
-    components of angular velocities along vectors on frames, with a factor; ``field`` is what pulls at all masses.
+    """T's forms over the symbols of ``rates``: ``points`` with the forms that are their components (``inside``), and ``angular``,
+    the components of angular velocities along vectors on frames, with a factor; ``field`` is what pulls at all masses.
     """
 
     def __init__(

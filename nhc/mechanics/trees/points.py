@@ -1,8 +1,7 @@
 """Points in space as sums of vectors that are fixed on axes, each with the next point that others share.
 
-Where the spec names the points between, or uses them twice, these are the ones that are shared.  Otherwise (sums whose factors
-the graph has put together, chains that were written out) each point is taken apart to the end, and points share what their sums
-begin with, from the root on.
+Where the spec names the points between, or uses them twice, these are shared.  Otherwise (sums whose factors the graph has put
+together, chains written out) points are taken apart to the end, and share what their sums begin with.
 """
 
 from __future__ import annotations
@@ -13,26 +12,11 @@ from itertools import permutations
 from nhc.algebra.graph import ADD, NEG, Node
 from nhc.algebra.parts import Factor, list_factors, list_terms, split_parameters
 from nhc.algebra.walks import reachable
-from nhc.mechanics.moving.signatures import Signature
 from nhc.mechanics.rotations.turns import Vector, add_vectors, scale_vector
 from nhc.mechanics.trees.frames import ROOT, ZERO, Frame, Frames
-from nhc.records import fresh, structure
+from nhc.mechanics.trees.sharing import Point, share_beginnings
 
 _FEW = 3  # coordinates of what moves in another way than by turning
-
-
-@structure
-class Point:
-    """``base`` + the vectors d on their axes + what moves in other ways."""
-
-    base: Point | None
-    arms: list[tuple[Frame, Vector]]
-    loose: Vector
-
-    @property
-    def turns(self) -> bool:
-        """Whether it, or what it stands on, turns."""
-        return bool(self.arms) or (self.base is not None and self.base.turns)
 
 
 class Unread(Exception):
@@ -109,13 +93,13 @@ class Points:
         ``strictly``: nothing but sums of vectors that are fixed on axes, and of what no angle turns; ``turning``: with such
         a vector.
         """
-        g, best, fewest = self.graph, None, 0
+        best, fewest = None, 0
         for x, y, z in orders:
             try:
                 arms, loose = self._arms(self._vector((x, y, z)))
             except Unread:
                 return None  # nor is it in another order
-            if strictly and any(g.op[node] in ("sin", "cos") for node in reachable(g, loose, self.frames.moving)):
+            if strictly and self._is_turned(loose):
                 return None
             new = len({id(frame) for frame, _ in arms} - self._met.keys())
             if (arms or not turning) and (best is None or new < fewest):
@@ -125,6 +109,10 @@ class Points:
         if best is not None:
             self._met.update((id(frame), frame) for frame, _ in self._arms(self._vector(best))[0])
         return best
+
+    def _is_turned(self, vector: Vector) -> bool:
+        g = self.graph
+        return any(g.op[node] in ("sin", "cos") for node in reachable(g, vector, self.frames.moving))
 
     def _vector(self, components: Components) -> Vector:
         x, y, z = (self.graph.zero if k is None else self._places[k] for k in components)
@@ -167,6 +155,8 @@ class Points:
 
     def _split(self, base: Point | None, rows: Sequence[Sequence[Node]]) -> Point:
         arms, loose = self._read(rows)
+        if self._is_turned(loose):
+            arms, loose = self._read([[x for term in row for x in self._terms(term)] for row in rows], apart=True)
         self._check(loose)
         return Point(base, self._total(arms), loose)
 
@@ -189,7 +179,7 @@ class Points:
             if frame is not None:
                 self._add(arms, frame, own, factor)
                 continue
-            parts, left = self._peel(own) if apart else ([], own)
+            parts, left = self._peel(found) if apart else ([], own)
             for on, part in parts:
                 self._add(arms, on, part, factor)
             loose = add_vectors(g, loose, scale_vector(g, factor, left))
@@ -240,7 +230,7 @@ class Points:
             arms, loose = self._arms(place)
             path = sorted(reversed(arms), key=lambda arm: arm[0].depth)  # peeled from the end
             paths.append(((None, loose), *path) if any(loose) else tuple(path))
-        return _share(self.frames, paths)
+        return share_beginnings(self.frames, paths)
 
     def _arms(self, place: Vector) -> tuple[list[tuple[Frame, Vector]], Vector]:
         if place not in self._whole:
@@ -265,10 +255,9 @@ class Points:
             self._summed[node] = found
         return self._summed[node]
 
-    def _peel(self, vector: Vector) -> tuple[list[tuple[Frame, Vector]], Vector]:
-        """Parts that are fixed on axes, and the rest: each part has all the terms in which one angle or rotation stands."""
+    def _peel(self, rows: Sequence[Sequence[Node]]) -> tuple[list[tuple[Frame, Vector]], Vector]:
+        """Parts of a sum that are fixed on axes, and the rest: each has all the terms in which one angle or rotation stands."""
         g, found, gone = self.graph, list[tuple[Frame, Vector]](), set[tuple[int, int]]()
-        rows = [list_terms(g, x) for x in vector]
         turned: dict[tuple[int, Node], list[tuple[int, int]]] = {}
         for axis, row in enumerate(rows):
             for k, term in enumerate(row):
@@ -313,38 +302,3 @@ def _count_parts(points: Sequence[Point]) -> int:
             seen[id(point)] = point
             stack += [point.base] if point.base is not None else []
     return sum(len(point.arms) + any(point.loose) for point in seen.values())
-
-
-Path = tuple[tuple[Frame | None, Vector], ...]
-
-
-@structure
-class _Branch:
-    """What is added to the point before; ``ends``: the places that are reached here."""
-
-    part: tuple[Frame | None, Vector]
-    ends: list[int] = fresh(factory=list)
-    next: dict[tuple[int, tuple[Signature, ...]], _Branch] = fresh(factory=dict)
-
-
-def _share(frames: Frames, paths: Sequence[Path]) -> list[Point]:
-    """Points of which those with equal beginnings stand on one another."""
-    root = _Branch((None, ZERO))
-    for k, path in enumerate(paths):
-        branch = root
-        for frame, vector in path:
-            branch = branch.next.setdefault((id(frame), frames.mark(vector)), _Branch((frame, vector)))
-        branch.ends.append(k)
-    found: list[Point | None] = [None] * len(paths)
-    stack: list[tuple[_Branch, Point | None, Path]] = [(root, None, ())]
-    while stack:
-        branch, base, path = stack.pop()
-        path = (*path, branch.part) if branch is not root else path
-        if branch.ends or len(branch.next) > 1:
-            arms = [(frame, vector) for frame, vector in path if frame is not None]
-            loose = next((vector for frame, vector in path if frame is None), ZERO)
-            base, path = Point(base, arms, loose) if path else base, ()
-            for k in branch.ends:
-                found[k] = base or Point(None, [], ZERO)
-        stack += [(own, base, path) for own in branch.next.values()]
-    return [point for point in found if point is not None]

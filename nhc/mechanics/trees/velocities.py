@@ -12,9 +12,10 @@ from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.rotations.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.trees.frames import ROOT, ZERO, Frame, Spin
-from nhc.mechanics.trees.points import Point, Unread
+from nhc.mechanics.trees.points import Unread
 from nhc.mechanics.trees.rates import Rates
 from nhc.mechanics.trees.recursion import Recursion, Terms
+from nhc.mechanics.trees.sharing import Point
 from nhc.mechanics.trees.views import Triple, Views
 
 Variables = tuple[int, int, int]

@@ -18,8 +18,9 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
 from nhc.mechanics.rotations.turns import Vector
 from nhc.mechanics.trees.frames import ROOT, Frame, Frames
-from nhc.mechanics.trees.points import Point, Unread
+from nhc.mechanics.trees.points import Unread
 from nhc.mechanics.trees.recursion import Recursion, Terms
+from nhc.mechanics.trees.sharing import Point
 from nhc.records import record, structure
 
 Matrix = tuple[Vector, ...]

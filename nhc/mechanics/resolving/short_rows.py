@@ -1,0 +1,35 @@
+"""Velocity forms that are long as they are written, and short as a_i q'_i + a_0: those of points that roll on turned axes.
+
+The velocity of a wheel's point on the axes of the ground beside it is a product of all turns between the two, of which nearly all
+cancels.  Every formulation solves the rows, so that what is left in one of them is in all velocities.
+"""
+
+from __future__ import annotations
+
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rewriting.angles import normalise_angles
+from nhc.algebra.walks import count
+from nhc.mechanics.system import Form
+
+_LONG = 7
+"""Operations for each of a row's velocities from which it is long; those of trailers and snakes have four."""
+_LONGEST = 600
+_TERMS = 120
+_PAYS = 0.5
+"""What it has to become of its length: a row shares what T has, too."""
+
+
+def short_row(graph: Graph, velocities: tuple[Node, ...], form: Form) -> Form:
+    """The form, or the same one by its coefficients in their shortest form where that is much shorter."""
+    g, value = graph, form.value
+    if value is None or "short rows" in g.off:
+        return form
+    held = (g.deps[value] & g.mask(velocities)).bit_count()
+    length = count(g, [value])
+    if not _LONG * held < length <= _LONGEST:
+        return form
+    *coefficients, constant = (normalise_angles(g, a, _TERMS) for a in (*form.coefficients, form.constant))
+    short = g.add(g.dot(coefficients, velocities), constant)
+    if count(g, [short]) > _PAYS * length:
+        return form
+    return Form(form.name, tuple(coefficients), constant, form.place, form.equation, short)
