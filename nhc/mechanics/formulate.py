@@ -24,6 +24,7 @@ from nhc.mechanics.regular.determined import check_determined
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
 from nhc.mechanics.trees import FEW
+from nhc.mechanics.uniform import at_rest, drop_uniform
 from nhc.mechanics.values import scene_values
 from nhc.records import record
 
@@ -67,7 +68,7 @@ class _Route:
 
     def cost(self, graph: Graph) -> int:
         """Operations of the matrix, the right side and the kinematics; a single rate's as it will be solved."""
-        entries = [n for row in self.rows for n in (*row.mass, row.force)]
+        entries = _entries(self.rows)
         if len(self.rows) == 1 and entries[0] != graph.zero:
             entries = shorten(graph, [graph.div(entries[1], entries[0])])
         return count(graph, [*self.motion.velocities, *entries])
@@ -79,7 +80,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
     if tree is not None:
         return _from_leaves(system, formulation, tree, kinetic)
     kinetic = kinetic or kinetic_structure(system)
-    route = _cheapest_route(system, formulation, kinetic)
+    route = _route_at_rest(system, formulation, kinetic)
     rows, motion = route.rows, route.motion
     bordered = formulation.name == "multipliers" and system.l > 0
     check_determined(system, [row.mass for row in rows], bordered=bordered)
@@ -159,6 +160,18 @@ def _from_leaves(system: System, formulation: Formulation, tree: Elimination, ki
     )
 
 
+def _route_at_rest(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:
+    """The cheapest route; on a floor that moves uniformly with the rows on that floor at rest, if these are the same and shorter."""
+    found, g = _cheapest_route(system, formulation, kinetic), system.graph
+    entries = _entries(found.rows)
+    calm = None if formulation.frame is None else at_rest(system, formulation.frame, entries)
+    if calm is None:
+        return found
+    other = _cheapest_route(calm[0], replace(formulation, frame=calm[1]), kinetic).rows
+    same = are_zero(g, [g.sub(x, y) for x, y in zip(entries, _entries(other), strict=True)])
+    return replace(found, rows=other) if all(same) and count(g, _entries(other)) < count(g, entries) else found
+
+
 def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:
     """On moving axes where T has vectors for them; also on the spec's where that may be shorter and is soon tried."""
     frame = formulation.frame
@@ -217,7 +230,9 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
         return projector.kinetic_energy() if moved is not None else None
 
     guards = frame.guards if frame is not None else ()
-    return _Route(motion, guards, _polish(system.graph, rows, motion.velocities), react, sweeps, kinetic_energy)
+    rows = _in_rows(drop_uniform(system, _entries(rows)), len(rows))
+    rows = _polish(system.graph, rows, motion.velocities)
+    return _Route(motion, guards, rows, react, sweeps, kinetic_energy)
 
 
 def _assemble(rows: Sequence[Row]) -> tuple[Matrix, tuple[Node, ...]]:
@@ -229,11 +244,19 @@ def _assemble(rows: Sequence[Row]) -> tuple[Matrix, tuple[Node, ...]]:
 
 def _polish(graph: Graph, rows: list[Row], beside: Sequence[Node] = ()) -> list[Row]:
     """Entries that vanish identically become zero (exact test); then shorter equal expressions where there are any."""
-    entries = [n for row in rows for n in (*row.mass, row.force)]
+    entries = _entries(rows)
     zero = are_zero(graph, entries)
     own = shorten(graph, [graph.zero if vanishes else n for n, vanishes in zip(entries, zero, strict=True)], beside)
-    size = len(rows[0].mass) + 1 if rows else 1
-    return [Row(tuple(own[k : k + size - 1]), own[k + size - 1]) for k in range(0, len(own), size)]
+    return _in_rows(own, len(rows))
+
+
+def _entries(rows: Sequence[Row]) -> list[Node]:
+    return [n for row in rows for n in (*row.mass, row.force)]
+
+
+def _in_rows(entries: Sequence[Node], count: int) -> list[Row]:
+    size = len(entries) // max(count, 1)
+    return [Row(tuple(entries[k : k + size - 1]), entries[k + size - 1]) for k in range(0, len(entries), max(size, 1))]
 
 
 def _is_definite(system: System, rows: Sequence[Row]) -> bool:
