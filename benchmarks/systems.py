@@ -19,7 +19,7 @@ Section = tuple[str, list[str] | str]
 
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
-    ``ball_arm<N>``, ``satellite<N>``, ``bowl`` or ``written_out_top``.
+    ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg`` or ``written_out_top``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -338,6 +338,49 @@ def _bowl(_: int, __: bool) -> str:
     )
 
 
+def _arm(count: int, _: bool) -> str:
+    """An arm of hinges about z, every second one at right angles to the one before it."""
+    bodies = []
+    for k in range(1, count + 1):
+        place = f"parent: b{k - 1}, at: [l, 0, 0], " if k > 1 else ""
+        turns = f"z: q{k}" if k % 2 else f"x: pi/2, z: q{k}"
+        bodies.append(f"b{k}: {{{place}turns: [{turns}], mass: m, centre: [c, 0, 0], inertia: [A, B, C]}}")
+    return _assemble(
+        f"arm{count}",
+        [
+            ("coordinates", f"[{', '.join(f'q{k}' for k in range(1, count + 1))}]"),
+            ("parameters", "{g: 9.81, l: 0.4, c: 0.15, m: 1.2, A: 0.01, B: 0.03, C: 0.04}"),
+            ("bodies", bodies),
+            ("gravity", "[0, 0, -g]"),
+            _scene("q1: 0.3, q2: 0.5"),
+        ],
+    )
+
+
+def _belt_egg(_: int, __: bool) -> str:
+    """An ellipsoid of revolution rolls on a belt that moves uniformly; its contact is written on the axes of the ground below it."""
+    return _assemble(
+        "belt_egg",
+        [
+            ("coordinates", "[x, y, phi, th, psi]"),
+            ("parameters", "{m: 1, a: 0.5, b: 0.3, A: 0.08, C: 0.1, g: 9.81, v: 0.7}"),
+            ("define", ["h: sqrt(a^2*sin(th)^2 + b^2*cos(th)^2)"]),
+            (
+                "bodies",
+                [
+                    "frame: {at: [x, y, h], turns: [z: phi, x: th]}",
+                    "egg: {parent: frame, turns: [z: psi], mass: m, inertia: [A, A, C]}",
+                    "ground: {at: [x, y, h], turns: [z: phi]}",
+                ],
+            ),
+            ("points", ["P: {parent: ground, of: egg, at: [0, (b^2 - a^2)*sin(th)*cos(th)/h, -h]}"]),
+            ("gravity", "[0, 0, -g]"),
+            ("constraints", ["- P_v1 = v*cos(phi)", "- P_v2 = -v*sin(phi)"]),
+            _scene("th: 1.2, psi': 3"),
+        ],
+    )
+
+
 def _written_out_top(_: int, __: bool) -> str:
     """A heavy top, its T multiplied out as one finds it in books."""
     return _assemble(
@@ -372,5 +415,7 @@ _FAMILIES = {
     "satellite": _satellite,
     "bicycle": _bicycle,
     "bowl": _bowl,
+    "arm": _arm,
+    "belt_egg": _belt_egg,
     "written_out_top": _written_out_top,
 }

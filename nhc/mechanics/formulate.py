@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 
 _FEW_ROWS = 40
 """Coordinates times constraints up to which reactions are also made row by row."""
+_SHORTER = 0.9
+"""What rows at rest have to take of the operations of those in uniform motion."""
 _SMALL = 400
 """Operations up to which a second route is worth a try."""
 _WORTH_AXES = 100
@@ -161,7 +163,7 @@ def _from_leaves(system: System, formulation: Formulation, tree: Elimination, ki
 
 
 def _route_at_rest(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:
-    """The cheapest route; on a floor that moves uniformly with the rows on that floor at rest, if these are the same and shorter."""
+    """The cheapest route; on a floor that moves uniformly, with the rows of one at rest if these are the same and shorter."""
     found, g = _cheapest_route(system, formulation, kinetic), system.graph
     entries = _entries(found.rows)
     calm = None if formulation.frame is None else at_rest(system, formulation.frame, entries)
@@ -169,7 +171,8 @@ def _route_at_rest(system: System, formulation: Formulation, kinetic: Kinetic) -
         return found
     other = _cheapest_route(calm[0], replace(formulation, frame=calm[1]), kinetic).rows
     same = are_zero(g, [g.sub(x, y) for x, y in zip(entries, _entries(other), strict=True)])
-    return replace(found, rows=other) if all(same) and count(g, _entries(other)) < count(g, entries) else found
+    shorter = count(g, _entries(other)) < _SHORTER * count(g, entries)
+    return replace(found, rows=other) if all(same) and shorter else found
 
 
 def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:

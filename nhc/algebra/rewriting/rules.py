@@ -73,6 +73,21 @@ RULES = (
         "program/planning/mass_route.py",
     ),
     Rule(
+        "composite inertias",
+        "the matrix of a few bodies in space comes from what each carries, on its own axes, and the forces by recursion",
+        "mechanics/trees/composite.py",
+    ),
+    Rule(
+        "short rows",
+        "a constraint that is long as it is written becomes a sum of velocities times their coefficients in canonical form",
+        "mechanics/resolving/short_rows.py",
+    ),
+    Rule(
+        "uniform motion",
+        "what the constraints have beside velocities leaves the equations where these do not depend on it: a belt that moves uniformly",
+        "mechanics/uniform.py",
+    ),
+    Rule(
         "detours",
         "Lagrange's equations are solved for the rates of T's own angular velocities, then transformed back",
         "mechanics/detour.py",

@@ -40,6 +40,10 @@ NUMBERS = {
 ON_THE_WAY = "positions that the motion can reach"
 
 
+_OPEN = ("euler-lagrange", "voronec")
+"""Formulations whose velocities nhc chooses where the spec has none."""
+
+
 @record
 class Formulation:
     """A formulation with its frame (None: the coordinate velocities themselves).
@@ -64,7 +68,13 @@ def formulate(system: System, name: str = "") -> Formulation:
     """
     wanted = name or system.spec.formulation or "auto"
     try:
-        return choose(system) if wanted == "auto" else build(system, wanted)
+        if wanted == "auto":
+            return choose(system)
+        named = build(system, wanted)
+        if wanted not in _OPEN or system.quasi or system.dependent or system.rotations or not system.constraints:
+            return named
+        best = choose(system)  # what the name leaves open is chosen as if it had not been said
+        return best if best.name == wanted else named
     except NotApplicable as error:
         spans = dict(system.spec.key_spans)
         written = [spans[key] for key in (error.key if name else "formulation", "holonomic") if key in spans]

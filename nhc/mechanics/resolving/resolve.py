@@ -32,10 +32,8 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
     U = _potential(build)
     constraints = _constraints(build)
     quasi = tuple(
-        short_row(
-            build.graph,
-            build.v,
-            build.form(entry.name, build.names[entry.name], entry.value.span, "E0412", "the quasi-velocity"),
+        _short_row(
+            build, build.form(entry.name, build.names[entry.name], entry.value.span, "E0412", "the quasi-velocity")
         )
         for entry in spec.quasi_velocities
     )
@@ -115,7 +113,12 @@ def _constraints(build: Resolver) -> tuple[Form, ...]:
         form = build.form(held.name, build.derivation.of(f), held.span, "E0401", "the constraint")
         form.equation = f
         rows.append(form)
-    return tuple(short_row(g, build.v, form) for form in rows)
+    return tuple(_short_row(build, form) for form in rows)
+
+
+def _short_row(build: Resolver, form: Form) -> Form:
+    turned = build.graph.mask([v for rotation in build.rotations for v in rotation.v])
+    return short_row(build.graph, build.v, form, turned)
 
 
 def _places(build: Resolver) -> dict[str, str]:

@@ -19,10 +19,13 @@ _PAYS = 0.5
 """What it has to become of its length: a row shares what T has, too."""
 
 
-def short_row(graph: Graph, velocities: tuple[Node, ...], form: Form) -> Form:
-    """The form, or the same one by its coefficients in their shortest form where that is much shorter."""
+def short_row(graph: Graph, velocities: tuple[Node, ...], form: Form, turned: int = 0) -> Form:
+    """The form, or the same one by its coefficients in their shortest form where that is much shorter.
+
+    A row with rates of quaternions (``turned``) is kept: it is written by angular velocities and the entries of matrices.
+    """
     g, value = graph, form.value
-    if value is None or "short rows" in g.off:
+    if value is None or g.deps[value] & turned or "short rows" in g.off:
         return form
     held = (g.deps[value] & g.mask(velocities)).bit_count()
     length = count(g, [value])

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:e3dbd8829b3769e6)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:88753010d8338ad0)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -1794,8 +1794,8 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double c_lam = cos(lam);
     const double c_roll = cos(roll);
     const double e2z = sin(roll);
-    const double s_pitch = sin(pitch);
     const double c_pitch = cos(pitch);
+    const double s_pitch = sin(pitch);
     const double c_steer = cos(steer);
     const double s_steer = sin(steer);
 
@@ -1853,7 +1853,7 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double k20 = k14 + 10.0 * k13;
 
     /* from the state */
-    const double z1 = s_pitch * c_lam + c_pitch * s_lam;
+    const double z1 = c_pitch * s_lam + s_pitch * c_lam;
     const double z2 = c_roll * z1;
     const double z3 = 1.0 / fabs(c_roll);
     const double z4 = r_R * z3;
@@ -4007,18 +4007,13 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const double z197 = kept[206];
     const double z307 = kept[258];
     const bicycle_lanes z663 = z307 * z438 + z197 * z498 + z8 * z662 + z46 * z613 - z23 * z658 - z25 * z659;
-    const double z43 = kept[79];
-    const double z292 = kept[244];
-    const double z295 = kept[247];
-    const double z298 = kept[249];
-    const double z317 = kept[268];
-    const double z342 = kept[293];
-    const bicycle_lanes z463 = bicycle_get(carried + 60 * BICYCLE_LANES);
-    const bicycle_lanes z476 = bicycle_get(carried + 71 * BICYCLE_LANES);
-    const bicycle_lanes z480 = bicycle_get(carried + 75 * BICYCLE_LANES);
-    const bicycle_lanes z522 = bicycle_get(carried + 99 * BICYCLE_LANES);
-    const bicycle_lanes z664 = z317 * z480 - z298 * z476 - z342 * z520 - z295 * z463 + z292 * z522 + z43 *
-        z621;
+    const double k66 = kept[33];
+    const double k69 = kept[36];
+    const double k70 = kept[37];
+    const bicycle_lanes z409 = bicycle_get(carried + 11 * BICYCLE_LANES);
+    const bicycle_lanes z410 = bicycle_get(carried + 12 * BICYCLE_LANES);
+    const bicycle_lanes z411 = bicycle_get(carried + 13 * BICYCLE_LANES);
+    const bicycle_lanes z664 = k70 * z409 + k69 * z410 + k66 * z411;
     const double z202 = kept[211];
     const double z209 = kept[218];
     const double z324 = kept[275];
@@ -4044,59 +4039,16 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z671 = z670 - e2z * z656;
     const double z36 = kept[72];
     const bicycle_lanes z672 = z668 - z61 * z604 + z55 * z612 + z49 * z615 + z36 * z655 + z671;
-    const double z273 = kept[225];
-    const double z278 = kept[230];
-    const bicycle_lanes z467 = bicycle_get(carried + 63 * BICYCLE_LANES);
-    const bicycle_lanes z474 = bicycle_get(carried + 69 * BICYCLE_LANES);
-    const bicycle_lanes z475 = bicycle_get(carried + 70 * BICYCLE_LANES);
-    const bicycle_lanes z673 = z336 * z421 - z209 * z467 - z278 * z474 + z273 * z475 - z141 * z631 - z99 *
-        z645;
-    const bicycle_lanes z674 = z15 * z636 + z14 * z666;
-    const bicycle_lanes z675 = z323 * z435 - z196 * z513 + z7 * z666 - z41 * z615 + z15 * z655;
-    const bicycle_lanes z440 = bicycle_get(carried + 38 * BICYCLE_LANES);
-    const bicycle_lanes z515 = bicycle_get(carried + 92 * BICYCLE_LANES);
-    const bicycle_lanes z676 = z315 * z440 - z198 * z515 - z20 * z674 + z47 * z617 + z34 * z659 + z24 * z675;
-    const bicycle_lanes z677 = z15 * z633 - z13 * z666;
-    const bicycle_lanes z439 = bicycle_get(carried + 37 * BICYCLE_LANES);
-    const bicycle_lanes z442 = bicycle_get(carried + 40 * BICYCLE_LANES);
-    const bicycle_lanes z514 = bicycle_get(carried + 91 * BICYCLE_LANES);
-    const bicycle_lanes z678 = z315 * z439 - z277 * z442 + z198 * z514 + z20 * z677 - z47 * z616 + z34 * z658;
-    const bicycle_lanes z679 = z678 - z18 * z675 + e2z * z660;
-    const bicycle_lanes z680 = z15 * z647 - z13 * z667;
-    const bicycle_lanes z444 = bicycle_get(carried + 42 * BICYCLE_LANES);
-    const bicycle_lanes z681 = z307 * z439 - z277 * z444 + z197 * z514 + z8 * z680 + z46 * z616 + z30 * z658;
-    const bicycle_lanes z682 = z681 + z25 * z675 + e2z * z663;
-    const bicycle_lanes z451 = bicycle_get(carried + 49 * BICYCLE_LANES);
-    const bicycle_lanes z452 = bicycle_get(carried + 50 * BICYCLE_LANES);
-    const bicycle_lanes z683 = z278 * z451 - z273 * z452 + s_steer * z679 + c_steer * z682;
-    const bicycle_lanes z684 = z15 * z650 + z14 * z667;
-    const bicycle_lanes z685 = z307 * z440 - z197 * z515 - z8 * z684 - z46 * z617 + z30 * z659 - z23 * z675;
-    const bicycle_lanes z686 = z673 - z61 * z607 + s_steer * z676 + z683 + c_steer * z685;
-    const double z12 = kept[48];
-    const double z16 = kept[52];
-    const double z33 = kept[69];
-    const double z184 = kept[192];
-    const double z185 = kept[193];
-    const double z186 = kept[194];
-    const bicycle_lanes z518 = bicycle_get(carried + 95 * BICYCLE_LANES);
-    const bicycle_lanes z519 = bicycle_get(carried + 96 * BICYCLE_LANES);
-    const bicycle_lanes z687 = z185 * z519 + (z661 - z33 * z663) - c_roll * (z11 * (z184 * (z186 * z518 +
-        z664 - z12 * z672 + z16 * z686)));
-    const double k66 = kept[33];
-    const double k69 = kept[36];
-    const double k70 = kept[37];
-    const bicycle_lanes z409 = bicycle_get(carried + 11 * BICYCLE_LANES);
-    const bicycle_lanes z410 = bicycle_get(carried + 12 * BICYCLE_LANES);
-    const bicycle_lanes z411 = bicycle_get(carried + 13 * BICYCLE_LANES);
-    const bicycle_lanes z688 = k70 * z409 + k69 * z410 + k66 * z411;
     const double k61 = kept[28];
     const double k63 = kept[30];
+    const double z273 = kept[225];
     const bicycle_lanes z396 = bicycle_get(carried + 3 * BICYCLE_LANES);
     const bicycle_lanes z398 = bicycle_get(carried + 5 * BICYCLE_LANES);
     const bicycle_lanes z461 = bicycle_get(carried + 58 * BICYCLE_LANES);
-    const bicycle_lanes z689 = z273 * z461 + (s_steer * z688 + (k63 * z396 + k61 * z398 + r_R * (z294 * z480
+    const bicycle_lanes z480 = bicycle_get(carried + 75 * BICYCLE_LANES);
+    const bicycle_lanes z673 = z273 * z461 + (s_steer * z664 + (k63 * z396 + k61 * z398 + r_R * (z294 * z480
         + z11 * z672)));
-    const bicycle_lanes z690 = z36 * z470 - z35 * z497 + z26 * z513;
+    const bicycle_lanes z674 = z36 * z470 - z35 * z497 + z26 * z513;
     const double z191 = kept[200];
     const double z193 = kept[202];
     const double z287 = kept[239];
@@ -4104,23 +4056,27 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z436 = bicycle_get(carried + 34 * BICYCLE_LANES);
     const bicycle_lanes z441 = bicycle_get(carried + 39 * BICYCLE_LANES);
     const bicycle_lanes z517 = bicycle_get(carried + 94 * BICYCLE_LANES);
-    const bicycle_lanes z691 = z287 * z441 + z308 * z436 - z193 * z517 - z191 * z690 - z36 * z633 + z35 *
+    const bicycle_lanes z675 = z287 * z441 + z308 * z436 - z193 * z517 - z191 * z674 - z36 * z633 + z35 *
         z636;
-    const bicycle_lanes z692 = z36 * z609 - z35 * z612 + z26 * z615;
+    const bicycle_lanes z676 = z15 * z647 - z13 * z667;
+    const bicycle_lanes z677 = z15 * z650 + z14 * z667;
+    const bicycle_lanes z678 = z36 * z609 - z35 * z612 + z26 * z615;
     const double z40 = kept[76];
+    const double z278 = kept[230];
     const bicycle_lanes z445 = bicycle_get(carried + 43 * BICYCLE_LANES);
     const bicycle_lanes z447 = bicycle_get(carried + 45 * BICYCLE_LANES);
-    const bicycle_lanes z693 = z273 * z445 + z278 * z447 + z34 * z662 - z24 * z680 + z18 * z684 - z40 * z692;
-    const bicycle_lanes z694 = z274 * z437 + c_roll * z656;
+    const bicycle_lanes z679 = z273 * z445 + z278 * z447 + z34 * z662 - z24 * z676 + z18 * z677 - z40 * z678;
+    const bicycle_lanes z680 = z274 * z437 + c_roll * z656;
     const double z279 = kept[231];
     const bicycle_lanes z446 = bicycle_get(carried + 44 * BICYCLE_LANES);
-    const bicycle_lanes z695 = z279 * z446 + s1 * z694;
-    const bicycle_lanes z696 = z274 * z442 + c_roll * z660;
+    const bicycle_lanes z681 = z279 * z446 + s1 * z680;
+    const bicycle_lanes z442 = bicycle_get(carried + 40 * BICYCLE_LANES);
+    const bicycle_lanes z682 = z274 * z442 + c_roll * z660;
     const double z275 = kept[227];
     const bicycle_lanes z448 = bicycle_get(carried + 46 * BICYCLE_LANES);
-    const bicycle_lanes z697 = z275 * z448 - c1 * z696;
-    const bicycle_lanes z698 = z691 - z26 * z666 - s1 * z619 - (z693 + c_steer * z671 - s_steer * z695 +
-        z697);
+    const bicycle_lanes z683 = z275 * z448 - c1 * z682;
+    const bicycle_lanes z684 = z675 - z26 * z666 - s1 * z619 - (z679 + c_steer * z671 - s_steer * z681 +
+        z683);
     const double r_F = p[22]; /* radius of the front wheel [m] */
     const double k65 = kept[32];
     const double k68 = kept[35];
@@ -4131,23 +4087,36 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z405 = bicycle_get(carried + 9 * BICYCLE_LANES);
     const bicycle_lanes z450 = bicycle_get(carried + 48 * BICYCLE_LANES);
     const bicycle_lanes z460 = bicycle_get(carried + 57 * BICYCLE_LANES);
-    const bicycle_lanes z699 = z281 * z460 + k68 * z399 + k66 * z405 + k65 * z399 - r_F * (z284 * z450 - z5 *
-        z698);
+    const bicycle_lanes z685 = z281 * z460 + k68 * z399 + k66 * z405 + k65 * z399 - r_F * (z284 * z450 - z5 *
+        z684);
+    const bicycle_lanes z686 = z15 * z633 - z13 * z666;
     const double z194 = kept[203];
     const double z291 = kept[243];
     const bicycle_lanes z443 = bicycle_get(carried + 41 * BICYCLE_LANES);
     const bicycle_lanes z516 = bicycle_get(carried + 93 * BICYCLE_LANES);
-    const bicycle_lanes z700 = z308 * z443 + z291 * z441 - z191 * z516 - z194 * z517 - z30 * z657 - z23 *
-        z677;
-    const bicycle_lanes z701 = z279 * z448 + s1 * z696;
-    const bicycle_lanes z702 = z274 * z444 + c_roll * z663;
+    const bicycle_lanes z687 = z308 * z443 + z291 * z441 - z191 * z516 - z194 * z517 - z30 * z657 - z23 *
+        z686;
+    const bicycle_lanes z688 = z15 * z636 + z14 * z666;
+    const bicycle_lanes z439 = bicycle_get(carried + 37 * BICYCLE_LANES);
+    const bicycle_lanes z514 = bicycle_get(carried + 91 * BICYCLE_LANES);
+    const bicycle_lanes z689 = z315 * z439 - z277 * z442 + z198 * z514 + z20 * z686 - z47 * z616 + z34 * z658;
+    const bicycle_lanes z690 = z323 * z435 - z196 * z513 + z7 * z666 - z41 * z615 + z15 * z655;
+    const bicycle_lanes z691 = z689 - z18 * z690 + e2z * z660;
+    const bicycle_lanes z444 = bicycle_get(carried + 42 * BICYCLE_LANES);
+    const bicycle_lanes z692 = z307 * z439 - z277 * z444 + z197 * z514 + z8 * z676 + z46 * z616 + z30 * z658;
+    const bicycle_lanes z693 = z692 + z25 * z690 + e2z * z663;
+    const bicycle_lanes z451 = bicycle_get(carried + 49 * BICYCLE_LANES);
+    const bicycle_lanes z452 = bicycle_get(carried + 50 * BICYCLE_LANES);
+    const bicycle_lanes z694 = z278 * z451 - z273 * z452 + s_steer * z691 + c_steer * z693;
+    const bicycle_lanes z695 = z279 * z448 + s1 * z682;
+    const bicycle_lanes z696 = z274 * z444 + c_roll * z663;
     const bicycle_lanes z455 = bicycle_get(carried + 52 * BICYCLE_LANES);
-    const bicycle_lanes z703 = z279 * z455 + s1 * z702;
+    const bicycle_lanes z697 = z279 * z455 + s1 * z696;
     const double z42 = kept[78];
     const bicycle_lanes z454 = bicycle_get(carried + 51 * BICYCLE_LANES);
     const bicycle_lanes z456 = bicycle_get(carried + 53 * BICYCLE_LANES);
-    const bicycle_lanes z704 = z700 + z25 * z674 + z40 * z618 - z42 * z619 + (z683 - (z273 * z454 + z278 *
-        z456 + c_steer * z701 - s_steer * z703));
+    const bicycle_lanes z698 = z687 + z25 * z688 + z40 * z618 - z42 * z619 + (z694 - (z273 * z454 + z278 *
+        z456 + c_steer * z695 - s_steer * z697));
     const double z6 = kept[42];
     const double z19 = kept[55];
     const double z187 = kept[195];
@@ -4156,25 +4125,56 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const double z288 = kept[240];
     const bicycle_lanes z457 = bicycle_get(carried + 54 * BICYCLE_LANES);
     const bicycle_lanes z459 = bicycle_get(carried + 56 * BICYCLE_LANES);
-    const bicycle_lanes z705 = z5 * (z187 * (z285 * z450 - z288 * z457 + z282 * z459 - z6 * z698 + z19 *
-        z704));
+    const bicycle_lanes z699 = z5 * (z187 * (z285 * z450 - z288 * z457 + z282 * z459 - z6 * z684 + z19 *
+        z698));
     const double z283 = kept[235];
     const double z379 = kept[324];
     const bicycle_lanes z458 = bicycle_get(carried + 55 * BICYCLE_LANES);
-    const bicycle_lanes z706 = z283 * z458 * z379 + 0.5 * z705;
+    const bicycle_lanes z700 = z283 * z458 * z379 + 0.5 * z699;
     const double z4 = kept[40];
-    const bicycle_lanes z707 = z699 + 2.0 * (z4 * z706);
-    const bicycle_lanes z708 = z689 + c_steer * z707;
+    const bicycle_lanes z701 = z685 + 2.0 * (z4 * z700);
+    const bicycle_lanes z702 = z673 + c_steer * z701;
     const double k62 = kept[29];
     const double k64 = kept[31];
     const double k67 = kept[34];
     const double z276 = kept[228];
     const bicycle_lanes z397 = bicycle_get(carried + 4 * BICYCLE_LANES);
     const bicycle_lanes z400 = bicycle_get(carried + 7 * BICYCLE_LANES);
-    const bicycle_lanes z709 = z276 * z460 + k67 * z399 - k66 * z400 - k64 * z399 - k62 * z396 - k61 * z397;
+    const bicycle_lanes z703 = z276 * z460 + k67 * z399 - k66 * z400 - k64 * z399 - k62 * z396 - k61 * z397;
+    const bicycle_lanes z467 = bicycle_get(carried + 63 * BICYCLE_LANES);
+    const bicycle_lanes z474 = bicycle_get(carried + 69 * BICYCLE_LANES);
+    const bicycle_lanes z475 = bicycle_get(carried + 70 * BICYCLE_LANES);
+    const bicycle_lanes z704 = z336 * z421 - z209 * z467 - z278 * z474 + z273 * z475 - z141 * z631 - z99 *
+        z645;
+    const bicycle_lanes z440 = bicycle_get(carried + 38 * BICYCLE_LANES);
+    const bicycle_lanes z515 = bicycle_get(carried + 92 * BICYCLE_LANES);
+    const bicycle_lanes z705 = z315 * z440 - z198 * z515 - z20 * z688 + z47 * z617 + z34 * z659 + z24 * z690;
+    const bicycle_lanes z706 = z307 * z440 - z197 * z515 - z8 * z677 - z46 * z617 + z30 * z659 - z23 * z690;
+    const bicycle_lanes z707 = z704 - z61 * z607 + s_steer * z705 + z694 + c_steer * z706;
     const double z2 = kept[38];
-    const bicycle_lanes z710 = z709 + r_F * (z284 * z457 + z5 * z704) - r_R * (z294 * z476 + z11 * z686) -
-        2.0 * (z2 * z706);
+    const bicycle_lanes z476 = bicycle_get(carried + 71 * BICYCLE_LANES);
+    const bicycle_lanes z708 = z703 + r_F * (z284 * z457 + z5 * z698) - r_R * (z294 * z476 + z11 * z707) -
+        2.0 * (z2 * z700);
+    const double z43 = kept[79];
+    const double z292 = kept[244];
+    const double z295 = kept[247];
+    const double z298 = kept[249];
+    const double z317 = kept[268];
+    const double z342 = kept[293];
+    const bicycle_lanes z463 = bicycle_get(carried + 60 * BICYCLE_LANES);
+    const bicycle_lanes z522 = bicycle_get(carried + 99 * BICYCLE_LANES);
+    const bicycle_lanes z709 = z317 * z480 - z298 * z476 - z342 * z520 - z295 * z463 + z292 * z522 + z43 *
+        z621;
+    const double z12 = kept[48];
+    const double z16 = kept[52];
+    const double z33 = kept[69];
+    const double z184 = kept[192];
+    const double z185 = kept[193];
+    const double z186 = kept[194];
+    const bicycle_lanes z518 = bicycle_get(carried + 95 * BICYCLE_LANES);
+    const bicycle_lanes z519 = bicycle_get(carried + 96 * BICYCLE_LANES);
+    const bicycle_lanes z710 = z185 * z519 + (z661 - z33 * z663) - s1 * z702 - c1 * z708 - c_roll * (z11 *
+        (z184 * (z186 * z518 + z709 - z12 * z672 + z16 * z707)));
     const bicycle_lanes z711 = z11 * z463;
     const bicycle_lanes z433 = bicycle_get(carried + 31 * BICYCLE_LANES);
     const bicycle_lanes z712 = z205 * z433 - r_R * (z11 * z520) + z10 * z437 + z29 * z442 - z33 * z444 - z185
@@ -4194,18 +4194,17 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z428 = bicycle_get(carried + 28 * BICYCLE_LANES);
     const bicycle_lanes z715 = z714 - k63 * z427 + k61 * z428 + z131 * z635 + z88 * z649 - z51 * z611 + z14 *
         z656;
-    const bicycle_lanes z716 = c_steer * z688 - (roll_dot * z713 - (z278 * z461 + (z715 - z23 * z660 - z24 *
-        z663))) - s_steer * z707;
+    const bicycle_lanes z716 = c_steer * z664 - (roll_dot * z713 - (z278 * z461 + (z715 - z23 * z660 - z24 *
+        z663))) - s_steer * z701;
     const bicycle_lanes z462 = bicycle_get(carried + 59 * BICYCLE_LANES);
-    bicycle_put(slope + 0 * BICYCLE_LANES, c_roll * z716 - e2z * (roll_dot * z462 - (z687 - s1 * z708 - c1 *
-        z710)));
+    bicycle_put(slope + 0 * BICYCLE_LANES, c_roll * z716 - e2z * (roll_dot * z462 - z710));
     const double k16 = kept[10];
     const double z289 = kept[241];
     const bicycle_lanes z717 = z289 * z441 + z20 * z517 + k16 * z517;
     const double z286 = kept[238];
-    const bicycle_lanes z718 = z289 * z443 - z286 * z436 + z20 * z516 - z7 * z690;
+    const bicycle_lanes z718 = z289 * z443 - z286 * z436 + z20 * z516 - z7 * z674;
     const double k4 = kept[8];
-    const bicycle_lanes z719 = z718 + (k16 * z516 - k4 * z690);
+    const bicycle_lanes z719 = z718 + (k16 * z516 - k4 * z674);
     const bicycle_lanes z471 = bicycle_get(carried + 66 * BICYCLE_LANES);
     const bicycle_lanes z472 = bicycle_get(carried + 67 * BICYCLE_LANES);
     const bicycle_lanes z504 = bicycle_get(carried + 85 * BICYCLE_LANES);
@@ -4225,12 +4224,12 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
         z564;
     const double z21 = kept[57];
     const bicycle_lanes z722 = z21 * z619;
-    const bicycle_lanes z723 = z8 * z692 - z20 * z618 - k16 * z618;
+    const bicycle_lanes z723 = z8 * z678 - z20 * z618 - k16 * z618;
     const double z28 = kept[64];
     const double z52 = kept[88];
     const double z311 = kept[262];
     const bicycle_lanes z724 = z311 * z455 - (z594 + (z721 + z52 * z588)) - c_steer * z722 - s_steer * z723 +
-        z28 * z696;
+        z28 * z682;
     const bicycle_lanes z725 = z286 * z441 + z7 * z517 + k4 * z517;
     const bicycle_lanes z726 = z725 + (z509 + k10 * z518);
     const double z301 = kept[252];
@@ -4246,11 +4245,11 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const double z9 = kept[45];
     const double z27 = kept[63];
     const double z31 = kept[67];
-    const bicycle_lanes z729 = z274 * z481 - (roll_dot * z726 - (z728 + z9 * z694 + z27 * z696 - z31 * z702)
+    const bicycle_lanes z729 = z274 * z481 - (roll_dot * z726 - (z728 + z9 * z680 + z27 * z682 - z31 * z696)
         + k10 * z620);
     const double z32 = kept[68];
-    const bicycle_lanes z730 = s1 * (z274 * z477 + (roll_dot * z720 - (z724 - z32 * z702)) - c_roll * z710) -
-        c1 * (z729 - c_roll * z708);
+    const bicycle_lanes z730 = s1 * (z274 * z477 + (roll_dot * z720 - (z724 - z32 * z696)) - c_roll * z708) -
+        c1 * (z729 - c_roll * z702);
     bicycle_put(slope + 1 * BICYCLE_LANES, z730);
     const double z189 = kept[198];
     const double z195 = kept[204];
@@ -4286,9 +4285,9 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z736 = z735 + z100 * z559 + z92 * z562 + z64 * z591 + z60 * z593 + z62 * z583 + z54 *
         z586;
     const double z45 = kept[81];
-    const bicycle_lanes z737 = z189 * z719 - (z195 * z516 - z736) + z45 * z618 - c1 * z723 - z8 * z695 - z22
-        * z679;
-    const bicycle_lanes z738 = z3 * z688 + (z737 - z17 * z676 + z21 * z703 + k10 * (z275 * z455 - c1 * z702));
+    const bicycle_lanes z737 = z189 * z719 - (z195 * z516 - z736) + z45 * z618 - c1 * z723 - z8 * z681 - z22
+        * z691;
+    const bicycle_lanes z738 = z3 * z664 + (z737 - z17 * z705 + z21 * z697 + k10 * (z275 * z455 - c1 * z696));
     const bicycle_lanes z739 = z331 * z406 + z208 * z412 - z195 * z443 + z189 * z472 + z8 * z447 - z22 * z451;
     const bicycle_lanes z740 = z739 + z17 * z474 - z21 * z456 + k10 * (c1 * z455) + e2z * z461;
     const bicycle_lanes z741 = z346 * z418 - z341 * z419 - z333 * z412 + z329 * z406 + z331 * z494 + z296 *
@@ -4303,10 +4302,10 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z745 = z189 * z717 - (z195 * z517 + (z744 - z62 * z586)) + z45 * z619 + c1 * z722 -
         z8 * z671;
     const double steer_dot = y[10];
-    const bicycle_lanes z746 = steer_dot * z740 - (z745 + k10 * z697 + z22 * z682 + z21 * z701 + z17 * z685 -
-        z3 * z707);
-    const bicycle_lanes z747 = c_steer * (steer_dot * z732 + (z277 * z461 + z738) - e2z * z707) - s_steer *
-        (e2z * z688 + z746);
+    const bicycle_lanes z746 = steer_dot * z740 - (z745 + k10 * z683 + z22 * z693 + z21 * z695 + z17 * z706 -
+        z3 * z701);
+    const bicycle_lanes z747 = c_steer * (steer_dot * z732 + (z277 * z461 + z738) - e2z * z701) - s_steer *
+        (e2z * z664 + z746);
     bicycle_put(slope + 2 * BICYCLE_LANES, z747);
     const double z343 = kept[294];
     const bicycle_lanes z465 = bicycle_get(carried + 61 * BICYCLE_LANES);
@@ -4377,8 +4376,8 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double c_lam = cos(lam);
     const double c_roll = cos(roll);
     const double e2z = sin(roll);
-    const double s_pitch = sin(pitch);
     const double c_pitch = cos(pitch);
+    const double s_pitch = sin(pitch);
     const double c_steer = cos(steer);
     const double s_steer = sin(steer);
 
@@ -4408,7 +4407,7 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double k13 = k9 + 10.0 * k8;
 
     /* from the state */
-    const double z1 = s_pitch * c_lam + c_pitch * s_lam;
+    const double z1 = c_pitch * s_lam + s_pitch * c_lam;
     const double z2 = c_roll * z1;
     const double z3 = c_roll * c_roll;
     const double z4 = 1.0 / sqrt(z3);
