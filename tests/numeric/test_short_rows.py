@@ -80,7 +80,7 @@ def test_rows_keep_their_values(style: str) -> None:
 
 def _short(system: System, form: Form) -> Form:
     system.graph.off = frozenset()
-    return short_row(system.graph, system.v, form)
+    return short_row(system.graph, system.q, system.v, form)
 
 
 @pytest.mark.parametrize("row", ["P_vx = v; P_vy = 0", "P_vx = v; P_vy = -2*v"])

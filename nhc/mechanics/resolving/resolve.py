@@ -118,7 +118,7 @@ def _constraints(build: Resolver) -> tuple[Form, ...]:
 
 def _short_row(build: Resolver, form: Form) -> Form:
     turned = build.graph.mask([v for rotation in build.rotations for v in rotation.v])
-    return short_row(build.graph, build.v, form, turned)
+    return short_row(build.graph, build.q, build.v, form, turned)
 
 
 def _places(build: Resolver) -> dict[str, str]:

@@ -146,6 +146,8 @@ def _of_bodies(full: Equations, put_in: Mapping[Node, Node]) -> MassRoute | None
     g, size = full.system.graph, len(full.motion.w)
     if not 2 < size <= _MOST_BODIES or "composite inertias" in g.off:
         return None
+    if _is_small(full) and not full.system.rotations:
+        return None  # constraints leave a part of a body or two, which they have solved already
     from nhc.mechanics.trees.composite import assemble
 
     found = assemble(full.system, full.motion)

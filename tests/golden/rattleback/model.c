@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:34209693e9c55f12)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:02b3109de00064b9)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -693,8 +693,8 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double mu2 = sin(alpha);
     const double s_beta = sin(beta);
     const double c_beta = cos(beta);
-    const double s_gamma = sin(gamma_);
     const double c_gamma = cos(gamma_);
+    const double s_gamma = sin(gamma_);
 
     /* what else is read */
     const double w1 = y[6];
@@ -742,7 +742,7 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double z21 = z19 * z20;
     const double z22 = z16 - z17 * z18 - z19 * z21;
     const double z23 = mu2 * s_gamma;
-    const double z24 = c_beta * z23 + s_beta * c_gamma;
+    const double z24 = s_beta * c_gamma + c_beta * z23;
     const double z25 = r3 * w1 - r1 * w3;
     const double u1 = r3 * w2 + z6 * w3;
     const double z26 = c_beta * w1 + s_beta * w3;
@@ -756,7 +756,7 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double z34 = k1 * (z2 * z30) + z9 * z33;
     const double z35 = k2 * (z2 * z31) - z5 * z33;
     const double z36 = g * mu3 + (w1 * z25 + w2 * u1 - (w2 * z34 - w1 * z35));
-    const double z37 = s_beta * z23 - c_beta * c_gamma;
+    const double z37 = c_beta * c_gamma - s_beta * z23;
     const double z38 = r1 * w2 + z6 * w1;
     const double z39 = z3 * z33 + k3 * (z2 * z32);
     const double z40 = g * z1 - (w2 * z38 - w3 * z25 - (w2 * z39 + w3 * z35));
@@ -773,7 +773,7 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double z51 = (z49 + z21 * z50) / z22;
     const double z52 = z20 * z50 + z21 * z51;
     const double z53 = z13 * z48 - z14 * z52 - z18 * z51;
-    const double z54 = (r1 * z41 + z6 * z37) * z51 - ((z6 * z24 - r3 * z41) * z53 + (r1 * z24 + r3 * z37) *
+    const double z54 = (r1 * z41 - z6 * z37) * z51 - ((z6 * z24 - r3 * z41) * z53 + (r1 * z24 - r3 * z37) *
         z52);
     const double z55 = mu2 * c_gamma;
     const double z56 = s_beta * s_gamma - c_beta * z55;
@@ -785,7 +785,7 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
         z52);
     /* (I.4.1) 44:5 */
     /* reaction of roll_x: Q_i gains lambda_1 a_1i */
-    lambda[0] = -(z24 * z36 + (z37 * z40 - z41 * z42) + z54);
+    lambda[0] = -(z24 * z36 - (z37 * z40 + z41 * z42) + z54);
     /* (I.4.1) 45:5 */
     lambda[1] = z59 - (z56 * z36 - (z57 * z40 - z58 * z42)); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 46:5 */
@@ -1230,7 +1230,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     const double z82 = kept[54];
     const double z147 = z82 * z137 + 0.5 * (z28 * (z141 - z9 * z146));
     const double z43 = kept[44];
-    const double z148 = mu2 * z85 + z43 * z40;
+    const double z148 = mu2 * z85 + z40 * z43;
     const double z149 = mu2 * z100;
     const double z150 = g * z6;
     const double k3 = kept[6];
@@ -1322,7 +1322,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     const double z208 = z115 * z189 + z120 * z38 - z117 * z25 + z107 * z191 - z3 * z207 + z5 * z205;
     const double z209 = w2 * z189 + (w3 * z38 - (z138 - (z119 - 2.0 * z139)));
     const double z210 = z190 * z137 + 0.5 * (z28 * (z208 - z9 * z209));
-    const double z211 = mu2 * z193 + z43 * z38;
+    const double z211 = mu2 * z193 + z38 * z43;
     const double z212 = mu2 * z204;
     const double z213 = z106 * z196 - k3 * (z189 * z109 - z2 * z207) + 2.0 * (z3 * z210);
     const double z214 = z150 - z104 * z199 - k1 * (z25 * z109 + z2 * z209) - 2.0 * (z9 * z210);

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:a45882c5ddc7fd8a).
+"""rattleback, emitted by nhc 0.1.0 (nhc:3049288679c7a013).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -632,10 +632,10 @@ def reactions(
         # the mass matrix is singular, or the velocities that are kept are
         if not abs(z22) > 1e-13 * z16:
             raise _refuse(abs(z22), 1e-13 * z16, 2, "reactions")
+        c_gamma = math.cos(gamma)
         s_gamma = math.sin(gamma)
         z23 = mu2 * s_gamma
-        c_gamma = math.cos(gamma)
-        z24 = c_beta * z23 + s_beta * c_gamma
+        z24 = s_beta * c_gamma + c_beta * z23
         z25 = r3 * w1 - r1 * w3
         u1 = r3 * w2 + z6 * w3
         z26 = c_beta * w1 + s_beta * w3
@@ -649,7 +649,7 @@ def reactions(
         z34 = k1 * (z2 * z30) + z9 * z33
         z35 = k2 * (z2 * z31) - z5 * z33
         z36 = g * mu3 + (w1 * z25 + w2 * u1 - (w2 * z34 - w1 * z35))
-        z37 = s_beta * z23 - c_beta * c_gamma
+        z37 = c_beta * c_gamma - s_beta * z23
         z38 = r1 * w2 + z6 * w1
         z39 = z3 * z33 + k3 * (z2 * z32)
         z40 = g * z1 - (w2 * z38 - w3 * z25 - (w2 * z39 + w3 * z35))
@@ -668,8 +668,8 @@ def reactions(
         z51 = (z49 + z21 * z50) / z22
         z52 = z20 * z50 + z21 * z51
         z53 = z13 * z48 - z14 * z52 - z18 * z51
-        s4 = (z6 * z24 - r3 * z41) * z53 + (r1 * z24 + r3 * z37) * z52
-        z54 = (r1 * z41 + z6 * z37) * z51 - s4
+        s4 = (z6 * z24 - r3 * z41) * z53 + (r1 * z24 - r3 * z37) * z52
+        z54 = (r1 * z41 - z6 * z37) * z51 - s4
         z55 = mu2 * c_gamma
         z56 = s_beta * s_gamma - c_beta * z55
         z57 = c_beta * s_gamma + s_beta * z55
@@ -680,7 +680,7 @@ def reactions(
         z60 = (mu2 * r1 - z1 * z6) * z51 + s6
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 44:5
-            -(z24 * z36 + (z37 * z40 - z41 * z42) + z54),
+            -(z24 * z36 - (z37 * z40 + z41 * z42) + z54),
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 45:5
             z59 - (z56 * z36 - (z57 * z40 - z58 * z42)),
             # reaction of roll_z: Q_i gains lambda_3 a_3i (I.4.1) 46:5
@@ -948,7 +948,7 @@ def jacobian(
         z145 = z6 * z131
         z146 = z142 + (z143 + (z144 + z145))
         z147 = z82 * z137 + 0.5 * (z28 * (z141 - z9 * z146))
-        z148 = mu2 * z85 + z43 * z40
+        z148 = mu2 * z85 + z40 * z43
         z149 = mu2 * z100
         z150 = g * z6
         s6 = z150 - z106 * z90 + k3 * (z24 * z109 - z2 * z140)
@@ -1022,7 +1022,7 @@ def jacobian(
         z208 = s16 - z3 * z207 + z5 * z205
         z209 = w2 * z189 + (w3 * z38 - (z138 - (z119 - 2.0 * z139)))
         z210 = z190 * z137 + 0.5 * (z28 * (z208 - z9 * z209))
-        z211 = mu2 * z193 + z43 * z38
+        z211 = mu2 * z193 + z38 * z43
         z212 = mu2 * z204
         s17 = z106 * z196 - k3 * (z189 * z109 - z2 * z207)
         z213 = s17 + 2.0 * (z3 * z210)
