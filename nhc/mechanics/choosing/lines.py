@@ -44,15 +44,24 @@ def _along_line(system: System, form: Form) -> Form | None:
     vector = tuple(g.div(x, g.product(over)) for x in vector)
     plain = g.sum([g.power(x, 2) for x in vector])
     square = min(normalise_angles(g, plain, _LIMIT), plain, key=lambda node: count(g, [node]))
-    if g.value(square) is not None or not all(are_zero(g, [g.dot(row.coefficients, vector) for row in rows])):
+    if not all(are_zero(g, [g.dot(row.coefficients, vector) for row in rows])):
         return None
     carried = _carrying(system, rows, columns)
-    if carried is None:
+    if carried is None or (g.value(square) is not None and not _is_uniform(system, carried)):
         return None
     coefficients = tuple(g.div(x, square) for x in vector)
     constant = g.neg(g.div(g.dot(vector, carried), square))
     line = Line(columns, vector, carried, square, over)
     return Form(form.name, coefficients, constant, form.place, value=g.div(line.value(g, system.v), square), line=line)
+
+
+def _is_uniform(system: System, carried: Sequence[Node]) -> bool:
+    """Whether something moves along with parameters alone: v is best counted from it, though its length is known already.
+
+    On a turntable the velocity against the ground is shorter, in which T is written.
+    """
+    g, still = system.graph, system.graph.mask(system.p)
+    return any(carried) and not any(g.deps[u] & ~still for u in carried)
 
 
 def _in_front(system: System, vector: Sequence[Node], closed: Sequence[int]) -> tuple[Node, ...]:
