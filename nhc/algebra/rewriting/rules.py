@@ -84,7 +84,7 @@ RULES = (
     ),
     Rule(
         "uniform motion",
-        "what the constraints have beside velocities leaves the equations where these do not depend on it: a belt that moves uniformly",
+        "what constraints have beside velocities leaves equations that do not depend on it: a belt that moves uniformly",
         "mechanics/uniform.py",
     ),
     Rule(
