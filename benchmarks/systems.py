@@ -358,7 +358,7 @@ def _arm(count: int, _: bool) -> str:
 
 
 def _belt_egg(_: int, __: bool) -> str:
-    """An ellipsoid of revolution rolls on a belt that moves uniformly; its contact is written on the axes of the ground below it."""
+    """An ellipsoid of revolution rolls on a belt; its contact is written on the axes of the ground below it."""
     return _assemble(
         "belt_egg",
         [
