@@ -200,6 +200,11 @@ def _integrate(job: Job, settings: Settings, drawn: bool) -> Trajectory:
         return found
     found = run(job, replace(settings, points=rows), bar.show)
     bar.clear()
+    if found.outcome.steps > rows:
+        say(
+            f"note: {found.outcome.steps} steps in {rows} rows: what is over within a row is not drawn as large as it is; "
+            f"`--points {found.outcome.steps + 1}` shows it"
+        )
     return found
 
 
