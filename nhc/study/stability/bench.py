@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -83,14 +84,24 @@ class Bench:
         y: Sequence[float] | None = None,
         step: float = 0.0,
         tolerance: float = 0.0,
-        most: int = 0,
+        logged: bool = False,
     ) -> Outcome:
-        """One run; ``tolerance`` 0 is what ``nhc run`` takes for the scene."""
-        wanted = tolerance or max(SAFETY * self.job.tolerance, LEAST_TOLERANCE)
-        start = self.job.y if y is None else y
-        task = Task(self.job.p, start, times, wanted, step, most or self.most(method), self.job.stops)
+        """One run; ``tolerance`` 0 is what ``nhc run`` takes for the scene; ``logged``: with the ends of its steps."""
+        task = self._task(method, times, self.job.y if y is None else y, step, tolerance)
         model = self.schemes.get(method, self.model)
-        return model.integrate(task, method, model.news())
+        return model.integrate(replace(task, logged=logged), method, model.news())
+
+    def states(self, method: str, times: Matrix, step: float = 0.0) -> Matrix:
+        """The rows of a run by a Runge-Kutta method that are reached, shape (rows, NY), for many of them."""
+        if not isinstance(self.model, CompiledModel):
+            return np.array(self.integrate(method, times.tolist(), step=step).states, dtype=float)
+        task = self._task(method, times, self.job.y, step, 0.0)
+        many = self.model.integrate_many(task, method, list(task.y), list(task.p), self.model.news())
+        return np.asarray(many.array()[0][: many.found[0].rows])
+
+    def _task(self, method: str, times: Any, y: Sequence[float], step: float, tolerance: float) -> Task:
+        wanted = tolerance or max(SAFETY * self.job.tolerance, LEAST_TOLERANCE)
+        return Task(self.job.p, y, times, wanted, step, self.most(method), self.job.stops)
 
     def quantities(self, times: Sequence[float], states: Sequence[Sequence[float]] | Matrix) -> Matrix:
         """All columns, shape (rows, columns).

@@ -193,6 +193,8 @@ def _deviation(value: float) -> str:
 
 def judge(drift: Drift) -> str:
     """Last over first in a number: that an error is bounded no run can show."""
+    if math.isinf(drift.floor):
+        return "not resolved: the power could not be integrated to the end"
     if not drift.resolved:
         return f"not resolved: the integral of the power errs by {drift.floor:.1e} itself"
     if max(drift.first, drift.last) <= drift.floor:
@@ -281,6 +283,7 @@ def _spectrum_tree(lab: Laboratory) -> dict[str, float | None] | None:
 def _drift_tree(run: LongRun) -> dict[str, Any]:
     quantities = [
         {"what": d.what, "kind": d.kind, "relative": d.relative, "first": d.first, "last": d.last, "grows": d.grows}
+        | {"resolved": d.resolved}
         for d in run.drifts
     ]
     return {
