@@ -43,6 +43,39 @@ def crossings(found: Laboratory) -> list[float]:
     return [c.value for c in found.motion.swept.crossings]
 
 
+SPRING = """nhc: 1
+system: spring
+coordinates: [x]
+parameters: {k: K}
+T: x'^2/2
+V: k*x^2/2 + x^4/4
+scenes:
+  a: {initial: {x: START}, time: [0, 20]}
+  b: {initial: {x: 1}, time: [0, 20]}
+"""
+
+
+def test_changed_values_hold_for_every_study(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """As if the spec said so, also beside a steady motion of another scene; the head lists them."""
+    plain, other = tmp_path / "spring.yaml", tmp_path / "other" / "spring.yaml"
+    other.parent.mkdir()
+    plain.write_text(SPRING.replace("K", "1").replace("START", "1"))
+    other.write_text(SPRING.replace("K", "90").replace("START", "1/2"))
+    told, trees, page = [], [], tmp_path / "page.html"
+    for arguments in ([str(other)], [str(plain), "--set", "k=90", "--set", "x=k/180"], [str(plain)]):
+        for steady in ([], ["--about", "x=0", "--set", "k=90"]):
+            assert main(["stability", *arguments, "--long", "1", *steady]) == 0
+            told.append(capsys.readouterr().out.splitlines())
+        assert main(["stability", *arguments, "--long", "1", "--json", "-o", str(page), "--force"]) == 0
+        trees.append(json.loads(capsys.readouterr().out))
+        assert ("values than those" in page.read_text()) == ("--set" in arguments)
+    head = "  other values than those of the spec's scene: k=90, x=k/180"
+    assert told[2][2] == head and told[2][:2] + told[2][3:] == told[0]
+    assert told[4] != told[0] and head not in told[4]
+    assert trees[1] | {"changes": []} == trees[0] != trees[2] and trees[1]["changes"] == [head.strip()]
+    assert "k=90" in told[5][2]
+
+
 # --- thresholds -----------------------------------------------------------------------------------------------
 
 

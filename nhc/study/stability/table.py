@@ -57,6 +57,7 @@ def lines(lab: Laboratory) -> list[str]:
     head = f"{bench.equations.system.name}, scene {bench.job.scene.name}, {bench.formulation.name} ({bench.formulation.number})"
     end = time_of(bench.job.time[1], bench.job.system.spec.time_unit)
     found = [head, f"  time {bench.job.time[0]:.6g} to {end}, tolerance {bench.job.tolerance:.3g}"]
+    found += [f"  {change}" for change in lab.changes]
     for part in sections(lab):
         found += ["", part.title]
         left = max(len(row.what) for row in part.rows)
@@ -253,6 +254,7 @@ def tree(lab: Laboratory) -> dict[str, Any]:
         "formulation": bench.formulation.name,
         "compiled": bench.model.compiled,
         "time": list(bench.job.time),
+        "changes": list(lab.changes),
         "steady": _motion_tree(lab.motion) if lab.motion else None,
         "spectrum": _spectrum_tree(lab),
         "steps": [
