@@ -129,10 +129,24 @@ class Bench:
         Raises:
             NotRun: the scene does not reach its end.
         """
-        outcome = self.integrate("dop853", self.times, tolerance=max(1e-3 * SAFETY * self.job.tolerance, 1e-13))
+        outcome = self._run
         if outcome.kind != DONE:
             raise NotRun(f"the scene ends at t = {outcome.t:.9g} with {self.formulation.name}: {self.reason(outcome)}")
         return np.array(outcome.states)
+
+    @cached_property
+    def _run(self) -> Outcome:
+        return self.follow(self.times, self.job.y)
+
+    def follow(self, times: Sequence[float], y: Sequence[float]) -> Outcome:
+        """A run by dop853 well below the scene's tolerance."""
+        least = max(1e-3 * SAFETY * self.job.tolerance, 1e-13)
+        return self.integrate("dop853", times, y, tolerance=least, logged=True)
+
+    @property
+    def ends(self) -> Sequence[float]:
+        """The ends of the steps of the reference."""
+        return self._run.ends
 
     def reason(self, outcome: Outcome) -> str:
         """Why a run ended."""

@@ -115,7 +115,7 @@ def examine(equations: Equations, formulation: Formulation, question: Question, 
     if step > 0:
         runs.append(long_run(bench, question.lengths, "rk4", min(step, bench.duration / 25) / 4))
     show(0.8, "sensitivity to the start")
-    growth = attempt("sensitivity", lambda: sensitivity(bench))
+    growth = attempt("sensitivity", lambda: sensitivity(bench, question.lengths))
     show(0.9, "distance from singular points")
     near = attempt("distances", lambda: distances(bench)) or ()
     found = Laboratory(bench, motion, along, limits, tuple(runs), growth, near, tuple(missing), "")

@@ -210,19 +210,25 @@ def _sensitivity(lab: Laboratory) -> list[Row]:
     if found is None:
         return []
     unit = lab.bench.job.system.spec.time_unit
-    law = f"exp({found.rate:.3g} t)" if found.law == "exponential" else f"t^{found.rate:.2g}"
-    law = law if found.rate > 0 else "nothing: it decays"
-    horizon = "far beyond the scene" if math.isinf(found.horizon) else f"about t = {time_of(found.horizon, unit, 4)}"
-    if found.law == "none":
-        law, horizon = "no law: no steady growth", "not known without a law"
+    law = found.law
+    told = f"exp({law.rate:.3g} t)" if law.name == "exponential" else f"t^{law.rate:.2g}"
+    told = told if law.rate > 0 else "nothing: it decays"
+    told = told if law.name != "none" else "no law: no steady growth"
+    horizon = "far beyond the scene" if math.isinf(law.horizon) else f"about t = {time_of(law.horizon, unit, 4)}"
+    if math.isnan(law.horizon):
+        horizon = "not known without a law" if law.name == "none" else "not known"
+    fitted = (
+        f"{'fitted' if law.name != 'none' else 'looked for'} from t = {law.since:.4g} to {time_of(law.until, unit, 4)}"
+    )
+    means = "when rounding of the start alone has grown to 1 % of the motion"
     return [
         Row("largest growth", f"{max(found.norms):.4g}", "of relative perturbations, at any time of the scene"),
         Row("growth at the end", f"{found.norms[-1]:.4g}", f"{found.plain:.4g} in the state's own units"),
-        Row("grows like", law, "fitted to the last two thirds of the scene"),
+        Row("grows like", told, fitted),
         Row(
             "rounding reaches 1 %",
             horizon,
-            "extrapolated: when rounding of the start alone has grown to 1 % of the motion",
+            f"extrapolated: {means}" if math.isfinite(law.horizon) and not law.seen else means,
         ),
     ]
 
@@ -305,9 +311,12 @@ def _growth_tree(found: Sensitivity | None) -> dict[str, Any] | None:
         "growth": found.norms[-1],
         "largest": max(found.norms),
         "plain": found.plain,
-        "law": found.law,
-        "rate": _finite(found.rate),
-        "horizon": _finite(found.horizon),
+        "law": found.law.name,
+        "rate": _finite(found.law.rate),
+        "since": found.law.since,
+        "until": found.law.until,
+        "horizon": _finite(found.law.horizon),
+        "seen": found.law.seen,
     }
 
 
