@@ -153,6 +153,25 @@ def test_measured_and_predicted_steps_of_a_linear_system_agree(tmp_path_factory:
     assert found.spectrum is not None and found.spectrum.fastest == pytest.approx(100.0, rel=1e-9)
 
 
+KEPLER = """nhc: 1
+system: kepler
+coordinates: [x, y]
+parameters: {e: 99/100}
+T: (x'^2 + y'^2)/2
+V: -1/sqrt(x^2 + y^2)
+scenes: {ellipse: {initial: {x: 1 + e, y': sqrt((1 - e)/(1 + e))}, time: [0, 20]}}
+"""
+
+
+def test_the_fastest_rate_is_found_where_the_motion_is_fast() -> None:
+    """At the pericentre of an ellipse, sqrt(2/(1 - e)^3), which no equally spaced places meet; that is no stiffness."""
+    found = stability(Source("kepler.yaml", KEPLER), Question(lengths=1))
+    assert found.spectrum is not None and found.spectrum.fastest == pytest.approx(math.sqrt(2e6), rel=1e-2)
+    assert min(abs(found.spectrum.when - k * math.pi) for k in (1, 3, 5)) < 1e-3
+    assert found.stiffness is not None and found.stiffness < 100
+    assert any(line.split()[:4] == ["fastest", "|lambda|", "1414", "at"] for line in lines(found))
+
+
 # --- drift, sensitivity, distances ----------------------------------------------------------------------------
 
 

@@ -41,6 +41,7 @@ from nhc.study.linearization.units import Matrix, cleaned, sizes_of, trials
 ROWS = 201
 MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, (20_000, 500)
 """Steps that one run may take: in C, in Python, and by a structure-preserving method in C and in Python."""
+_MOST_STATIONS = 20_000  # ends of steps that are looked at
 _MOST_SCHEMES = 6  # coordinates up to which structure-preserving methods are tried
 _MOST_MASS = 12  # coordinates up to which the mass matrix is looked at
 _CANCELLED = 1e-8  # of what a column can be: one that is never larger is zero but for its rounding, or its integration
@@ -145,8 +146,14 @@ class Bench:
 
     @property
     def ends(self) -> Sequence[float]:
-        """The ends of the steps of the reference."""
+        """The ends of the steps of the reference: they are close where the motion is fast."""
         return self._run.ends
+
+    @cached_property
+    def stations(self) -> tuple[Sequence[float], Sequence[Sequence[float]]]:
+        """Times at the ends of the reference's steps, every one or as many as are looked at, and the states there."""
+        times = (self.times[0], *self.ends[:: 1 + len(self.ends) // _MOST_STATIONS])
+        return times, self.follow(times, self.job.y).states
 
     def reason(self, outcome: Outcome) -> str:
         """Why a run ended."""
@@ -195,8 +202,12 @@ class Bench:
 
     def jacobian_at(self, row: int) -> Matrix | None:
         """That at a row of the reference; None where it has no value, as a drag v*sqrt(v^2) has no slope at rest."""
+        return self.slopes(self.times[row], self.reference[row].tolist())
+
+    def slopes(self, t: float, y: Sequence[float]) -> Matrix | None:
+        """The Jacobian at a state, if it has a value there."""
         try:
-            return self.jacobian(self.times[row], self.reference[row].tolist())
+            return self.jacobian(t, y)
         except ArithmeticError:
             return None
 

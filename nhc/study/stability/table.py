@@ -40,7 +40,7 @@ def sections(lab: Laboratory) -> tuple[Section, ...]:
     parts = [
         Section("steady motion", tuple(_motion(lab.motion, unit)) if lab.motion else ()),
         *_swept(lab, unit),
-        Section(f"eigenvalues along the scene{per}", tuple(_spectrum(lab))),
+        Section(f"eigenvalues along the scene{per}", tuple(_spectrum(lab, unit))),
         Section(f"largest stable step{of}: measured, predicted (-: no theory)", tuple(_limits(lab))),
         *(Section(title, tuple(rows)) for title, rows in _drifts(lab)),
         Section("sensitivity to the start", tuple(_sensitivity(lab))),
@@ -143,15 +143,15 @@ def _sweep(found: Sweep, unit: str) -> list[Row]:
     return rows or [Row(f"from {low:.6g} to {high:.6g}", "no crossing")]
 
 
-def _spectrum(lab: Laboratory) -> list[Row]:
+def _spectrum(lab: Laboratory, unit: str) -> list[Row]:
     found, stiff = lab.spectrum, lab.stiffness
     if found is None or stiff is None:
         return []
     remark = "stiff: take radau5" if stiff > STIFF else "not stiff"
     # adding zero takes the sign off a zero
     return [
-        Row("fastest |lambda|", f"{found.fastest:.4g}", f"{found.fastest * lab.bench.duration:.4g} per scene"),
-        Row("fastest decay", f"{found.decay:.4g}"),
+        Row("fastest |lambda|", f"{found.fastest:.4g}", f"at t = {time_of(found.when, unit)}"),
+        Row("fastest decay", f"{found.decay:.4g}", f"at {len(found.times)} equally spaced times"),
         Row("stiffness ratio", f"{stiff:.4g}", remark),
     ]
 
@@ -285,7 +285,8 @@ def _spectrum_tree(lab: Laboratory) -> dict[str, float | None] | None:
     found = lab.spectrum
     if found is None:
         return None
-    return {"fastest": found.fastest, "decay": found.decay, "slowest": found.slowest, "stiffness": lab.stiffness}
+    sizes = {"decay": found.decay, "slowest": found.slowest, "stiffness": lab.stiffness}
+    return {"fastest": found.fastest, "when": found.when, **sizes}
 
 
 def _drift_tree(run: LongRun) -> dict[str, Any]:
