@@ -295,13 +295,17 @@ def stability(source: Source, question: Question, options: Options = DEFAULT, sh
         nhc.simulate.requests.RunError: no such scene.
     """
     from nhc.mechanics.about import scene_about
+    from nhc.simulate.changes import Changes, changed
+    from nhc.simulate.requests import find_scene
     from nhc.study.stability.laboratory import examine, examine_whole
 
-    made = model(source, options)
-    scene_about(made.system.spec, question.about, question.settings)  # before anything is compiled
-    asked = options.formulation or made.system.spec.formulation
-    study = examine if asked not in ("", "auto") else examine_whole
-    return study(made.equations, made.formulation, question, *([show] if show else []))
+    spec, changes = decode(source), Changes(question.settings)
+    spec, _ = changed(spec, find_scene(spec, question.scene), changes)
+    scene_about(spec, question.about, question.settings)  # before anything is compiled
+    system = resolve(spec)
+    form = formulate(system, options.formulation)
+    study = examine if (options.formulation or spec.formulation) not in ("", "auto") else examine_whole
+    return replace(study(equations_of(system, form), form, question, *([show] if show else [])), changes=changes.notes)
 
 
 def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:

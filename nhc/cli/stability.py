@@ -13,7 +13,7 @@ from nhc.cli.options import (
     formulation_option,
     hold_option,
     json_option,
-    set_option,
+    scene_set_option,
     sweep_option,
     verb,
 )
@@ -42,7 +42,7 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
     default="",
     help="Where to start looking for a steady motion: a scene, or values; default: the scene.",
 )
-@set_option
+@scene_set_option
 @hold_option
 @sweep_option(usual=21)
 @click.option(
@@ -63,7 +63,7 @@ def command(
     spec: str | None,
     scene: str,
     about: str,
-    settings: tuple[str, ...],
+    values: tuple[str, ...],
     holds: tuple[str, ...],
     sweep: SweepRange | None,
     lengths: float,
@@ -92,7 +92,7 @@ def command(
     from nhc.pipeline import Options, stability
     from nhc.study.stability.laboratory import Question
 
-    question = Question(scene, about, settings, holds, sweep, lengths)
+    question = Question(scene, about, values, holds, sweep, lengths)
     try:
         found = stability(source, question, Options(formulation=formulation or ""), show_part)
     finally:

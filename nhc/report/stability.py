@@ -9,7 +9,6 @@ from html import escape
 from nhc.emit.environment import create_environment
 from nhc.report.marks import mark_code
 from nhc.report.svg import Axis, Chart, Series, draw, make_room, time_axis
-from nhc.simulate.prepare import Job
 from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.stability.laboratory import Laboratory
 from nhc.study.stability.table import sections, time_of, with_unit
@@ -42,7 +41,9 @@ def list_charts(lab: Laboratory) -> list[Chart]:
             title = f"drift by {how}: largest of every {max(1, len(run.times) // _BINS)} rows"
             charts.append(_chart(title, t, Axis("relative deviation", log=True), series))
     if lab.sensitivity is not None:
-        series = (Series("growth", lab.sensitivity.times, _positive(lab.sensitivity.norms)),)
+        growth = lab.sensitivity
+        points = sorted({*zip(growth.times, growth.norms, strict=True), (growth.peak, growth.largest)})
+        series = (Series("growth", [t for t, _ in points], _positive(norm for _, norm in points)),)
         charts.append(
             _chart(
                 "growth of perturbations of the start", t, Axis("growth of relative perturbations", log=True), series
@@ -133,7 +134,7 @@ def make_page(lab: Laboratory) -> str:
     ]
     context = {
         "title": escape(f"{bench.equations.system.name}: stability of {bench.job.scene.name}"),
-        "about": mark_code(_describe(bench.job)),
+        "about": mark_code(_describe(lab)),
         "sections": parts,
         "charts": [draw(chart) for chart in list_charts(lab)],
         "version": __version__,
@@ -141,11 +142,14 @@ def make_page(lab: Laboratory) -> str:
     return create_environment().get_template("html/stability.html.jinja").render(context)
 
 
-def _describe(job: Job) -> str:
-    """What the system is and what happens in the scene, as far as the spec says so."""
+def _describe(lab: Laboratory) -> str:
+    """What the system is and what happens in the scene, as far as the spec says so, and what was changed."""
+    job = lab.bench.job
     system, scene = job.program.about, job.scene.about
     told = f"The scene `{job.scene.name}`: {scene.rstrip('.')}." if scene else ""
-    return f"{system.rstrip('.')}. {told}" if system and told else system or told
+    whole = f"{system.rstrip('.')}. {told}" if system and told else system or told
+    changes = "; ".join(change[:1].upper() + change[1:] for change in lab.changes)
+    return f"{whole.rstrip('.')}. {changes}" if whole and changes else whole or changes
 
 
 def _set_cell(text: str) -> str:

@@ -17,7 +17,7 @@ class Task:
     """``times``: the rows wanted, from the start to the end.  ``tolerance``: relative to each component's size so far;
     ``step``: fixed steps of at most that length, where positive.  ``stops``: where adaptive steps have to end
     (:mod:`nhc.program.runs.clock`), in the order of the run.  ``sizes``: the largest magnitudes of the state's entries before the
-    start, where the task goes on with another one's run.
+    start, where the task goes on with another one's run.  ``logged``: the ends of its steps are wanted, of a Runge-Kutta method.
     """
 
     p: Sequence[float]
@@ -28,6 +28,7 @@ class Task:
     most: int = MOST_STEPS
     stops: Sequence[Stop] = ()
     sizes: Sequence[float] = ()
+    logged: bool = False
 
 
 @dataclass(slots=True)
@@ -35,7 +36,7 @@ class Outcome:
     """``kind`` is one of the constants above, ``status`` the model's code (SINGULAR) or the watched value's index.
 
     ``states`` are the rows that were reached; ``t, y`` is where it ended, ``h`` the last step's length; ``sizes`` are the largest
-    magnitudes of the entries so far, of methods that look at them.
+    magnitudes of the entries so far, of methods that look at them; ``ends`` are the ends of its steps, where the task wants them.
     """
 
     kind: int
@@ -49,6 +50,7 @@ class Outcome:
     jacobians: int = 0
     states: list[list[float]] = field(default_factory=list)
     sizes: list[float] = field(default_factory=list)
+    ends: list[float] = field(default_factory=list)
 
 
 class News:

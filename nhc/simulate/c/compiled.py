@@ -27,6 +27,7 @@ class _Task(ctypes.Structure):
         ("most", ctypes.c_long),
         ("stops", _Doubles),
         ("stop_count", ctypes.c_long),
+        ("ends", _Doubles),
     )
 
 
@@ -100,9 +101,14 @@ class CompiledModel:
         size, count = self.states, len(task.times)
         rows, found = (ctypes.c_double * (count * size))(), self._Found()
         given = self._task(task, task.y, task.p)
+        ends = (ctypes.c_double * task.most)() if task.logged else None
+        if ends is not None:
+            given.ends = ctypes.cast(ends, _Doubles)
         function = getattr(self.library, f"{self.system}_{method}")
         function(ctypes.byref(given), rows, ctypes.byref(found), ctypes.byref(news.shared))
-        return self._outcome(found, rows[: found.rows * size])
+        outcome = self._outcome(found, rows[: found.rows * size])
+        outcome.ends = ends[: outcome.steps] if ends is not None else []
+        return outcome
 
     def integrate_each(
         self, task: Task, method: str, starts: Sequence[Sequence[float]], values: Sequence[Sequence[float]], news: News

@@ -85,15 +85,15 @@ class _Run:
     since: float = 0.0
     back: _Run | None = None
     before: list[float] = field(default_factory=list)
+    ends: list[float] = field(default_factory=list)
     trend: list[float] = field(default_factory=list)
     span: float = 0.0
     halved: int = 0
 
     def leave(self, kind: int, status: int = 0) -> Outcome:
-        s = self.step
-        return Outcome(
-            kind, status, s.t, list(s.y), s.h, self.steps, self.rejected, s.calls, s.jacobians, self.states, s.size
-        )
+        s, ends = self.step, self.ends if self.task.logged else []
+        counts = (self.steps, self.rejected, s.calls, s.jacobians)
+        return Outcome(kind, status, s.t, list(s.y), s.h, *counts, self.states, s.size, ends)
 
 
 def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcome:
@@ -129,7 +129,7 @@ def _remember(run: _Run) -> None:
     if not any(s.coming):
         return
     if not s.hoping:
-        run.back = replace(run, step=copy(s), states=list(run.states), back=None)
+        run.back = replace(run, step=copy(s), states=list(run.states), ends=list(run.ends), back=None)
     count_on_hopes(s)
 
 
@@ -140,10 +140,8 @@ def _goes_back(run: _Run, done: Outcome | None) -> bool:
     s, back = run.step, run.back
     if not s.hoping or back is None or (done is not None and done.kind == STOPPED):
         return False
-    if not any(find_hollow(s)):
-        s.hoping = False
-        return False
-    if done is None and s.h * (s.until - s.t) > 0.0:
+    s.hoping = any(find_hollow(s))
+    if not s.hoping or (done is None and s.h * (s.until - s.t) > 0.0):
         return False
     go_back(s, back.step)
     vars(run).update(vars(back) | {"step": s, "growth": 1.0, "former": 1.0, "next": abs(s.h)})
@@ -271,6 +269,7 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
         run.before = keep_signs(run.before, after)
     _fill(run, cut)
     run.steps += 1
+    run.ends.append(reach)
     if which >= 0:
         s.y, s.t = _point(run, cut), s.t + cut * s.h
         s.seen = [max(a, abs(b)) for a, b in zip(s.seen, s.y, strict=True)] if s.hoping else s.seen

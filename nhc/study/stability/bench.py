@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -40,6 +41,7 @@ from nhc.study.linearization.units import Matrix, cleaned, sizes_of, trials
 ROWS = 201
 MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, (20_000, 500)
 """Steps that one run may take: in C, in Python, and by a structure-preserving method in C and in Python."""
+_MOST_STATIONS = 20_000  # ends of steps that are looked at
 _MOST_SCHEMES = 6  # coordinates up to which structure-preserving methods are tried
 _MOST_MASS = 12  # coordinates up to which the mass matrix is looked at
 _CANCELLED = 1e-8  # of what a column can be: one that is never larger is zero but for its rounding, or its integration
@@ -83,14 +85,24 @@ class Bench:
         y: Sequence[float] | None = None,
         step: float = 0.0,
         tolerance: float = 0.0,
-        most: int = 0,
+        logged: bool = False,
     ) -> Outcome:
-        """One run; ``tolerance`` 0 is what ``nhc run`` takes for the scene."""
-        wanted = tolerance or max(SAFETY * self.job.tolerance, LEAST_TOLERANCE)
-        start = self.job.y if y is None else y
-        task = Task(self.job.p, start, times, wanted, step, most or self.most(method), self.job.stops)
+        """One run; ``tolerance`` 0 is what ``nhc run`` takes for the scene; ``logged``: with the ends of its steps."""
+        task = self._task(method, times, self.job.y if y is None else y, step, tolerance)
         model = self.schemes.get(method, self.model)
-        return model.integrate(task, method, model.news())
+        return model.integrate(replace(task, logged=logged), method, model.news())
+
+    def states(self, method: str, times: Matrix, step: float = 0.0) -> Matrix:
+        """The rows of a run by a Runge-Kutta method that are reached, shape (rows, NY), for many of them."""
+        if not isinstance(self.model, CompiledModel):
+            return np.array(self.integrate(method, times.tolist(), step=step).states, dtype=float)
+        task = self._task(method, times, self.job.y, step, 0.0)
+        many = self.model.integrate_many(task, method, list(task.y), list(task.p), self.model.news())
+        return np.asarray(many.array()[0][: many.found[0].rows])
+
+    def _task(self, method: str, times: Any, y: Sequence[float], step: float, tolerance: float) -> Task:
+        wanted = tolerance or max(SAFETY * self.job.tolerance, LEAST_TOLERANCE)
+        return Task(self.job.p, y, times, wanted, step, self.most(method), self.job.stops)
 
     def quantities(self, times: Sequence[float], states: Sequence[Sequence[float]] | Matrix) -> Matrix:
         """All columns, shape (rows, columns).
@@ -118,10 +130,30 @@ class Bench:
         Raises:
             NotRun: the scene does not reach its end.
         """
-        outcome = self.integrate("dop853", self.times, tolerance=max(1e-3 * SAFETY * self.job.tolerance, 1e-13))
+        outcome = self._run
         if outcome.kind != DONE:
             raise NotRun(f"the scene ends at t = {outcome.t:.9g} with {self.formulation.name}: {self.reason(outcome)}")
         return np.array(outcome.states)
+
+    @cached_property
+    def _run(self) -> Outcome:
+        return self.follow(self.times, self.job.y)
+
+    def follow(self, times: Sequence[float], y: Sequence[float]) -> Outcome:
+        """A run by dop853 well below the scene's tolerance."""
+        least = max(1e-3 * SAFETY * self.job.tolerance, 1e-13)
+        return self.integrate("dop853", times, y, tolerance=least, logged=True)
+
+    @property
+    def ends(self) -> Sequence[float]:
+        """The ends of the steps of the reference: they are close where the motion is fast."""
+        return self._run.ends
+
+    @cached_property
+    def stations(self) -> tuple[Sequence[float], Sequence[Sequence[float]]]:
+        """Times at the ends of the reference's steps, every one or as many as are looked at, and the states there."""
+        times = (self.times[0], *self.ends[:: 1 + len(self.ends) // _MOST_STATIONS])
+        return times, self.follow(times, self.job.y).states
 
     def reason(self, outcome: Outcome) -> str:
         """Why a run ended."""
@@ -156,7 +188,8 @@ class Bench:
         """The size of each component of the state in the scene; see :func:`nhc.study.linearization.units.sizes_of`."""
         found = [np.abs(slopes) for k in range(0, ROWS, ROWS // 8) if (slopes := self._slopes_at(k)) is not None]
         slopes = np.where(self._ties, np.max(found, axis=0), 0.0) if found else np.zeros((len(self.job.y),) * 2)
-        return sizes_of(np.max(np.abs(self.reference), axis=0), slopes, self.duration, self.equations.system.n)
+        largest = np.max(np.abs(np.concatenate([self.reference, self.stations[1]])), axis=0)
+        return sizes_of(largest, slopes, self.duration, self.equations.system.n)
 
     @cached_property
     def _ties(self) -> Matrix:
@@ -170,8 +203,12 @@ class Bench:
 
     def jacobian_at(self, row: int) -> Matrix | None:
         """That at a row of the reference; None where it has no value, as a drag v*sqrt(v^2) has no slope at rest."""
+        return self.slopes(self.times[row], self.reference[row].tolist())
+
+    def slopes(self, t: float, y: Sequence[float]) -> Matrix | None:
+        """The Jacobian at a state, if it has a value there."""
         try:
-            return self.jacobian(self.times[row], self.reference[row].tolist())
+            return self.jacobian(t, y)
         except ArithmeticError:
             return None
 

@@ -33,7 +33,8 @@ def _silent(part: float, what: str) -> None:
 
 @record
 class Question:
-    """``scene``: a name (empty: the first).  ``about`` (empty: it), ``settings``, ``holds``, ``sweep``: as for a linearisation.
+    """``scene``: a name (empty: the first).  ``about`` (empty: it), ``settings``, ``holds``, ``sweep``: as for a linearisation;
+    the scene has the ``settings``, too, when its equations are made.
 
     ``lengths``: how many times the scene's time the long run takes; ``compiled``: with a C compiler where there is one.
     """
@@ -51,7 +52,8 @@ class Question:
 class Laboratory:
     """What was found; a study that could not be done is None or empty and ``missing`` says why, as (study, reason).
 
-    ``failed``: the reason why the scene itself does not run, or empty; ``conduct``: what ``nhc run`` does about what was found.
+    ``failed``: the reason why the scene itself does not run, or empty; ``conduct``: what ``nhc run`` does about what was found;
+    ``changes``: what the scene has in place of what the spec says.
     """
 
     bench: Bench
@@ -64,6 +66,7 @@ class Laboratory:
     missing: tuple[tuple[str, str], ...]
     failed: str
     conduct: tuple[str, ...] = ()
+    changes: tuple[str, ...] = ()
 
     @property
     def stopped(self) -> bool:
@@ -112,7 +115,7 @@ def examine(equations: Equations, formulation: Formulation, question: Question, 
     if step > 0:
         runs.append(long_run(bench, question.lengths, "rk4", min(step, bench.duration / 25) / 4))
     show(0.8, "sensitivity to the start")
-    growth = attempt("sensitivity", lambda: sensitivity(bench))
+    growth = attempt("sensitivity", lambda: sensitivity(bench, question.lengths))
     show(0.9, "distance from singular points")
     near = attempt("distances", lambda: distances(bench)) or ()
     found = Laboratory(bench, motion, along, limits, tuple(runs), growth, near, tuple(missing), "")

@@ -1,13 +1,16 @@
 """How fast neighbouring motions part: the flow's derivative by the start, segment by segment, and a law for its growth.
 
 Each segment's derivative comes from central differences of runs that start beside the reference; their product is the
-derivative over the whole scene, also where it is too large for differences at its end.
+derivative over the whole scene, also where it is too large for differences at its end.  The law (:mod:`nhc.study.stability.laws`)
+is that of several lengths of the scene, as far as that is cheap: what comes later tells an exponential from a power of t.
 """
 
 from __future__ import annotations
 
-import math
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
 from itertools import pairwise
+from operator import itemgetter
 
 import numpy as np
 
@@ -15,32 +18,35 @@ from nhc.records import record
 from nhc.simulate.task import DONE
 from nhc.study.linearization.units import Matrix
 from nhc.study.stability.bench import Bench
+from nhc.study.stability.laws import Law, find_law
 
 _SEGMENTS = 40
 _NUDGE = 3e-6  # of a component's size: central differences of a run at 1e-13 are good to about 1e-7
-_ROUNDING = 2.0**-53
-_EXPLAINED = 0.5  # of the variation of log norm: a line that explains less says nothing of what comes
+_INSIDE = 200  # ends of steps that are looked at in each segment
+_LONGEST = 10  # lengths of the scene that a law is looked for in
+_EFFORT, _EFFORT_INTERPRETED = 1e7, 1e5  # of this look: steps times the square of the state's size
+_HUGE = 1e250  # growth that is not followed further
 
 
 @record
 class Sensitivity:
     """``norms`` at ``times``: by how much admissible perturbations of the start are multiplied at most, each component relative to
-    its size in the scene; ``plain`` is the last one in the state's own units.
+    its size in the scene; ``plain`` is the last one in the state's own units.  ``largest``, at the time ``peak``, is the largest at
+    any end of a step: a motion that jumps is sensitive while it does.
 
-    ``law`` is "exponential" (norm ~ exp(rate t)), "power" (norm ~ t^rate) or "none"; ``horizon`` the time at which rounding of the
-    start has grown to one per cent of the motion, by this law (infinite beyond 1e6 scenes).  Without a law neither is a number.
+    ``law`` is that of the growth in the scene and beyond it.
     """
 
     times: tuple[float, ...]
     norms: tuple[float, ...]
     plain: float
-    law: str
-    rate: float
-    horizon: float
+    largest: float
+    peak: float
+    law: Law
 
 
-def sensitivity(bench: Bench) -> Sensitivity:
-    """The growth of perturbations along the scene.
+def sensitivity(bench: Bench, lengths: float = _LONGEST) -> Sensitivity:
+    """The growth of perturbations along the scene, and its law over so many lengths of it, or as many as are cheap.
 
     Raises:
         ArithmeticError: the scene or a run beside it fails.
@@ -49,22 +55,59 @@ def sensitivity(bench: Bench) -> Sensitivity:
     basis = admissible(bench)
     scale, product = bench.sizes, basis
     times, norms = [bench.times[0]], [1.0]
+    largest = (1.0, times[0])
     for first, last in pairwise(picked):
-        product = _segment(bench, first, last) @ product
+        looks = _looks(bench, bench.times[first], bench.times[last])
+        products = _segment(bench, looks, bench.reference[first]) @ product
+        found = _norms(products, basis, scale)
+        largest = max(largest, *zip(found, looks[1:], strict=True), key=itemgetter(0))
+        product = products[-1]
         times.append(bench.times[last])
-        norms.append(_norm(product, basis, scale))
-    law, rate, horizon = fit(times, norms)
+        norms.append(found[-1])
     plain = float(np.linalg.norm(product, 2)) if product.size else 0.0
-    return Sensitivity(tuple(times), tuple(norms), plain, law, rate, horizon)
+    later = _later(bench, min(lengths, _LONGEST), product, basis)
+    whole = [*times, *(t for t, _ in later)]
+    law = find_law(whole, [*norms, *(norm for _, norm in later)], bench.duration)
+    return Sensitivity(tuple(times), tuple(norms), plain, *largest, law)
 
 
-def _norm(product: Matrix, basis: Matrix, scale: Matrix) -> float:
-    """The largest stretching of relative perturbations inside the basis."""
-    if not product.size:
-        return 0.0
+def _looks(bench: Bench, start: float, stop: float) -> list[float]:
+    """The ends of a segment, with ends of steps between them."""
+    inside = bench.ends[bisect_right(bench.ends, start) : bisect_left(bench.ends, stop)]
+    return [start, *inside[:: 1 + len(inside) // _INSIDE], stop]
+
+
+def _later(bench: Bench, lengths: float, product: Matrix, basis: Matrix) -> list[tuple[float, float]]:
+    """(time, norm) beyond the scene, for as long as the motion goes on and it is cheap."""
+    most = _EFFORT if bench.model.compiled else _EFFORT_INTERPRETED
+    lengths = min(lengths, most / (2.0 * len(bench.ends) * len(bench.job.y) ** 2))
+    count = int((lengths - 1.0) * _SEGMENTS)
+    if count < _SEGMENTS or not product.size:
+        return []
+    end = bench.times[-1]
+    times = [end + bench.duration * k / _SEGMENTS for k in range(count + 1)]
+    states = bench.follow(times, bench.reference[-1].tolist()).states
+    found = []
+    for k, (start, stop) in enumerate(pairwise(times[: len(states)])):
+        try:
+            product = _segment(bench, (start, stop), np.array(states[k]))[-1] @ product
+        except ArithmeticError:
+            break
+        (norm,) = _norms(product[None], basis, bench.sizes)
+        if not norm < _HUGE:
+            break
+        found.append((stop, norm))
+    return found
+
+
+def _norms(products: Matrix, basis: Matrix, scale: Matrix) -> list[float]:
+    """The largest stretching of relative perturbations inside the basis by each of the products."""
+    if not products.size:
+        return [0.0] * len(products)
     before = basis / scale[:, None]
     _, upper = np.linalg.qr(before)
-    return float(np.linalg.norm((product / scale[:, None]) @ np.linalg.inv(upper), 2))
+    stretched = (products / scale[:, None]) @ np.linalg.inv(upper)
+    return [float(norm) for norm in np.linalg.norm(stretched, 2, axis=(1, 2))]
 
 
 def admissible(bench: Bench) -> Matrix:
@@ -86,44 +129,18 @@ def admissible(bench: Bench) -> Matrix:
     return np.asarray(right[rank:].T)
 
 
-def _segment(bench: Bench, first: int, last: int) -> Matrix:
-    """d y(t_last) / d y(t_first) of shape (NY, NY)."""
-    ends = (bench.times[first], bench.times[last])
-    size, start = len(bench.job.y), bench.reference[first]
-    found = np.empty((size, size))
+def _segment(bench: Bench, times: Sequence[float], start: Matrix) -> Matrix:
+    """d y(t) / d y(t_first) of the motion through ``start``, of shape (later times, NY, NY)."""
+    size = len(start)
+    found = np.empty((len(times) - 1, size, size))
     for i in range(size):
         nudge = np.zeros(size)
         nudge[i] = _NUDGE * bench.sizes[i]
         reached = []
         for sign in (1.0, -1.0):
-            outcome = bench.integrate("dop853", ends, (start + sign * nudge).tolist(), tolerance=1e-13)
+            outcome = bench.integrate("dop853", times, (start + sign * nudge).tolist(), tolerance=1e-13)
             if outcome.kind != DONE:
                 raise ArithmeticError(f"a run beside the scene fails at t = {outcome.t:.9g}: {bench.reason(outcome)}")
-            reached.append(np.array(outcome.y))
-        found[:, i] = (reached[0] - reached[1]) / (2 * nudge[i])
+            reached.append(np.array(outcome.states[1:]))
+        found[:, :, i] = (reached[0] - reached[1]) / (2 * nudge[i])
     return found
-
-
-def fit(times: list[float], norms: list[float]) -> tuple[str, float, float]:
-    """(law, rate, horizon): the straight line in t or in log t that lies closer to log norm over the last two thirds.
-
-    Where the norm goes up and down with no more than a slight trend, as beside a periodic motion, there is no law.
-    """
-    start, duration = times[0], times[-1] - times[0]
-    t = np.array([(x - start) / duration for x in times])[len(times) // 3 :]
-    y = np.log(np.maximum(np.array(norms), 1e-300))[len(times) // 3 :]
-    lines = {}
-    for name, x in (("exponential", t), ("power", np.log(t))):
-        slope, base = np.polyfit(x, y, 1)
-        lines[name] = (float(np.sum((y - slope * x - base) ** 2)), float(slope), float(base))
-    law = "exponential" if lines["exponential"][0] < lines["power"][0] and lines["exponential"][1] > 0 else "power"
-    rest, slope, base = lines[law]
-    if rest > (1.0 - _EXPLAINED) * float(np.sum((y - y.mean()) ** 2)):
-        return "none", math.nan, math.nan
-    rate = slope / duration if law == "exponential" else slope
-    if slope <= 1e-3:
-        return law, rate, math.inf
-    reach = (math.log(0.01 / _ROUNDING) - base) / slope
-    if law == "power":
-        reach = math.exp(min(reach, 300.0))
-    return law, rate, start + duration * reach if reach < 1e6 else math.inf

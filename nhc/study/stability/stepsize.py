@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cache
+from operator import itemgetter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +26,7 @@ from nhc.study.stability.bench import Bench
 
 GROWTH = 10.0
 _PLACES = 25  # Jacobians along the scene
+_SEEDS = 50  # and at ends of steps, from the largest of which the largest is sought
 _BISECTIONS = 7
 _ROWS = 65
 _FEWEST = 4  # steps of a scene: longer ones are not looked at
@@ -48,14 +51,14 @@ class StepLimit:
 
 @record
 class Spectrum:
-    """Eigenvalues of the Jacobian at ``times``, one row for each."""
+    """Eigenvalues of the Jacobian at ``times``, equally spaced, one row for each; ``fastest``: the largest magnitude that was found
+    at any end of a step, at the time ``when``.
+    """
 
     times: tuple[float, ...]
     values: NDArray[np.complex128]
-
-    @property
-    def fastest(self) -> float:
-        return float(np.max(np.abs(self.values), initial=0.0))
+    fastest: float
+    when: float
 
     @property
     def decay(self) -> float:
@@ -66,7 +69,7 @@ class Spectrum:
     def slowest(self) -> float:
         """The smallest magnitude that is clearly no zero; 0 where all are."""
         sizes = np.abs(self.values)
-        kept = sizes[sizes > 1e-6 * max(self.fastest, 1e-300)]
+        kept = sizes[sizes > 1e-6 * max(float(np.max(sizes, initial=0.0)), 1e-300)]
         return float(kept.min()) if kept.size else 0.0
 
 
@@ -80,7 +83,30 @@ def spectrum(bench: Bench) -> Spectrum:
     found = {bench.times[k]: np.linalg.eigvals(slopes) for k in picked if (slopes := bench.jacobian_at(k)) is not None}
     if not found:
         raise ArithmeticError("the Jacobian has no value along the scene")
-    return Spectrum(tuple(found), np.array(list(found.values()), dtype=complex))
+    values = np.array(list(found.values()), dtype=complex)
+    seen = max(((float(np.max(np.abs(row), initial=0.0)), t) for t, row in found.items()), key=itemgetter(0))
+    return Spectrum(tuple(found), values, *max(seen, _find_fastest(bench), key=itemgetter(0)))
+
+
+def _find_fastest(bench: Bench) -> tuple[float, float]:
+    """The largest magnitude of an eigenvalue at ends of steps, and its time: at equal numbers of steps, which are close where the
+    motion is fast, and at the shortest steps; from the largest uphill.
+    """
+    times, states = bench.stations
+
+    @cache
+    def look(k: int) -> float:
+        slopes = bench.slopes(times[k], states[k])
+        return 0.0 if slopes is None else float(np.max(np.abs(np.linalg.eigvals(slopes)), initial=0.0))
+
+    count = len(states)
+    apart = max(1, count // _SEEDS)
+    shortest = np.argsort(np.diff(times[:count]))[: _SEEDS // 4] + 1
+    best = max({*range(0, count, apart), *(int(k) for k in shortest)}, key=look)
+    while apart:
+        near = max((k for k in (best - apart, best, best + apart) if 0 <= k < count), key=look)
+        best, apart = (near, apart) if look(near) > look(best) else (best, apart // 2)
+    return look(best), times[best]
 
 
 def amplification(method: Tableau, z: NDArray[np.complex128]) -> NDArray[np.complex128]:

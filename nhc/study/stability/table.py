@@ -40,7 +40,7 @@ def sections(lab: Laboratory) -> tuple[Section, ...]:
     parts = [
         Section("steady motion", tuple(_motion(lab.motion, unit)) if lab.motion else ()),
         *_swept(lab, unit),
-        Section(f"eigenvalues along the scene{per}", tuple(_spectrum(lab))),
+        Section(f"eigenvalues along the scene{per}", tuple(_spectrum(lab, unit))),
         Section(f"largest stable step{of}: measured, predicted (-: no theory)", tuple(_limits(lab))),
         *(Section(title, tuple(rows)) for title, rows in _drifts(lab)),
         Section("sensitivity to the start", tuple(_sensitivity(lab))),
@@ -57,6 +57,7 @@ def lines(lab: Laboratory) -> list[str]:
     head = f"{bench.equations.system.name}, scene {bench.job.scene.name}, {bench.formulation.name} ({bench.formulation.number})"
     end = time_of(bench.job.time[1], bench.job.system.spec.time_unit)
     found = [head, f"  time {bench.job.time[0]:.6g} to {end}, tolerance {bench.job.tolerance:.3g}"]
+    found += [f"  {change}" for change in lab.changes]
     for part in sections(lab):
         found += ["", part.title]
         left = max(len(row.what) for row in part.rows)
@@ -142,15 +143,15 @@ def _sweep(found: Sweep, unit: str) -> list[Row]:
     return rows or [Row(f"from {low:.6g} to {high:.6g}", "no crossing")]
 
 
-def _spectrum(lab: Laboratory) -> list[Row]:
+def _spectrum(lab: Laboratory, unit: str) -> list[Row]:
     found, stiff = lab.spectrum, lab.stiffness
     if found is None or stiff is None:
         return []
     remark = "stiff: take radau5" if stiff > STIFF else "not stiff"
     # adding zero takes the sign off a zero
     return [
-        Row("fastest |lambda|", f"{found.fastest:.4g}", f"{found.fastest * lab.bench.duration:.4g} per scene"),
-        Row("fastest decay", f"{found.decay:.4g}"),
+        Row("fastest |lambda|", f"{found.fastest:.4g}", f"at t = {time_of(found.when, unit)}"),
+        Row("fastest decay", f"{found.decay:.4g}", f"at {len(found.times)} equally spaced times"),
         Row("stiffness ratio", f"{stiff:.4g}", remark),
     ]
 
@@ -193,6 +194,8 @@ def _deviation(value: float) -> str:
 
 def judge(drift: Drift) -> str:
     """Last over first in a number: that an error is bounded no run can show."""
+    if math.isinf(drift.floor):
+        return "not resolved: the power could not be integrated to the end"
     if not drift.resolved:
         return f"not resolved: the integral of the power errs by {drift.floor:.1e} itself"
     if max(drift.first, drift.last) <= drift.floor:
@@ -207,19 +210,25 @@ def _sensitivity(lab: Laboratory) -> list[Row]:
     if found is None:
         return []
     unit = lab.bench.job.system.spec.time_unit
-    law = f"exp({found.rate:.3g} t)" if found.law == "exponential" else f"t^{found.rate:.2g}"
-    law = law if found.rate > 0 else "nothing: it decays"
-    horizon = "far beyond the scene" if math.isinf(found.horizon) else f"about t = {time_of(found.horizon, unit, 4)}"
-    if found.law == "none":
-        law, horizon = "no law: no steady growth", "not known without a law"
+    law = found.law
+    told = f"exp({law.rate:.3g} t)" if law.name == "exponential" else f"t^{law.rate:.2g}"
+    told = told if law.rate > 0 else "nothing: it decays"
+    told = told if law.name != "none" else "no law: no steady growth"
+    horizon = "far beyond the scene" if math.isinf(law.horizon) else f"about t = {time_of(law.horizon, unit, 4)}"
+    if math.isnan(law.horizon):
+        horizon = "not known without a law" if law.name == "none" else "not known"
+    fitted = (
+        f"{'fitted' if law.name != 'none' else 'looked for'} from t = {law.since:.4g} to {time_of(law.until, unit, 4)}"
+    )
+    means = "when rounding of the start alone has grown to 1 % of the motion"
     return [
-        Row("largest growth", f"{max(found.norms):.4g}", "of relative perturbations, at any time of the scene"),
+        Row("largest growth", f"{found.largest:.4g}", f"of relative perturbations, at t = {time_of(found.peak, unit)}"),
         Row("growth at the end", f"{found.norms[-1]:.4g}", f"{found.plain:.4g} in the state's own units"),
-        Row("grows like", law, "fitted to the last two thirds of the scene"),
+        Row("grows like", told, fitted),
         Row(
             "rounding reaches 1 %",
             horizon,
-            "extrapolated: when rounding of the start alone has grown to 1 % of the motion",
+            f"extrapolated: {means}" if math.isfinite(law.horizon) and not law.seen else means,
         ),
     ]
 
@@ -251,6 +260,7 @@ def tree(lab: Laboratory) -> dict[str, Any]:
         "formulation": bench.formulation.name,
         "compiled": bench.model.compiled,
         "time": list(bench.job.time),
+        "changes": list(lab.changes),
         "steady": _motion_tree(lab.motion) if lab.motion else None,
         "spectrum": _spectrum_tree(lab),
         "steps": [
@@ -275,12 +285,14 @@ def _spectrum_tree(lab: Laboratory) -> dict[str, float | None] | None:
     found = lab.spectrum
     if found is None:
         return None
-    return {"fastest": found.fastest, "decay": found.decay, "slowest": found.slowest, "stiffness": lab.stiffness}
+    sizes = {"decay": found.decay, "slowest": found.slowest, "stiffness": lab.stiffness}
+    return {"fastest": found.fastest, "when": found.when, **sizes}
 
 
 def _drift_tree(run: LongRun) -> dict[str, Any]:
     quantities = [
         {"what": d.what, "kind": d.kind, "relative": d.relative, "first": d.first, "last": d.last, "grows": d.grows}
+        | {"resolved": d.resolved}
         for d in run.drifts
     ]
     return {
@@ -298,11 +310,15 @@ def _growth_tree(found: Sensitivity | None) -> dict[str, Any] | None:
         return None
     return {
         "growth": found.norms[-1],
-        "largest": max(found.norms),
+        "largest": found.largest,
+        "peak": found.peak,
         "plain": found.plain,
-        "law": found.law,
-        "rate": _finite(found.rate),
-        "horizon": _finite(found.horizon),
+        "law": found.law.name,
+        "rate": _finite(found.law.rate),
+        "since": found.law.since,
+        "until": found.law.until,
+        "horizon": _finite(found.law.horizon),
+        "seen": found.law.seen,
     }
 
 
