@@ -215,7 +215,7 @@ def _warn_integrable(
                 ),
             )
             continue
-        shown = _shown(name, [i for i in integrals if set(i.names) <= set(named)])
+        shown = _shown(name, [i for i in integrals if set(i.names) <= {*named, *written}])
         bag.warning(
             "W0410",
             f"the constraint `{name}` is integrable{given}: it is a holonomic constraint in disguise",
