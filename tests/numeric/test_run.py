@@ -396,7 +396,11 @@ def test_what_contradicts_by_a_constraint_is_named_with_it(tmp_path: Path, capsy
     )
     code, out, err = call(capsys, str(spec))
     assert (code, out) == (1, "") and "`y' = 2` contradicts `x' = 1` and the constraint `rail`" in err
-    assert "or let `x'` be -1, which fits" in err and "`nhc run --project` move" in err and "z'" not in err.split("= note")[1]
+    assert (
+        "or let `x'` be -1, which fits" in err
+        and "`nhc run --project` move" in err
+        and "z'" not in err.split("= note")[1]
+    )
     assert call(capsys, str(spec), "--set", "x'=-1")[0] == 0
     assert call(capsys, str(spec), "--project")[0] == 0
 
