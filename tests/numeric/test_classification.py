@@ -729,3 +729,22 @@ constraints: [c: y' = t*x']
         )
     )
     assert timed_parts(still) == []
+
+
+def test_the_time_in_a_square_that_does_not_depend_on_it_is_not_told() -> None:
+    """A bead on a rod in a frame that turns at W: |v|^2 = r'^2 + r^2 W^2, but the potential, seen from that frame, has t in it."""
+    text = (
+        "nhc: 1\nsystem: turned\ncoordinates: [r]\nparameters: {W: 0.7, k: 1, g: 9.81}\ndefine: {x: r*cos(W*t), y: r*sin(W*t)}\n"
+        "T: (x'^2 + y'^2)/2\nV: VALUE\n"
+    )
+    for potential, timed in (("g*y", True), ("k*(x^2 + y^2)/2", False)):
+        system = resolve(decode(Source("turned.yaml", text.replace("VALUE", potential))))
+        assert system.graph.depends(system.T, system.graph.deps[system.t])  # by sight
+        facts = describe(system, formulate(system), Bag(system.spec.origin))
+        (line,) = [line for line in facts.lines if line.startswith("T: ")]
+        assert facts.data["rheonomic"] is False and line.endswith("(without velocities (r*W)^2/2)"), line
+        (energy,) = [line for line in facts.lines if line.startswith("energy: ")]
+        assert ("contains the time" in energy) == timed and timed_parts(system) == (["V"] if timed else [])
+    late = text.replace("cos(W*t)", "cos(W*t^2)").replace("sin(W*t)", "sin(W*t^2)").replace("VALUE", "0*r")
+    system = resolve(decode(Source("turned.yaml", late)))
+    assert describe(system, formulate(system), Bag(system.spec.origin)).data["rheonomic"] is True

@@ -20,7 +20,7 @@ from nhc.mechanics.properties.integrals import PositionIntegral, find_position_i
 from nhc.mechanics.properties.named import named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
-from nhc.mechanics.properties.still import describe_affine, describe_kinetic
+from nhc.mechanics.properties.still import depends_on_time, describe_affine, describe_kinetic
 from nhc.mechanics.regular.determined import warn_of_bare
 from nhc.mechanics.regular.regularity import Choice, choose_dependent
 from nhc.mechanics.regular.trials import trial_points
@@ -109,7 +109,7 @@ def _list_marked(expressions: Iterable[str]) -> str:
 
 def _kinetic(system: System, facts: Facts, explain: bool) -> None:
     text = describe_kinetic(system, explain)
-    timed = system.graph.depends(system.T, system.graph.deps[system.t])
+    timed = depends_on_time(system, system.T)
     facts.say("rheonomic", timed, f"$T$: {text}{', contains the time' if timed else ''}")
 
 
