@@ -131,4 +131,4 @@ def _deliver(found: Ensemble, target: Path | None) -> int:
         say(f"interrupted after {len(found.members)} of {found.starts} starts")
         return Exit.INTERRUPTED
     said = f"the {kept} others are in the partial file" if target is not None and kept else "nothing was written"
-    raise Failure(f"{len(failed)} of {found.starts} starts fail", [], exit=Exit.NUMERICAL, notes=[said])
+    raise Failure(f"{len(failed)} of {found.starts} starts fail", found.advise(), exit=Exit.NUMERICAL, notes=[said])

@@ -35,8 +35,6 @@ METHODS = (
     *("leapfrog", "dla", "perlmutter", "energy"),
     *("scipy-dop853", "scipy-rk45", "scipy-radau", "scipy-bdf", "scipy-lsoda", "cvode-adams", "cvode-bdf"),
 )
-LOST = 1e-5
-"""Smallest singular value of constraints that are taken to have lost their rank."""
 PICTURES = (".svg", ".html")
 KINDS = (".csv", ".npz", *PICTURES)
 LONG, SLOW = 200_000, 5_000
@@ -254,7 +252,7 @@ def _deliver(found: Trajectory, target: Path | None) -> None:
 def _report(found: Trajectory, target: Path | None) -> int:
     """A run that did not come to its end: what there is goes to a file whose name says so."""
     from nhc.report.trajectory import make_file
-    from nhc.simulate.outcomes import describe_state, rank_left
+    from nhc.simulate.outcomes import LOST_RANK, describe_state, rank_left
 
     state = describe_state(found.job, found.outcome)
     where = f"at t = {found.outcome.t!r}"
@@ -272,7 +270,7 @@ def _report(found: Trajectory, target: Path | None) -> int:
     rank = rank_left(found.job, found.outcome)
     if rank is not None:
         notes.append(f"the smallest singular value of the constraints there: {rank:.3g}")
-    advice = _advise(found, rank is not None and rank < LOST)
+    advice = _advise(found, rank is not None and rank < LOST_RANK)
     failure = f"the scene `{scene}` fails {where} ({method}): {found.reason}"
     raise Failure(failure, advice, exit=Exit.NUMERICAL, notes=notes)
 

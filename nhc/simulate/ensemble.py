@@ -12,6 +12,7 @@ from nhc.simulate.c.compile import CompileError, build, lane_flags
 from nhc.simulate.c.compiled import CompiledModel
 from nhc.simulate.c.source import write_source
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
+from nhc.simulate.outcomes import is_for_frame
 from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.prepare import Job, move_start
 from nhc.simulate.run import Settings, Trajectory, collect, list_times, tell_finest
@@ -34,6 +35,17 @@ class Ensemble:
     def failed(self) -> tuple[tuple[int, Trajectory], ...]:
         """(row number from 1, what there is of it) of each start that did not come to its end."""
         return tuple((k, found) for k, found in enumerate(self.members, 1) if found.ended != "done")
+
+    def advise(self) -> list[str]:
+        """What lets those starts go on that fail because the coframe of the formulation becomes singular."""
+        lost = [number for number, found in self.failed if is_for_frame(found.job, found.outcome)]
+        if not lost or self.job.formulation.frame is None:
+            return []
+        which = "" if len(lost) == len(self.failed) else f" for start {lost[0]}" + (", ..." if len(lost) > 1 else "")
+        return [
+            f"take `-f multipliers`{which}: it has no coframe that becomes singular; "
+            "or run such a start by itself, for a single run changes its coframe on the way"
+        ]
 
 
 def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Show | None = None) -> Ensemble:

@@ -10,6 +10,7 @@ from nhc.algebra.show import to_text
 from nhc.mechanics.choosing.conditioning import conditioning
 from nhc.mechanics.properties.singular import smallest_singular_value
 from nhc.mechanics.regular.undefined import find_pole, find_undefined
+from nhc.program.planning.base import SINGULAR_FRAME
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import (
     CROSSED,
@@ -24,6 +25,8 @@ from nhc.simulate.task import (
     Outcome,
 )
 
+LOST_RANK = 1e-5
+"""Smallest singular value of constraints that are taken to have lost their rank."""
 _LONGEST = 12  # entries of a state that are shown
 _POOR = 1e-4  # of a coframe's determinant, relative to its rows: its square has lost half of a double's digits
 
@@ -84,6 +87,16 @@ def find_lost(job: Job, outcome: Outcome) -> int:
     except (ArithmeticError, ValueError):
         return index
     return frames[0] if sound ** max(job.system.l, 1) < _POOR else index
+
+
+def is_for_frame(job: Job, outcome: Outcome) -> bool:
+    """Whether a run failed because its coframe is singular, while the constraints keep their rank: another formulation goes on."""
+    if outcome.kind == CROSSED:
+        framed = job.watch.kinds[find_lost(job, outcome)] == "frame"
+    else:
+        framed = outcome.kind == SINGULAR and outcome.status == SINGULAR_FRAME
+    rank = rank_left(job, outcome) if framed else None
+    return rank is not None and rank >= LOST_RANK
 
 
 def _why_singular(job: Job, outcome: Outcome) -> str:

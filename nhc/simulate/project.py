@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.diagnostics import SpecError
+from nhc.diagnostics import Bag, SpecError
 from nhc.language.spec import Scene
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.trials import velocity_units
-from nhc.mechanics.starts.scenes import Start, start_of, term_sizes
+from nhc.mechanics.starts.contradictions import PROJECT
+from nhc.mechanics.starts.scenes import Start, initial_values, start_of
+from nhc.mechanics.starts.velocities import check_together, term_sizes
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value, start_values
 from nhc.simulate.methods.linear import SingularMatrix, solve
@@ -43,7 +47,7 @@ def projected_start(system: System, scene: Scene) -> tuple[Start, tuple[str, ...
             wanted = _given_velocities(system, scene, base, place)
             v = _nearest(system, place, wanted)
         except (ArithmeticError, ValueError):
-            raise refused from None
+            raise _refuse(system, scene, base, refused) from None
     units = velocity_units(system)
     speed = max(abs(x) / unit for x, unit in zip((*wanted, *v), (*units, *units), strict=True))
     changed = [
@@ -58,6 +62,22 @@ def projected_start(system: System, scene: Scene) -> tuple[Start, tuple[str, ...
         f"by this the energy changes from {energy[0]:.9g} to {energy[1]:.9g}",
     )
     return Start(scene, base.time, base.p, base.q, tuple(v)), notes
+
+
+def _refuse(system: System, scene: Scene, base: Start, refused: SpecError) -> SpecError:
+    """Why a start cannot be projected: its velocities contradict each other, or else why it was refused at first."""
+    bag = Bag(system.spec.origin)
+    try:
+        given = initial_values(scene, start_values(system.spec, scene, base.p), bag)
+        check_together(system, scene, base.values(system), given)
+    except SpecError as error:
+        return error
+    except (ArithmeticError, ValueError):
+        pass
+    return SpecError(
+        (replace(one, help=tuple(text for text in one.help if text != PROJECT)) for one in refused.diagnostics),
+        refused.source,
+    )
 
 
 def _given_velocities(system: System, scene: Scene, base: Start, place: dict[Node, float]) -> list[float]:
@@ -90,7 +110,9 @@ def _nearest(system: System, place: dict[Node, float], v: Sequence[float]) -> li
 def _least_change(
     system: System, place: dict[Node, float], rows: Sequence[Sequence[float]], right: Sequence[float]
 ) -> list[float]:
-    """d with rows d = right and the least kinetic energy; rows that follow from others are left to the later check.
+    """d with rows d = right and the least kinetic energy.
+
+    Rows that follow from others would make the matrix singular: they are left to the later check.
 
     Velocities, rows and energy are measured in units in which they are near 1, so that pivots can be compared.
     """
@@ -102,9 +124,11 @@ def _least_change(
     made = [[a * u for a, u in zip(row, units, strict=True)] for row in rows]
     lengths = [max(map(abs, row), default=0.0) or 1.0 for row in made]
     scaled = [[a / length for a in row] for row, length in zip(made, lengths, strict=True)]
+    values, space = [value / length for value, length in zip(right, lengths, strict=True)], RowSpace(n)
+    new = [k for k, row in enumerate(scaled) if space.add(row, 0.0) is None]
+    scaled, values = [scaled[k] for k in new], [values[k] for k in new]
     matrix = [[*(x / most for x in mass[i]), *(row[i] for row in scaled)] for i in range(n)]
-    matrix += [[*row, *([0.0] * len(rows))] for row in scaled]
-    values = [value / length for value, length in zip(right, lengths, strict=True)]
+    matrix += [[*row, *([0.0] * len(scaled))] for row in scaled]
     found = solve(matrix, [*([0.0] * n), *values])[:n]
     for row, value, size in zip(made, right, sizes, strict=True):
         if not abs(sum(map(operator.mul, row, found)) - value) <= 1e-9 * size:

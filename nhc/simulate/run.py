@@ -18,6 +18,7 @@ from nhc.simulate.prepare import Job
 from nhc.simulate.stepping_over import tell_jumps
 from nhc.simulate.switching import Follower, Leg
 from nhc.simulate.task import DONE, EVENT, STOPPED, ModelError, Outcome, Task
+from nhc.simulate.unstable import tell_unstable
 from nhc.simulate.waiting import Show
 from nhc.simulate.workshop import Model, Workshop
 
@@ -120,6 +121,8 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     found = _gather(workshop, legs)
     if task.step > 0:
         notes += _tell_jumps(legs)
+    if settings.step > 0:
+        notes += tell_unstable(legs)
     bounded = adaptive and settings.step <= 0 and method not in PEERS and not follower.notes
     if bounded and found.outcome.steps > MANY_STEPS:  # else stability or a singular place may have made them many
         notes += (

@@ -13,7 +13,8 @@ from nhc.diagnostics import SpecError, suggest
 from nhc.language.expressions.names import fold_typed
 from nhc.language.expressions.syntax import Number
 from nhc.language.spec import Initial, Override, Scene, Spec
-from nhc.mechanics.starts.scenes import PROJECT, Start, start_of
+from nhc.mechanics.starts.contradictions import PROJECT
+from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
 from nhc.simulate.requests import RunError

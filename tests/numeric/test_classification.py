@@ -272,18 +272,40 @@ def test_each_constraint_in_disguise_is_told_its_own_integral() -> None:
         assert ratio.is_number and ratio != 0, text
 
 
-def test_a_constraint_whose_integral_is_found_with_that_of_another_is_told_both() -> None:
-    """Planetary gears: both meshes are integrable, and what is found of the second has the first one's integral in it."""
+def test_an_integral_found_with_those_of_others_is_told_as_that_of_its_own_constraint() -> None:
+    """Planetary gears: both meshes are integrable, and so is each combination of them."""
     rows = ("sun: 20*(s' - c') + 15*(p' - c') = 0", "ring: 50*(r' - c') - 15*(p' - c') = 0")
     system = constrained("s, c, r, p", *rows)
     bag = Bag(system.spec.origin)
     describe(system, formulate(system), bag)
     notes = [note for d in bag.diagnostics if d.code == "W0410" for note in d.notes]
+    assert len(notes) == 2 and all(note.startswith("its integral is `") for note in notes)
     first, second = (sympy.sympify(note.split("`")[-2].removesuffix(" = const")) for note in notes)
     s, c, r, p = sympy.symbols("s c r p")
+    assert not first.has(r) and not second.has(s)
     motion = {r: c + (c - s) * sympy.Rational(2, 5), p: c + (c - s) * sympy.Rational(4, 3)}
-    assert notes[0].startswith("its integral is `") and notes[1].startswith("with that of `sun` it makes `")
-    assert sympy.simplify(first.subs(motion)) == sympy.simplify(second.subs(motion)) == 0 and second.has(r)
+    assert sympy.simplify(first.subs(motion)) == sympy.simplify(second.subs(motion)) == 0
+
+
+@pytest.mark.parametrize(
+    ("row", "wanted"), [("r*f' = x' - y'", "r*f - x + y"), ("r*f' = x*x' - cos(y)*y'", "r*f - x**2/2 + sin(y)")]
+)
+def test_an_integral_is_told_beside_a_holonomic_constraint(row: str, wanted: str) -> None:
+    """On x + y = 1 there are others, as r f - 2 x, which need that constraint."""
+    text = (
+        "nhc: 1\nsystem: pulley\ncoordinates: [x, y, f]\nparameters: {r: 0.2}\nT: (x'^2 + y'^2 + f'^2)/2\n"
+        f"constraints:\n  - cord: {row}\nholonomic: [x + y = 1]\n"
+    )
+    system = resolve(decode(Source("pulley.yaml", text)))
+    bag = Bag(system.spec.origin)
+    facts = describe(system, formulate(system), bag)
+    (found,) = [d for d in bag.diagnostics if d.code == "W0410"]
+    (note,) = found.notes
+    shown = sympy.sympify(note.removeprefix("its integral is `").removesuffix(" = const`").replace("^", "**"))
+    ratio = sympy.simplify(shown / sympy.sympify(wanted))
+    assert ratio.is_number and ratio != 0, note
+    assert "found none" not in found.help[0]
+    assert [entry["constraints"] for entry in facts.data["integrals"]] == [["h1"], ["cord"]]
 
 
 def test_what_is_declared_holonomic_is_not_in_disguise() -> None:
@@ -707,3 +729,22 @@ constraints: [c: y' = t*x']
         )
     )
     assert timed_parts(still) == []
+
+
+def test_the_time_in_a_square_that_does_not_depend_on_it_is_not_told() -> None:
+    """A bead on a rod in a frame that turns at W: |v|^2 = r'^2 + r^2 W^2, but the potential, seen from that frame, has t in it."""
+    text = (
+        "nhc: 1\nsystem: turned\ncoordinates: [r]\nparameters: {W: 0.7, k: 1, g: 9.81}\ndefine: {x: r*cos(W*t), y: r*sin(W*t)}\n"
+        "T: (x'^2 + y'^2)/2\nV: VALUE\n"
+    )
+    for potential, timed in (("g*y", True), ("k*(x^2 + y^2)/2", False)):
+        system = resolve(decode(Source("turned.yaml", text.replace("VALUE", potential))))
+        assert system.graph.depends(system.T, system.graph.deps[system.t])  # by sight
+        facts = describe(system, formulate(system), Bag(system.spec.origin))
+        (line,) = [line for line in facts.lines if line.startswith("T: ")]
+        assert facts.data["rheonomic"] is False and line.endswith("(without velocities (r*W)^2/2)"), line
+        (energy,) = [line for line in facts.lines if line.startswith("energy: ")]
+        assert ("contains the time" in energy) == timed and timed_parts(system) == (["V"] if timed else [])
+    late = text.replace("cos(W*t)", "cos(W*t^2)").replace("sin(W*t)", "sin(W*t^2)").replace("VALUE", "0*r")
+    system = resolve(decode(Source("turned.yaml", late)))
+    assert describe(system, formulate(system), Bag(system.spec.origin)).data["rheonomic"] is True

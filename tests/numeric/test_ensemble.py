@@ -233,3 +233,46 @@ def test_a_start_whose_end_is_out_of_reach_is_given_up() -> None:
         assert member.outcome.steps + member.outcome.rejected == LIMITS.stride * LIMITS.patience
     assert found[1].rows[-1][0] == pytest.approx(math.cos(2), abs=1e-6)
     assert found[3].rows[-1][0] == pytest.approx(math.cos(1e9**0.5), abs=1e-3)
+
+
+CAR = """
+nhc: 1
+system: car
+about: the steering passes 90 degrees
+coordinates: [x, y, th, d]
+parameters: {m: 10, J: 2, Js: 0.1, L: 1.2}
+T: m/2*(x'^2 + y'^2) + J/2*th'^2 + Js/2*(th' + d')^2
+constraints:
+  - rear: -sin(th)*x' + cos(th)*y' = 0
+  - front: -sin(th + d)*(x' - L*sin(th)*th') + cos(th + d)*(y' + L*cos(th)*th') = 0
+quasi_velocities: {v: "cos(th)*x' + sin(th)*y'", s: "d'"}
+scenes:
+  s: {initial: {v: 1, d: 0.2}, time: [0, 6], need: [x, y, th, d]}
+"""
+
+
+@pytest.mark.parametrize("formulation", ["euler-lagrange", "voronec"])
+def test_starts_that_lose_their_coframe_are_told_what_keeps_none(
+    formulation: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec, starts = tmp_path / "car.yaml", tmp_path / "starts.csv"
+    spec.write_text(CAR)
+    starts.write_text("v,s\n0.5,1.5\n0.5,0\n0.5,1.6\n")
+    asked = ["run", str(spec), "--ensemble", str(starts), "-f"]
+    assert main([*asked, formulation]) == 3
+    err = capsys.readouterr().err
+    assert "2 of 3 starts fail" in err and "help: take `-f multipliers`: " in err
+    assert main([*asked, "multipliers"]) == 0
+
+
+def test_starts_that_fail_otherwise_are_not_sent_to_multipliers(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec, starts = tmp_path / "car.yaml", tmp_path / "starts.csv"
+    spec.write_text(CAR.replace("forces:", "").replace("T: ", "forces: {d: k*d'^3}\nT: ").replace("{m:", "{k: 0, m:"))
+    starts.write_text("v,s,k\n0.5,0.5,1\n0.5,0,0\n")
+    assert main(["run", str(spec), "--ensemble", str(starts)]) == 3
+    assert "multipliers" not in capsys.readouterr().err
+    starts.write_text("v,s,k\n0.5,0.5,1\n0.5,1.5,0\n")
+    assert main(["run", str(spec), "--ensemble", str(starts)]) == 3
+    assert "help: take `-f multipliers` for start 2: " in capsys.readouterr().err

@@ -7,7 +7,8 @@ import math
 import pytest
 
 from nhc.diagnostics import Source
-from nhc.pipeline import Options, check, emit, model
+from nhc.emit.text import print_derivation
+from nhc.pipeline import Options, check, derivation, emit, model
 from tests.support import python_model
 
 HEAD = "nhc: 1\nsystem: s\n"
@@ -212,3 +213,43 @@ def test_quasi_velocities_are_singular_only_at_positions_that_are_allowed(first:
     """x1^2 + y1^2 is a length; y1 is zero where the first rod is level."""
     quasi = f"quasi_velocities: {{v: {first}, w: (x2 - x1)*y2' - (y2 - y1)*x2'}}\n"
     assert [d.code for d in check(Source("s.yaml", HEAD + DOUBLE + quasi)).diagnostics] == said
+
+
+SIX_BAR = """coordinates: {a: {}, b: {range: [0.1, 1.2]}, c: {range: [0.8, 2.2]}, e: {range: [-1, 0.9]}, f: {range: [0.9, 2.9]}}
+T: (a'^2 + b'^2 + c'^2 + e'^2 + f'^2)/2
+MORE
+holonomic:
+  - 0.3*cos(a) + cos(b) = 0.9 + 0.8*cos(c)
+  - 0.3*sin(a) + sin(b) = 0.8*sin(c)
+  - 0.3*cos(a) + cos(b)/2 + 0.9*cos(e) = 1.3 + 0.7*cos(f)
+  - 0.3*sin(a) + sin(b)/2 + 0.9*sin(e) = -0.2 + 0.7*sin(f)
+scenes: {go: {initial: {a: 0.5, b: {near: 0.6}, c: {near: 1.4}, e: {near: 0.2}, f: {near: 1.6}, a': 3}, time: [0, 1]}}
+"""
+_TRIED = "as it does on none of the positions that were tried"
+
+
+@pytest.mark.parametrize(
+    ("more", "warned", "used"),
+    [
+        ("", "", "(chosen): b', c', e', f'"),
+        ("dependent: [b, c, e, f]", "", "(given): b', c', e', f'"),
+        ("dependent: [a, b, c, e]", "a', b', c', e'", "(chosen): b', c', e', f'"),
+        ("formulation: voronec", "a', b', c', e'", "(chosen): a', b', c', e'"),
+        ("dependent: [b, c, e, f]\nformulation: voronec", "b', c', e', f'", "(given): b', c', e', f'"),
+    ],
+)
+def test_who_asked_for_dependent_velocities_is_warned_of_them(more: str, warned: str, used: str) -> None:
+    """Those that `auto` takes, since no motion that it tries comes near where they are singular, need no other advice."""
+    source = Source("s.yaml", HEAD + SIX_BAR.replace("MORE", more))
+    found = check(source)
+    messages = [one.message for one in found.diagnostics if one.code == "W0408"]
+    assert [text.partition("velocities ")[2].partition(" are")[0] for text in messages] == ([warned] if warned else [])
+    (line,) = [line for line in found.facts if line.startswith("dependent velocities")]
+    assert used in line and (_TRIED in line) == ("formulation" not in more)
+
+
+def test_a_derivation_names_the_dependent_velocities_that_it_solves_for() -> None:
+    paper = derivation(Source("s.yaml", HEAD + SIX_BAR.replace("MORE", "")), Options())
+    text = " ".join(print_derivation(paper).split())
+    assert "Dependent velocities (chosen): b', c', e', f'; determinant" in text
+    assert _TRIED in text and "solved for the dependent velocities `b'`, `c'`, `e'`, `f'`" in text

@@ -375,6 +375,36 @@ def test_an_inconsistent_start_is_refused_or_projected(tmp_path: Path, capsys: p
     assert table(out)[1][0] == pytest.approx([0.0, 1.0, 0.0, turned], abs=1e-14)
 
 
+def test_velocities_that_contradict_each_other_are_named(capsys: pytest.CaptureFixture[str]) -> None:
+    """At theta = 0 the scene's v is x': no projection helps, but the other value does."""
+    sleigh = ["chaplygin_sleigh", "--points", "2", "--need", "x',y'"]
+    for values in ("x'=1", "x'=1, y'=1"):
+        code, out, err = call(capsys, *sleigh, "--set", values, "--project")
+        assert (code, out) == (1, "") and "`x' = 1` contradicts `v = -0.6` of the scene" in err
+        assert "or let `v` be 1, which fits" in err and "nhc run --project" not in err and "slip" not in err
+        code, out, err = call(capsys, *sleigh, "--set", f"{values}, v=1", "--project")
+        assert code == 0 and table(out)[1][0] == pytest.approx([0.0, 1.0, 0.0])
+    code, out, err = call(capsys, *sleigh, "--set", "x'=1, y'=1")
+    assert code == 1 and "`y' = 1` contradicts the constraint `slip`" in err and "nhc run --project" not in err
+
+
+def test_what_contradicts_by_a_constraint_is_named_with_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec = tmp_path / "slope.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: slope\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nconstraints: [{rail: x*x' + y' = 0}]\n"
+        "scenes: {s: {initial: {x: 2, z': 1, x': 1, y': 2}, time: [0, 1]}}\n"
+    )
+    code, out, err = call(capsys, str(spec))
+    assert (code, out) == (1, "") and "`y' = 2` contradicts `x' = 1` and the constraint `rail`" in err
+    assert (
+        "or let `x'` be -1, which fits" in err
+        and "`nhc run --project` move" in err
+        and "z'" not in err.split("= note")[1]
+    )
+    assert call(capsys, str(spec), "--set", "x'=-1")[0] == 0
+    assert call(capsys, str(spec), "--project")[0] == 0
+
+
 def test_files_of_each_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     import xml.etree.ElementTree as ElementTree
 

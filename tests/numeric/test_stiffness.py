@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from pathlib import Path
 
@@ -10,11 +11,14 @@ import pytest
 from nhc.cli.entry import main
 from nhc.language import Source, read
 from nhc.program.runs.limits import MANY_STEPS
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.methods.tableau import Explicit
 from nhc.simulate.opening import open_scene
 from nhc.simulate.pacing import Pace
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.stiffness import spectral_size
 from nhc.simulate.task import TOO_MANY, Outcome, Task
+from nhc.simulate.unstable import LIMITS
 from tests.support import spec_path
 
 SYRUP = """nhc: 1
@@ -148,3 +152,68 @@ def test_implicit_methods_start_where_the_jacobian_has_no_value(method: str, com
     job = open_scene(Source("parachute.yaml", text), method=method)
     found = run(job, Settings(method, 1e-6, step=0.0 if method == "radau5" else 0.005, points=3, compiled=compiled))
     assert found.ended == "done" and found.rows[-1][0] == pytest.approx(-4 * math.log(math.cosh(3)), rel=1e-5)
+
+
+CAR = """nhc: 1
+system: car
+coordinates: [x, y, th, d]
+parameters: {m: 10, J: 2, Js: 0.1, L: 1.2, c: 0.5, tq: 0.05}
+T: m/2*(x'^2 + y'^2) + J/2*th'^2 + Js/2*(th' + d')^2
+forces: {d: tq}
+constraints:
+  - rear: -sin(th)*x' + cos(th)*y' = 0
+  - front: -sin(th + d)*(x' - L*sin(th)*th') + cos(th + d)*(y' + L*cos(th)*th') = 0
+scenes: {s: {initial: {x': 1, d: 0.2}, time: [0, 8], need: [energy]}}
+"""
+
+
+def fixed(text: str, method: str, step: float) -> Trajectory:
+    return run(open_scene(Source("s.yaml", text), method=method), Settings(method, 0.0, step, points=11))
+
+
+def test_the_limits_of_stability_are_those_of_the_coefficients() -> None:
+    """R(z) = 1 + z b (1 - z A)^-1 e: beyond the limit |R| > 1 at all angles of the left half of the plane, and not much before."""
+    for name, limit in LIMITS.items():
+        method = RUNGE_KUTTA[name]
+        assert isinstance(method, Explicit)
+        weights = [list(method.rows[i - 1][:i]) if i else [] for i in range(method.stages)]
+        powers, coefficients = [1.0] * method.stages, [1.0]
+        for _ in range(method.stages):
+            coefficients.append(sum(b * x for b, x in zip(method.rows[method.stages - 1], powers, strict=False)))
+            powers = [sum(a * x for a, x in zip(row, powers, strict=False)) for row in weights]
+
+        def damped(z: complex, known: tuple[float, ...] = tuple(coefficients)) -> bool:
+            return abs(sum(c * z**k for k, c in enumerate(known))) <= 1.0
+
+        reach = max(
+            length / 50
+            for angle in range(91)
+            for length in range(600)
+            if damped(cmath.rect(length / 50, math.pi * (0.5 + angle / 180)))
+        )
+        assert limit - 0.15 < reach <= limit
+
+
+@pytest.mark.parametrize("formulation", ["euler-lagrange", "voronec"])
+def test_fixed_steps_that_end_anywhere_are_told_to_be_too_long(formulation: str) -> None:
+    job = open_scene(Source("s.yaml", CAR), formulation=formulation, method="dop853")
+    found = run(job, Settings("dop853", 0.0, 3.0, points=3))
+    assert found.ended == "failed" or abs(found.rows[-1][0]) > 1e10
+    assert any("beyond the stability of dop853 (h |lambda|" in note for note in found.notes), found.notes
+    assert not [note for note in run(job, Settings("dop853", 0.0, 0.05, points=3)).notes if "stability" in note]
+
+
+@pytest.mark.parametrize(("method", "step"), [("dop853", 7.0), ("dopri5", 3.6), ("rk4", 3.1)])
+def test_an_oscillation_that_grows_by_its_steps(method: str, step: float) -> None:
+    text = SYRUP.replace("FORCE", "-x").replace("time: [0, 10]", f"time: [0, {200 * step}]")
+    found = fixed(text, method, step)
+    assert abs(found.rows[-1][1]) > 1e6 and any(f"beyond the stability of {method}" in note for note in found.notes)
+    assert fixed(text, method, step / 10).notes == ()
+
+
+def test_steps_of_implicit_methods_and_short_passages_are_not_too_long() -> None:
+    stiff = SYRUP.replace("FORCE", DRAG)
+    assert any("beyond the stability" in note for note in fixed(stiff, "dop853", 0.01).notes)
+    assert fixed(stiff, "radau5", 0.01).notes == ()
+    passing = SYRUP.replace("FORCE", "-100*exp(-400*t^2)*x'").replace("{y: 1}", "{y: 1, x': 1}")
+    assert fixed(passing, "dop853", 0.1).notes == ()

@@ -17,7 +17,7 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.choosing.independence import independence
 from nhc.mechanics.properties.named import entry_text, zero_text
 from nhc.mechanics.properties.singular import never_changes
-from nhc.mechanics.regular.regularity import intervals
+from nhc.mechanics.regular.regularity import Choice, intervals
 from nhc.mechanics.regular.trials import ordinary_points, trial_points
 from nhc.mechanics.system import Form, System
 
@@ -68,6 +68,21 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
             system.spec.key_span("quasi_velocities" if own else "rotation"),
             help=(f"choose forms that stay independent there{other}, or keep away from it",),
         )
+
+
+def warn_of_dependent(system: System, choice: Choice, bag: Bag) -> None:
+    """Dependent velocities that somebody asked for, and that are singular somewhere (W0408)."""
+    if choice.determinant is None or choice.regular or never_vanishes(system, choice.determinant):
+        return
+    own, names = bool(system.dependent), ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
+    advice = "leave `dependent:` out" if own else "name others under `dependent:`, leave `formulation:` out"
+    bag.warning(
+        "W0408",
+        f"the dependent velocities {names} are singular where `{zero_text(system, choice.determinant)} = 0`",
+        system.spec.key_span("dependent" if own else "formulation"),
+        notes=() if own else ("nhc chose them; no choice is known to be regular everywhere",),
+        help=(f"{advice}, or use quasi-velocities that stay regular",),
+    )
 
 
 def _warn_of_lost_digits(system: System, forms: Sequence[Form], bag: Bag) -> None:

@@ -12,7 +12,7 @@ from nhc.diagnostics import Bag, several
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.formulations.chaplygin import mark_letters
 from nhc.mechanics.frame import coordinate_frame, describe_added
-from nhc.mechanics.properties.coframe import never_vanishes, warn_of_quasi_velocities
+from nhc.mechanics.properties.coframe import never_vanishes, warn_of_dependent, warn_of_quasi_velocities
 from nhc.mechanics.properties.conserved import Integral, find_conserved
 from nhc.mechanics.properties.inertia import warn_of_inertia
 from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
@@ -20,7 +20,7 @@ from nhc.mechanics.properties.integrals import PositionIntegral, find_position_i
 from nhc.mechanics.properties.named import named_text, zero_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
-from nhc.mechanics.properties.still import describe_affine, describe_kinetic
+from nhc.mechanics.properties.still import depends_on_time, describe_affine, describe_kinetic
 from nhc.mechanics.regular.determined import warn_of_bare
 from nhc.mechanics.regular.regularity import Choice, choose_dependent
 from nhc.mechanics.regular.trials import trial_points
@@ -51,8 +51,13 @@ class Facts:
         return tuple(line.replace("$", "") for line in self.marked.values())
 
 
-def describe(system: System, formulation: Formulation, bag: Bag, *, explain: bool = True) -> Facts:
-    """Facts of the system; warnings go to the bag.  Without ``explain`` little more is looked at than what may be warned of."""
+def describe(
+    system: System, formulation: Formulation, bag: Bag, *, explain: bool = True, by_name: bool | None = None
+) -> Facts:
+    """Facts of the system; warnings go to the bag.  Without ``explain`` little more is looked at than what may be warned of.
+
+    ``by_name``: whether somebody asked for the formulation; None where only the spec may have.
+    """
     facts = Facts()
     n, lower = system.n, system.l
     parts = ((n, "coordinate", "coordinates"), (lower, "constraint", "constraints"))
@@ -66,7 +71,9 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     if lower:
         integrals = _constraints(system, formulation, facts, torn, bag, explain)
         choice = formulation.dependent or checked_dependent(system)
-        _dependent(system, formulation, choice, facts, bag)
+        if by_name is None:
+            by_name = (system.spec.formulation or "auto") != "auto"
+        _dependent(system, formulation, choice, by_name, facts, bag)
         if explain:
             _hypotheses(system, choice, facts)
     warn_of_quasi_velocities(system, formulation, bag)
@@ -102,7 +109,7 @@ def _list_marked(expressions: Iterable[str]) -> str:
 
 def _kinetic(system: System, facts: Facts, explain: bool) -> None:
     text = describe_kinetic(system, explain)
-    timed = system.graph.depends(system.T, system.graph.deps[system.t])
+    timed = depends_on_time(system, system.T)
     facts.say("rheonomic", timed, f"$T$: {text}{', contains the time' if timed else ''}")
 
 
@@ -215,7 +222,7 @@ def _warn_integrable(
                 ),
             )
             continue
-        shown = _shown(name, [i for i in integrals if set(i.names) <= set(named)])
+        shown = _shown(name, [i for i in integrals if set(i.names) <= {*named, *written}])
         bag.warning(
             "W0410",
             f"the constraint `{name}` is integrable{given}: it is a holonomic constraint in disguise",
@@ -300,33 +307,30 @@ def _spell(integral: Integral) -> str:
     return f"{kind}${integral.text}${where}"
 
 
-def _dependent(system: System, formulation: Formulation, choice: Choice, facts: Facts, bag: Bag) -> None:
+def _dependent(system: System, formulation: Formulation, choice: Choice, by_name: bool, facts: Facts, bag: Bag) -> None:
     names = [f"{system.q_names[i]}'" for i in choice.dependent]
-    who = "given" if system.dependent else "chosen"
+    who = "given" if set(system.dependent) == set(choice.dependent) else "chosen"
+    # the choice is made by itself where it is regular, or stays so on walks along all that the mechanism can reach
+    tried = not by_name and formulation.dependent is not None
     never = choice.regular or never_vanishes(system, choice.determinant)
-    regular = "never singular" if never else "singular where it vanishes"
+    aside = ", as it does on none of the positions that were tried" if tried else ""
+    regular = "never singular" if never else f"singular where it vanishes{aside}"
     if choice.determinant is None:
         limit = "the determinant is too large to print"
     else:
         limit = f"determinant ${named_text(system, choice.determinant)}$"
         if not never and limit.endswith("…$"):
-            limit, regular = "the determinant is long", f"singular where ${zero_text(system, choice.determinant)} = 0$"
+            where = f"singular where ${zero_text(system, choice.determinant)} = 0$"
+            limit, regular = "the determinant is long", f"{where}{aside}"
     facts.say(
         "dependent",
         [system.q_names[i] for i in choice.dependent],
         f"dependent velocities ({who}): {_list_marked(names)}; {limit}, {regular}",
     )
-    used = system.dependent or formulation.dependent is not None
-    if used and not never and choice.determinant is not None:
-        own = bool(system.dependent)
-        advice = "leave `dependent:` out" if own else "name others under `dependent:`, leave `formulation:` out"
-        bag.warning(
-            "W0408",
-            f"the dependent velocities {', '.join(names)} are singular where `{zero_text(system, choice.determinant)} = 0`",
-            system.spec.key_span("dependent" if own else "formulation"),
-            notes=() if own else ("nhc chose them; no choice is known to be regular everywhere",),
-            help=(f"{advice}, or use quasi-velocities that stay regular",),
-        )
+    if system.dependent and who == "chosen":
+        warn_of_dependent(system, checked_dependent(system), bag)
+    elif not tried and (system.dependent or formulation.dependent is not None):
+        warn_of_dependent(system, choice, bag)
 
 
 def _hypotheses(system: System, choice: Choice, facts: Facts) -> None:

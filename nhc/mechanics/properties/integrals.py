@@ -9,7 +9,8 @@ constraints and of combinations alike, with no integrating factor; each is teste
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+from dataclasses import replace
 from itertools import combinations, combinations_with_replacement
 
 from nhc.algebra.calculus import gradient, tangent
@@ -19,7 +20,7 @@ from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.relations import find_relations, without
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.walks import reachable
-from nhc.mechanics.frame import Frame
+from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.properties.candidates import Candidate, combine
 from nhc.mechanics.properties.leaf import Leaf, has_values, leaf_of, parts_on, rank_on
 from nhc.mechanics.properties.named import named_text
@@ -66,7 +67,29 @@ def find_position_integrals(
         nodes = [nodes[k] for k in _new(system, leaf, [f.node for f in found], nodes, hidden)]
         for node, names in zip(nodes, _users(system, leaf, nodes), strict=True):
             found.append(PositionIntegral(node, *_texts(system, node), names))
+    own = _find_own(system, closed, {f.names for f in found})
+    if own:  # they stand in for combinations with others
+        every = sorted([*found, *own], key=lambda f: len(f.names) > 1)
+        found = [every[k] for k in _new(system, leaf, [], [f.node for f in every], hidden)]
     return tuple(found)
+
+
+def _find_own(system: System, closed: Sequence[str], known: Collection[tuple[str, ...]]) -> list[PositionIntegral]:
+    """Integrals of single constraints of which none is known: among all positions, for at those that the spec's holonomic
+    constraints allow an integral is told from combinations with these by nothing.
+
+    With rotations a form alone is no system: the lengths of the quaternions stand beside it.
+    """
+    own = list[PositionIntegral]()
+    for form in system.constraints if system.l > 1 and not system.rotations else ():
+        if form.name not in closed or form.equation is not None or (form.name,) in known:
+            continue
+        part = replace(system, constraints=(form,))
+        nonzero = [k for k, a in enumerate(form.coefficients) if a != system.graph.zero]
+        if nonzero:
+            solved = min(nonzero, key=lambda k: len(reachable(system.graph, [form.coefficients[k]])))
+            own += find_position_integrals(part, coordinate_frame(part, (solved,)), 1, (form.name,))
+    return own
 
 
 def _texts(system: System, node: Node) -> tuple[str, str]:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.exact.modular import are_zero, is_zero
+from nhc.algebra.exact.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import normalise_angles
-from nhc.algebra.solving.linear import degrees
+from nhc.algebra.solving.linear import degrees, depends
 from nhc.mechanics.properties.named import named_text
 from nhc.mechanics.system import System
 
@@ -41,5 +41,27 @@ def describe_affine(system: System) -> str:
 
 
 def _shown(system: System, node: Node) -> str:
+    node = _at_start(system, node)
     forms = dict.fromkeys((node, normalise_angles(system.graph, node, _TERMS)))
     return min((named_text(system, form, _LONGEST) for form in forms), key=len)
+
+
+def depends_on_time(system: System, node: Node) -> bool:
+    """Exactly where that can be decided: the square of a velocity on turning axes holds the time, and does not depend on it."""
+    g = system.graph
+    if not g.depends(node, g.deps[system.t]):
+        return False
+    try:
+        return depends(g, [node], [system.t])[0]
+    except Unlucky:
+        return True
+
+
+def _at_start(system: System, node: Node) -> Node:
+    """The same without the time, where that is in it only by sight."""
+    if depends_on_time(system, node):
+        return node
+    try:
+        return substitute(system.graph, [node], {system.t: system.graph.zero}, named=False)[0]
+    except ArithmeticError:  # it is written with a pole there
+        return node

@@ -1,8 +1,4 @@
-"""A scene's start: parameter values, positions, and velocities that satisfy the constraints.
-
-Given velocities and quasi-velocities are equations beside the constraints; what is left free is zero, independent
-velocities first, so that dependent ones follow from the constraints.
-"""
+"""A scene's start: parameter values, positions, and velocities that satisfy the constraints."""
 
 from __future__ import annotations
 
@@ -10,23 +6,16 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Span, quote, several, suggest
 from nhc.language.expressions.syntax import Syntax
 from nhc.language.spec import Scene, Spec
-from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regular.regularity import choose_dependent
-from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.starts.assembly import assemble
+from nhc.mechanics.starts.velocities import start_velocities
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value, start_values
 from nhc.records import record
-
-TOLERANCE = 1e-9  # how far, relative to the size of its terms, a given start may be from satisfying the constraints
-PROJECT = "or let `nhc run --project` move them to the nearest ones that fit"  # no help for the starts of a table
-_FOUND_AS = {"velocity": "`{}'`", "quasi": "`{}`"}
 
 
 @record
@@ -79,7 +68,7 @@ def start_of(system: System, scene: Scene) -> Start:
     bag = Bag(system.spec.origin)
     p, place, given = _positions(system, scene, bag)
     _check_positions(system, scene, place, bag)
-    v = _velocities(system, scene, place, given, bag)
+    v = start_velocities(system, scene, place, given, bag)
     bag.raise_if_errors()
     return Start(scene, (float(scene.time[0]), float(scene.time[1])), p, tuple(place[q] for q in system.q), v)
 
@@ -99,7 +88,7 @@ def _positions(
     """Parameters, the place of the start, and all that the scene gives."""
     p = _parameters(system, scene, bag)
     bag.raise_if_errors()
-    given = _initial_values(scene, start_values(system.spec, scene, p), bag)
+    given = initial_values(scene, start_values(system.spec, scene, p), bag)
     bag.raise_if_errors()
     q = [given.get(("coordinate", c.name), float(c.start)) for c in system.spec.coordinates]
     place = {
@@ -116,7 +105,7 @@ def _near(system: System, scene: Scene) -> list[int]:
     return [system.q_names.index(entry.name) for entry in scene.initial if entry.near]
 
 
-def _initial_values(scene: Scene, names: dict[str, float], bag: Bag) -> dict[tuple[str, str], float]:
+def initial_values(scene: Scene, names: dict[str, float], bag: Bag) -> dict[tuple[str, str], float]:
     """The numbers that the scene gives, for its values of the parameters."""
     given: dict[tuple[str, str], float] = {}
     for entry in scene.initial:
@@ -238,102 +227,6 @@ def left_at_zero(system: System, scene: Scene, place: dict[Node, float], nodes: 
         if place[symbol] == 0.0 and name not in given and any(g.depends(node, g.deps[symbol]) for node in nodes)
     ]
     return f"{', '.join(names)} {'starts' if len(names) == 1 else 'start'}" if names else ""
-
-
-def _velocities(
-    system: System, scene: Scene, place: dict[Node, float], given: dict[tuple[str, str], float], bag: Bag
-) -> tuple[float, ...]:
-    """The start of all velocities: they satisfy the constraints, then what is given, then zeros for what is left free."""
-    try:
-        held = [(form, 0.0, f"the constraint `{form.name}`") for form in system.constraints]
-        equations = _equations_at(system, place, [*held, *_given_velocities(system, given)])
-    except (ArithmeticError, ValueError):
-        what = f"{scene.called} starts at a singular point of the constraints"
-        bag.error("E0409", what, scene.span, help=("start a little away from it",))
-        return (0.0,) * system.n
-    solver, units = RowSpace(system.n), velocity_units(system)
-    rows, right = [row for row, _, _ in equations], [value for _, value, _ in equations]
-    sizes = term_sizes(system, rows, right, _unseen(system, scene, place))
-    together = "the constraint" if system.l == 1 else f"the {system.l} constraints"
-    for (row, value, name), size in zip(equations, sizes, strict=True):
-        off = solver.add([a * u for a, u in zip(row, units, strict=True)], value)
-        if off is None or abs(off) <= TOLERANCE * size:
-            continue
-        bag.error(
-            "E0409",
-            f"the initial velocities of {scene.called} violate the constraints by {abs(off):.3g}",
-            next((e.span for e in scene.initial if name == _FOUND_AS.get(e.kind, "").format(e.name)), scene.span),
-            notes=(f"{name} does not fit {together} and the values before it",),
-            help=("leave the dependent velocities out: they follow from the others", PROJECT),
-        )
-    for row, value, _ in _equations_at(system, place, [(form, 0.0, "") for form in _free_order(system, given)]):
-        solver.add([a * u for a, u in zip(row, units, strict=True)], value)
-    return tuple(x * u for x, u in zip(solver.solution(), units, strict=True))
-
-
-def _given_velocities(system: System, given: dict[tuple[str, str], float]) -> list[tuple[Form, float, str]]:
-    """The forms that a scene gives a value, with this value, and how a message calls them."""
-    found = []
-    for (kind, name), value in given.items():
-        if kind == "velocity":
-            form = coordinate_form(system, system.q_names.index(name))
-        elif kind == "quasi":
-            form = next(form for form in system.quasi if form.name == name)
-        else:
-            continue
-        found.append((form, value, _FOUND_AS[kind].format(name)))
-    return found
-
-
-def _equations_at(
-    system: System, place: dict[Node, float], forms: Sequence[tuple[Form, float, str]]
-) -> list[tuple[list[float], float, str]]:
-    """Coefficients of the velocities and right side of form = value at a place, each with its name."""
-    found = []
-    for form, value, name in forms:
-        *row, constant = (float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place))
-        found.append((row, value - constant, name))
-    return found
-
-
-def _unseen(system: System, scene: Scene, place: dict[Node, float]) -> list[float]:
-    """Velocities so small that TOLERANCE of them is lost in the rounding of the coordinates in the whole scene."""
-    duration = abs(float(scene.time[1] - scene.time[0]))
-    return [2.0**-52 * abs(place[q]) / duration / TOLERANCE if duration else 0.0 for q in system.q]
-
-
-def term_sizes(
-    system: System, rows: Sequence[Sequence[float]], right: Sequence[float], least: Sequence[float] = ()
-) -> list[float]:
-    """How large the terms of each equation of velocities can be: its largest coefficient times the largest speed that any of the
-    equations gives which share velocities with it, directly or through others, in the units in which coefficients are near 1.
-    ``least``: what each velocity counts as in any case.
-    """
-    units = velocity_units(system)
-    rests = [value / unit for value, unit in zip(least, units, strict=False)]
-    lengths = [max((abs(a) * u for a, u in zip(row, units, strict=True)), default=0.0) for row in rows]
-    speeds = [abs(value) / length if length else 0.0 for value, length in zip(right, lengths, strict=True)]
-    for k, row in enumerate(rows):
-        speeds[k] = max([speeds[k], *(rest for a, rest in zip(row, rests, strict=False) if a)])
-    part = list(range(len(rows)))
-    for j in range(system.n):
-        joined = {part[k] for k, row in enumerate(rows) if row[j]}
-        part = [min(joined) if p in joined else p for p in part]
-    fastest = {p: max(speed for speed, other in zip(speeds, part, strict=True) if other == p) for p in part}
-    return [length * fastest[p] for length, p in zip(lengths, part, strict=True)]
-
-
-def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[Form]:
-    """What is set to zero, first come first served: quasi-velocities when the scene speaks in them, else independent velocities,
-    with those of rotations (a zero rate of one entry of a quaternion is a spin, another one for each orientation).
-    """
-    dependent = system.dependent or choose_dependent(system).dependent
-    independent = [i for i in range(system.n) if i not in dependent]
-    coordinates = [coordinate_form(system, i) for i in (*independent, *dependent)]
-    if any(kind == "quasi" for kind, _ in given):
-        return [*system.quasi, *coordinates]
-    first = [coordinate_form(system, i) for i in independent if system.q_names[i] not in system.turned]
-    return [*first, *(form for form in system.quasi if form.name in system.angular), *coordinates]
 
 
 def kept_velocities(system: System, forms: Sequence[Form], start: Start) -> list[float]:

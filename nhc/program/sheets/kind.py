@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from nhc.algebra.walks import count
 from nhc.diagnostics import Bag
-from nhc.mechanics.choosing.choose import formulate
-from nhc.mechanics.frame import form_value
+from nhc.mechanics.choosing.choose import Formulation, formulate
+from nhc.mechanics.frame import coordinate_frame, form_value
 from nhc.mechanics.properties.facts import describe
+from nhc.mechanics.regular.regularity import judge
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.program.sheets.draft import Desk, DraftSheet
@@ -28,7 +30,9 @@ def kind_sheet(desk: Desk) -> DraftSheet | None:
         return sheet
     # the search makes nodes (and names for them) of its own: it gets a graph of its own
     fresh = resolve(system.spec)
-    facts = describe(fresh, formulate(fresh, desk.formulation.name), Bag(system.spec.origin))
+    named = formulate(fresh, desk.formulation.name)
+    made = _same_on(fresh, named, desk.formulation)  # another one than by its name: nhc has chosen it
+    facts = describe(fresh, made, Bag(system.spec.origin), by_name=made is named)
     keys = [key for key in facts.marked if key not in _OMITTED]
     for key in keys:
         line = facts.marked[key]
@@ -41,6 +45,15 @@ def kind_sheet(desk: Desk) -> DraftSheet | None:
             f"Here $p_{first}$ is the momentum of ${first}$, the derivative of $T$ with respect to ${first}'${also}."
         )
     return sheet
+
+
+def _same_on(fresh: System, named: Formulation, formulation: Formulation) -> Formulation:
+    """The formulation of a derivation on the same system in another graph, with the dependent velocities that it has."""
+    wanted = formulation.dependent
+    if wanted is None or named.dependent is None or named.dependent.dependent == wanted.dependent:
+        return named
+    frame = coordinate_frame(fresh, wanted.dependent)
+    return replace(named, frame=frame, dependent=judge(fresh, wanted.dependent), broken=formulation.broken)
 
 
 def _operations(system: System) -> int:

@@ -100,12 +100,17 @@ def tell_way(model: SteadyModel, y: Vector, error: NotSteady) -> NotSteady:
         return error
     way = np.abs(np.array(model.inside(error.place)) - y)
     k = int(np.argmax(way))
-    if way[k] <= _FAR * (1.0 + float(np.max(np.abs(y)))):
+    if not is_far(way, y):
         return error
     gone = f"{model.flow.names[k]} = {error.place[k]:.3g}"
     what = f"the search for a steady motion runs off, to {gone}: rates get smaller on its way, but do not vanish"
     advice = "start elsewhere, as beyond the place where the rates are largest, or fix values with `--hold`; there may be none"
     return NotSteady(what, error.residual, error.place, advice, error.entries)
+
+
+def is_far(way: Vector, y: Vector) -> bool:
+    """Whether a search that has gone this way from the state y has left what is near it."""
+    return float(np.max(np.abs(way))) > _FAR * (1.0 + float(np.max(np.abs(y))))
 
 
 def _name_undefined(model: SteadyModel, y: Sequence[float]) -> str:

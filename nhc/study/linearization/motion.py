@@ -45,7 +45,7 @@ from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady, SingularFrame, Steady, check_frame, check_smooth
 from nhc.study.linearization.leaf import defined_at, held_on_leaf, leaf_integrals
 from nhc.study.linearization.linearize import Linearisation, linearise_at
-from nhc.study.linearization.steady import find_steady
+from nhc.study.linearization.steady import find_motion
 from nhc.study.linearization.sweep import Branch, Sweep, sweep
 from nhc.study.linearization.tape import Tapes
 
@@ -124,7 +124,7 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
         known = defined_at(system, leaf_integrals(system, formulation), model.values(guess))
         model = held_on_leaf(model, guess, known)
     holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
-    nearest = keep_ranges(model, guess, find_steady(model, guess, holds), holds)
+    nearest = keep_ranges(model, guess, find_motion(model, guess, holds), holds)
     steady = keep_speeds(model, scene, guess, nearest, holds)
     check_smooth(model, steady)
     made = linearise_at(model, steady)

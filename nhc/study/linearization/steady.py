@@ -13,9 +13,11 @@ from nhc.study.linearization.field import RANK, Hold, SteadyModel
 from nhc.study.linearization.found import (
     Locked,
     NotSteady,
+    SingularFrame,
     Steady,
     check_coordinates,
     check_frame,
+    is_far,
     tell_singular,
     tell_way,
 )
@@ -24,7 +26,49 @@ from nhc.study.linearization.turns import Turn, combined
 from nhc.study.linearization.units import Matrix, Vector, is_steady, trials
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
+_DAMPED, _UNDAMPED = 1.0, 0.0
 _WEAKEST = 1e-13  # singular values below this part of the largest one are rounding
+
+
+def find_motion(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold] = ()) -> Steady:
+    """The steady motion near the guess, or where the search for one fails, an equilibrium near it.
+
+    Far from an equilibrium, a search among all states may exchange a force against a friction that grows with the speed, and leave
+    (van der Pol's oscillator); among the states at rest it cannot.
+
+    Raises:
+        NotSteady: neither is found.
+    """
+    try:
+        return find_steady(model, guess, holds)
+    except (SingularFrame, Locked):
+        raise  # there is one, or it is for other coframes to say
+    except NotSteady as error:
+        resting = _find_rest(model, guess, (*holds, *model.leaf_holds))
+        if resting is None and model.leaf_holds:
+            resting = _find_rest(model, guess, holds)
+        if resting is None:
+            raise error
+        return resting
+
+
+def _find_rest(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold]) -> Steady | None:
+    """The nearer of the equilibria to which Newton's method leads among the states at rest, with damping and without."""
+    found: list[tuple[float, Steady]] = []
+    for damping in (_UNDAMPED, _DAMPED):
+        with suppress(ArithmeticError):
+            own = model.in_units(guess)
+            y = np.array(own.inside(guess))
+            y[model.flow.system.n :] = 0.0
+            made = _iterate(own, (), y, holds, damping, resting=True)
+            way = np.array(own.inside(made.y)) - y
+            if made.equilibrium and not is_far(
+                way, y
+            ):  # long steps may end anywhere, also where a force has faded away
+                check_frame(model, made.y, "at the equilibrium")
+                check_coordinates(model, made, guess)
+                found.append((round(float(np.linalg.norm(way)), 6), made))
+    return min(found, key=lambda one: one[0])[1] if found else None
 
 
 def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold] = ()) -> Steady:
@@ -95,13 +139,21 @@ def _first_turn(model: SteadyModel, turns: Sequence[Turn], y: Vector) -> Vector:
 
 
 @np.errstate(over="ignore", invalid="ignore")  # a trial far away may have no finite size: it is no better
-def _iterate(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold]) -> Steady:
-    """``y`` is the state, with the speed of each turn after it."""
+def _iterate(
+    model: SteadyModel,
+    turns: Sequence[Turn],
+    y: Vector,
+    holds: Sequence[Hold],
+    damping: float = _DAMPED,
+    resting: bool = False,
+) -> Steady:
+    """``y`` is the state, with the speed of each turn after it; ``resting``: the steps leave the velocities as they are."""
     value, slopes, scale = equations(model, turns, y, holds)
-    before, damping = np.zeros_like(y), 1.0
+    before, still = np.zeros_like(y), np.eye(len(y))[model.flow.system.n :] if resting else np.zeros((0, len(y)))
     for step in range(_STEPS + 1):
         size = float(np.max(np.abs(value), initial=0.0))
-        move = _step(value, slopes, bound(model, y, slopes[len(model.rest) :]), damping)
+        across = np.vstack([bound(model, y, slopes[len(model.rest) :]), still])
+        move = _step(value, slopes, across, damping)
         if size == 0.0 or float(np.linalg.norm(move)) <= 1e-14 * (1.0 + float(np.linalg.norm(y))):
             return _accept(model, turns, y, holds, step)
         factor = 2.0 if _halves(before, move) else 1.0

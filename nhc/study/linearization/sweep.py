@@ -12,7 +12,7 @@ from nhc.records import record
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
-from nhc.study.linearization.steady import find_steady
+from nhc.study.linearization.steady import find_motion, find_steady
 
 _STEPS = 150
 _DIGITS = 32.0
@@ -67,7 +67,10 @@ class Branch:
         near = min(self._known, key=lambda known: abs(known - value), default=None)
         if self._turns is not None:
             model = replace(model, symmetries=tuple(g for g in ((), *model.symmetries) if len(g) == self._turns))
-        steady = find_steady(model, self._guess if near is None else self._known[near], holds)
+        if near is None:
+            steady = find_motion(model, self._guess, holds)
+        else:  # nothing but the branch itself, which may end
+            steady = find_steady(model, self._known[near], holds)
         self._known[value], self._turns = steady.y, len(steady.turns)
         return linearise_at(model, steady, self.family)
 
