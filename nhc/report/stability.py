@@ -41,7 +41,9 @@ def list_charts(lab: Laboratory) -> list[Chart]:
             title = f"drift by {how}: largest of every {max(1, len(run.times) // _BINS)} rows"
             charts.append(_chart(title, t, Axis("relative deviation", log=True), series))
     if lab.sensitivity is not None:
-        series = (Series("growth", lab.sensitivity.times, _positive(lab.sensitivity.norms)),)
+        growth = lab.sensitivity
+        points = sorted({*zip(growth.times, growth.norms, strict=True), (growth.peak, growth.largest)})
+        series = (Series("growth", [t for t, _ in points], _positive(norm for _, norm in points)),)
         charts.append(
             _chart(
                 "growth of perturbations of the start", t, Axis("growth of relative perturbations", log=True), series

@@ -296,6 +296,18 @@ def test_sensitivities_are_those_of_the_catalogue() -> None:
         assert found is not None and 0.3 < found.plain / catalogued < 3.5, name
 
 
+def test_the_largest_growth_is_found_where_the_motion_jumps() -> None:
+    """Van der Pol's oscillator by the variational equations (Radau at 1e-10): 35347 at t = 81.187, in steps of 1e-5."""
+    text = "nhc: 1\nsystem: vdp\ncoordinates: [x]\nT: x'^2/2\nV: x^2/2\nforces: {x: 100*(1 - x^2)*x'}\n"
+    found = stability(Source("vdp.yaml", text + "scenes: {a: {initial: {x: 2}, time: [0, 90]}}\n"), Question(lengths=1))
+    growth = found.sensitivity
+    assert growth is not None and growth.largest == pytest.approx(35347, rel=0.02)
+    assert growth.peak == pytest.approx(81.187, abs=1e-3) and max(growth.norms) < 100
+    (chart,) = [chart for chart in list_charts(found) if chart.title.startswith("growth of perturbations")]
+    assert max(chart.series[0].y) == growth.largest
+    assert any("of relative perturbations, at t = 81.18" in line for line in lines(found))
+
+
 def test_laws_of_growth() -> None:
     t = [0.25 * k for k in range(41)]
     law = find_law(t, [1 + 0.1 * math.exp(1.5 * x) for x in t], 10.0)

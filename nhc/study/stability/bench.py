@@ -188,7 +188,8 @@ class Bench:
         """The size of each component of the state in the scene; see :func:`nhc.study.linearization.units.sizes_of`."""
         found = [np.abs(slopes) for k in range(0, ROWS, ROWS // 8) if (slopes := self._slopes_at(k)) is not None]
         slopes = np.where(self._ties, np.max(found, axis=0), 0.0) if found else np.zeros((len(self.job.y),) * 2)
-        return sizes_of(np.max(np.abs(self.reference), axis=0), slopes, self.duration, self.equations.system.n)
+        largest = np.max(np.abs(np.concatenate([self.reference, self.stations[1]])), axis=0)
+        return sizes_of(largest, slopes, self.duration, self.equations.system.n)
 
     @cached_property
     def _ties(self) -> Matrix:

@@ -222,7 +222,7 @@ def _sensitivity(lab: Laboratory) -> list[Row]:
     )
     means = "when rounding of the start alone has grown to 1 % of the motion"
     return [
-        Row("largest growth", f"{max(found.norms):.4g}", "of relative perturbations, at any time of the scene"),
+        Row("largest growth", f"{found.largest:.4g}", f"of relative perturbations, at t = {time_of(found.peak, unit)}"),
         Row("growth at the end", f"{found.norms[-1]:.4g}", f"{found.plain:.4g} in the state's own units"),
         Row("grows like", told, fitted),
         Row(
@@ -310,7 +310,8 @@ def _growth_tree(found: Sensitivity | None) -> dict[str, Any] | None:
         return None
     return {
         "growth": found.norms[-1],
-        "largest": max(found.norms),
+        "largest": found.largest,
+        "peak": found.peak,
         "plain": found.plain,
         "law": found.law.name,
         "rate": _finite(found.law.rate),
