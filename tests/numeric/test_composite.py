@@ -27,6 +27,9 @@ def assert_same(text: str) -> Model:
     flat = [x for row in found.equations.mass for x in row]
     assert are_equal(g, [x for row in made.mass for x in row], flat)
     assert are_equal(g, made.force, found.equations.force)
+    rates = [g.symbol(f"rate {i}", "test") for i in range(size)]
+    dense = [g.sub(f, g.dot(row, rates)) for row, f in zip(found.equations.mass, found.equations.force, strict=True)]
+    assert are_equal(g, made.residual(rates), dense)
     assert all(made.mass[i][j] == made.mass[j][i] for i in range(size) for j in range(size))
     return found
 

@@ -87,7 +87,8 @@ def test_arms_without_constraints(seed: int) -> None:
 def count_arm(joints: int) -> tuple[int, int]:
     """Operations of an arm's right-hand side in space, and without moving axes."""
     made = []
-    for graph in (WithoutRules({"own axes"}), WithoutRules({"own axes", "moving axes"})):
+    others = {"own axes", "composite inertias"}
+    for graph in (WithoutRules(others), WithoutRules({*others, "moving axes"})):
         system = resolve(decode(Source("arm.yaml", robot_arm(1, joints=joints))), graph)
         formulation = formulate(system)
         (rhs,) = build_program(system, formulation, equations_of(system, formulation), ("rhs",)).functions

@@ -19,8 +19,10 @@ _LONG = 7
 """Operations for each of a row's velocities from which it is long; those of trailers and snakes have four."""
 _LONGEST = 600
 _TERMS = 120
-_PAYS = 0.5
-"""What it has to become of its length: a row shares what T has, too."""
+_PAYS = 0.45
+"""What it has to become of its length: as it is written it shares what T has, on which moving axes rest."""
+_MOST = 8
+"""Velocities of a row that is looked at: those of a point on a few bodies."""
 _ROUNDING = 1e-9
 
 
@@ -34,7 +36,7 @@ def short_row(graph: Graph, q: Sequence[Node], velocities: Sequence[Node], form:
         return form
     held = (g.deps[value] & g.mask(velocities)).bit_count()
     length = count(g, [value])
-    if not _LONG * held < length <= _LONGEST or not _has_idle(g, [*q, *velocities], value):
+    if held > _MOST or not _LONG * held < length <= _LONGEST or not _has_idle(g, [*q, *velocities], value):
         return form
     *coefficients, constant = (normalise_angles(g, a, _TERMS) for a in (*form.coefficients, form.constant))
     short = g.add(g.dot(coefficients, velocities), constant)

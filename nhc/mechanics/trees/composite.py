@@ -13,7 +13,7 @@ For a few bodies this is shorter than articulated inertias (:mod:`nhc.mechanics.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from nhc.algebra.calculus import gradient, pullback_gradient, tangent
@@ -31,6 +31,7 @@ from nhc.mechanics.trees.frames import ZERO, Frame
 from nhc.mechanics.trees.links import Link, Links, Turn
 from nhc.mechanics.trees.loads import Load, Wrench
 from nhc.mechanics.trees.points import Unread
+from nhc.mechanics.trees.recursion import Terms
 from nhc.mechanics.trees.tensors import times
 from nhc.mechanics.trees.views import Matrix
 from nhc.records import record
@@ -38,15 +39,16 @@ from nhc.records import record
 
 @record
 class Assembled:
-    """M w' = force."""
+    """M w' = force; ``residual`` is force - M w' of any rates w', by the recursion alone."""
 
     mass: list[list[Node]]
     force: list[Node]
+    residual: Callable[[Sequence[Node]], list[Node]]
 
 
 @record
 class _State:
-    """Angular velocity, its rate, and the origin's acceleration, on a link's axes, where no rate changes."""
+    """Angular velocity, its rate, and the origin's acceleration, on a link's axes."""
 
     omega: Vector
     alpha: Vector
@@ -70,6 +72,7 @@ class _Assembly:
         self.graph: Graph = writer.graph
         self._made = Links(writer)
         self._steps: dict[int, Matrix] = {}
+        self._turns = {id(link): self._made.turns(link) for link in self._made.links}
 
     # --- along the motion ---------------------------------------------------------------------------------------
 
@@ -84,21 +87,29 @@ class _Assembly:
         """Whether its spins are taken on the axes of its parent."""
         return self._made.views.axes_of_spins(frame, frame) is not frame
 
-    def _states(self) -> dict[int, _State]:
+    def _states(self, rates: Sequence[Node]) -> dict[int, _State]:
         found: dict[int, _State] = {}
         for link in self._made.links:
             if link.parent is None:
-                found[id(link)] = _State(ZERO, ZERO, self._fall(link))
+                found[id(link)] = _State(ZERO, ZERO, self._driven(self._fall(link), link, rates))
                 continue
             before, g = found[id(link.parent)], self.graph
             moved = self._spread(before, link.offset)
             here = _State(before.omega, before.alpha, add_vectors(g, before.origin, moved))
             first = self._spins_before(link.joint)
-            here = self._spun(link.joint, here) if first else here
+            here = self._spun(link, here, rates) if first else here
             back: Matrix = tuple((a, b, c) for a, b, c in zip(*self._step(link.joint), strict=True))
             here = _State(*(times(g, back, x) for x in (here.omega, here.alpha, here.origin)))
-            found[id(link)] = here if first else self._spun(link.joint, here)
+            found[id(link)] = here if first else self._spun(link, here, rates)
         return found
+
+    def _driven(self, vector: Vector, link: Link, rates: Sequence[Node]) -> Vector:
+        """With what the rates of the kept velocities give."""
+        g = self.graph
+        for turn in self._turns[id(link)]:
+            rate = g.sum([g.mul(a, rates[i]) for i, a in turn.terms.items()])
+            vector = add_vectors(g, vector, scale_vector(g, rate, turn.axis))
+        return vector
 
     def _fall(self, root: Link) -> Vector:
         """The acceleration of a root's origin, against the field (J. le R. d'Alembert)."""
@@ -110,8 +121,8 @@ class _Assembly:
             found.append(g.sub(self.rates.on_motion(turn)[0], pull))
         return found[0], found[1], found[2]
 
-    def _spun(self, frame: Frame, state: _State) -> _State:
-        g, omega, alpha = self.graph, state.omega, state.alpha
+    def _spun(self, link: Link, state: _State, rates: Sequence[Node]) -> _State:
+        g, omega, alpha, frame = self.graph, state.omega, state.alpha, link.joint
         at = self._made.views.axes_of_spins(frame, frame)
         for spin in frame.spins:
             rate = g.add(g.sum([g.mul(a, v) for v, a in spin.rates]), spin.own)
@@ -121,7 +132,7 @@ class _Assembly:
             tilt = cross(g, state.omega, turn)
             alpha = add_vectors(g, alpha, add_vectors(g, tilt, scale_vector(g, growth, (x, y, z))))
             omega = add_vectors(g, omega, turn)
-        return _State(omega, alpha, state.origin)
+        return _State(omega, self._driven(alpha, link, rates), state.origin)
 
     def _spread(self, state: _State, place: Vector) -> Vector:
         """U times a place."""
@@ -139,32 +150,36 @@ class _Assembly:
 
     def assembled(self) -> Assembled:
         """The matrix and the right side."""
-        turns = {id(link): self._made.turns(link) for link in self._made.links}
-        size = len(self.rates.motion.w)
-        mass = [[self.graph.zero] * size for _ in range(size)]
-        self._add_masses(mass, turns)
-        taken = self._taken(turns)
-        self._add_plain(mass, taken)
+        g, size = self.graph, len(self.rates.motion.w)
+        mass = [[g.zero] * size for _ in range(size)]
+        self._add_masses(mass)
+        for terms, others, h, _ in self._plain():
+            for i, a in terms.items():
+                for o, b in others.items():
+                    mass[i][o] = g.add(mass[i][o], g.mul(g.mul(h, a), b)) if i <= o else mass[i][o]
         mass = [[mass[min(i, j)][max(i, j)] for j in range(size)] for i in range(size)]
         forces = self._forces()
-        return Assembled(mass, [self.graph.sub(f, b) for f, b in zip(forces, taken, strict=True)])
 
-    def _add_plain(self, mass: list[list[Node]], taken: list[Node]) -> None:
-        """T's other forms, a . w with the Hessian h: h a a^T, and h a times the rate."""
-        g = self.graph
+        def residual(rates: Sequence[Node]) -> list[Node]:
+            return [g.sub(f, b) for f, b in zip(forces, self._taken(rates), strict=True)]
+
+        return Assembled(mass, residual([g.zero] * size), residual)
+
+    def _plain(self) -> Iterator[tuple[Terms, Terms, Node, Node]]:
+        """Pairs of T's other forms, with their entry of the Hessian and the rate of the second where no rate changes."""
         for k, (terms, _) in self._made.plain.items():
             for j, (others, turn) in self._made.plain.items():
-                h = self.kinetic.hessian[k][j]
-                for i, a in terms.items() if h != g.zero else ():
-                    own = g.mul(h, a)
-                    taken[i] = g.add(taken[i], g.mul(own, turn))
-                    for o, b in others.items():
-                        mass[i][o] = g.add(mass[i][o], g.mul(own, b)) if i <= o else mass[i][o]
+                if self.kinetic.hessian[k][j] != self.graph.zero:
+                    yield terms, others, self.kinetic.hessian[k][j], turn
 
-    def _taken(self, turns: dict[int, list[Turn]]) -> list[Node]:
-        """What the masses take where no rate changes."""
-        g, states, wrenches = self.graph, self._states(), dict[int, Wrench]()
-        taken = [g.zero] * len(self.rates.motion.w)
+    def _taken(self, rates: Sequence[Node]) -> list[Node]:
+        """What the masses take at these rates."""
+        g, turns, states, wrenches = self.graph, self._turns, self._states(rates), dict[int, Wrench]()
+        taken = [g.zero] * len(rates)
+        for terms, others, h, turn in self._plain():
+            grown = g.add(turn, g.sum([g.mul(b, rates[o]) for o, b in others.items()]))
+            for i, a in terms.items():
+                taken[i] = g.add(taken[i], g.mul(g.mul(h, a), grown))
         for link in reversed(self._made.links):
             wrench, state = wrenches.pop(id(link), Wrench()), states[id(link)]
             wrench.add(g, self._inertial(link.load, state))
@@ -193,7 +208,8 @@ class _Assembly:
             for i, a in turn.terms.items():
                 taken[i] = g.add(taken[i], g.mul(a, own))
 
-    def _add_masses(self, mass: list[list[Node]], turns: dict[int, list[Turn]]) -> None:
+    def _add_masses(self, mass: list[list[Node]]) -> None:
+        turns = self._turns
         g, loads = self.graph, {id(link): replace(link.load) for link in self._made.links}
         columns: dict[int, list[tuple[Turn, Wrench]]] = {}
         for link in reversed(self._made.links):

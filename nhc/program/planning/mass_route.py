@@ -158,7 +158,12 @@ def _of_bodies(full: Equations, put_in: Mapping[Node, Node]) -> MassRoute | None
     factors = factor(g, mass, g.mask(full.system.p))
     values = shorten(g, solve_factored(g, factors, flat[size * size :]))
     pivots = [(pivot, mass[k][k]) for k, pivot in zip(factors.order, factors.pivots, strict=True)]
-    return MassRoute(values, pivots, lambda right: solve_factored(g, factors, right))
+    return MassRoute(
+        values,
+        pivots,
+        lambda right: solve_factored(g, factors, right),
+        residual=lambda rates: substitute(g, found.residual(rates), put_in),
+    )
 
 
 def _is_small(equations: Equations) -> bool:
