@@ -310,8 +310,10 @@ def _spell(integral: Integral) -> str:
 def _dependent(system: System, formulation: Formulation, choice: Choice, by_name: bool, facts: Facts, bag: Bag) -> None:
     names = [f"{system.q_names[i]}'" for i in choice.dependent]
     who = "given" if set(system.dependent) == set(choice.dependent) else "chosen"
-    # the choice is made by itself where it is regular, or stays so on walks along all that the mechanism can reach
-    tried = not by_name and formulation.dependent is not None
+    # the choice is made by itself where it is regular, or stays so on walks along all that the mechanism can reach; so it is for
+    # a name that says no more than `auto` would
+    usual = formulation.dependent is not None and choice.dependent == checked_dependent(system).dependent
+    tried = formulation.dependent is not None and not (by_name and usual)
     never = choice.regular or never_vanishes(system, choice.determinant)
     aside = ", as it does on none of the positions that were tried" if tried else ""
     regular = "never singular" if never else f"singular where it vanishes{aside}"
