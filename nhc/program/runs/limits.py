@@ -46,11 +46,7 @@ class Limits:
     """Radians that a clock (what is periodic in time) may turn in a step for the estimate of the error to tell what it does."""
     far: float = 3.0
     """The same for dop853."""
-    apart: float = 0.25
-    """Of the squares of dop853's estimates, one for each entry.  The one for all entries of Hairer, Nørsett and Wanner (1993),
-    eq. (II.10.17), lets a large estimate of order 3 of one entry hide the errors of all others, a hundredfold in stiff scenes.
-    Each entry's own is larger; with this part of it the gallery's scenes take as many steps as with the one for all."""
-    wild: float = 30.0
+    wild: float = 3.0
     """The last term of dop853's interpolant over those of Hermite's cubic, beyond which a mode that decays too fast for a step made
     it: 1e3 at the largest stable step if nothing else moves, 5e3 at 1.6 times that, 7e4 at five times; a tenth of that and less
     beside other motions; below 1 in smooth ones."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from math import sqrt
 
-from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods.step import Step, Vector, combine
 from nhc.simulate.methods.tableau import Explicit
 
@@ -29,19 +28,15 @@ def attempt(s: Step, method: Explicit) -> float:
 
 def again(s: Step, method: Explicit) -> float:
     """The square of the error of a step that is there, relative to what is allowed."""
-    squares = [
-        [(1.0 / allowed * combine(row, s.k, i)) ** 2 for row in method.errors]
-        for i, allowed in enumerate(s.allowed(s.reached))
+    allowed = s.allowed(s.reached)
+    norms = [
+        sum((1.0 / a * combine(row, s.k, i)) ** 2 for i, a in enumerate(allowed)) / len(allowed)
+        for row in method.errors
     ]
-    if len(method.errors) == 1:
-        return s.h * s.h * sum(square for (square,) in squares) / len(squares)
-    return s.h * s.h * (LIMITS.apart / len(squares) * sum(_mix(*pair) for pair in squares))
-
-
-def _mix(square: float, other: float) -> float:
-    """Of the squares of an entry's two estimates: Hairer, Nørsett and Wanner (1993), eq. (II.10.17), for one entry."""
-    mixed = square + 0.01 * other
-    return square * (square / mixed) if mixed > 0.0 else mixed  # a NaN stays one
+    if len(norms) == 1:
+        return s.h * s.h * norms[0]
+    mixed = norms[0] + 0.01 * norms[1]  # Hairer, Nørsett and Wanner (1993), eq. (II.10.17)
+    return (s.h * norms[0]) ** 2 / mixed if mixed > 0.0 else mixed  # a NaN stays one
 
 
 def find_errors(s: Step, method: Explicit) -> Vector:
