@@ -40,10 +40,6 @@ NUMBERS = {
 ON_THE_WAY = "positions that the motion can reach"
 
 
-_OPEN = ("euler-lagrange", "voronec")
-"""Formulations whose velocities nhc chooses where the spec has none."""
-
-
 @record
 class Formulation:
     """A formulation with its frame (None: the coordinate velocities themselves).
@@ -68,18 +64,22 @@ def formulate(system: System, name: str = "") -> Formulation:
     """
     wanted = name or system.spec.formulation or "auto"
     try:
-        if wanted == "auto":
-            return choose(system)
-        named = build(system, wanted)
-        if wanted not in _OPEN or system.quasi or system.dependent or system.rotations or not system.constraints:
-            return named
-        best = choose(system)  # what the name leaves open is chosen as if it had not been said
-        return best if best.name == wanted else named
+        if wanted == "auto" or _is_open(system, wanted):  # what a name leaves open is chosen as if it had not been said
+            best = choose(system)
+            if wanted in ("auto", best.name):
+                return best
+        return build(system, wanted)
     except NotApplicable as error:
         spans = dict(system.spec.key_spans)
         written = [spans[key] for key in (error.key if name else "formulation", "holonomic") if key in spans]
         refuse(system, error, written[0] if written else system.spec.kinetic.span)
         raise
+
+
+def _is_open(system: System, name: str) -> bool:
+    """Whether nhc chooses the velocities of the formulation of that name."""
+    given = system.quasi or system.dependent or system.rotations
+    return name in ("euler-lagrange", "voronec") and bool(system.constraints) and not given
 
 
 def checked_dependent(system: System) -> DependentChoice:

@@ -72,8 +72,7 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
         return None
     g = system.graph
     mask = g.mask(system.p)
-    to_motion = moving(system, motion.velocities)
-    forms = substitute(g, kinetic.atoms, to_motion)
+    forms, to_motion = on_motion(kinetic, motion)
     sweeps = Sweeps(system, motion.velocities)
     if spatial is None:
         recursion = read_recursion(g, forms, motion.w, mask, sweeps.rates_of_entries())
@@ -81,7 +80,6 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
         recursion = spatial.recursion
     if recursion is None:
         return None
-    to_motion.update(zip(kinetic.u, forms, strict=True))
     placed = recursion.forms if spatial is None else spatial.placed
     weights, pull = _hessian(g, kinetic, recursion, placed, to_motion, sweeps.seeds)
     weighed = spatial.weighed if spatial is not None else None
@@ -105,6 +103,13 @@ def find_chain(system: System, motion: Motion, kinetic: Kinetic, spatial: Spatia
     for (i, _), torque in zip(spatial.torques, torques, strict=True):
         pull[i] = g.add(pull[i], torque)
     return _in_units(system, motion, recursion, weights, pull, sweeps.seeds, spatial)
+
+
+def on_motion(kinetic: Kinetic, motion: Motion) -> tuple[list[Node], dict[Node, Node]]:
+    """T's forms along a motion, and what it makes of the velocities and of the forms' symbols."""
+    to_motion = moving(kinetic.system, motion.velocities)
+    forms = substitute(kinetic.system.graph, kinetic.atoms, to_motion)
+    return forms, {**to_motion, **dict(zip(kinetic.u, forms, strict=True))}
 
 
 # --- T's Hessian and the forces --------------------------------------------------------------------------------

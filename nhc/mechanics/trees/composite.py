@@ -18,14 +18,12 @@ from dataclasses import replace
 
 from nhc.algebra.calculus import gradient, pullback_gradient, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import NotLinear
 from nhc.mechanics.motion import Motion
-from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.rotations.turns import Vector, add_vectors, cross, scale_vector
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.bodies import Writer, find_writer
-from nhc.mechanics.trees.chain import forces_of
+from nhc.mechanics.trees.chain import forces_of, on_motion
 from nhc.mechanics.trees.covectors import Sweeps
 from nhc.mechanics.trees.frames import ZERO, Frame
 from nhc.mechanics.trees.links import Link, Links, Turn
@@ -56,7 +54,7 @@ class _State:
 
 
 def assemble(system: System, motion: Motion) -> Assembled | None:
-    """Of bodies in space that nothing holds; None where T has anything else, or its vectors are not read."""
+    """Of bodies in space; None where T has vectors that are not read, or forms of many velocities beside them."""
     writer = find_writer(system, motion)
     if writer is None:
         return None
@@ -256,9 +254,7 @@ class _Assembly:
     def _forces(self) -> list[Node]:
         """What pulls at the kept velocities besides."""
         g, kinetic, motion = self.graph, self.kinetic, self.rates.motion
-        to_motion = moving(self.rates.system, motion.velocities)
-        forms = substitute(g, kinetic.atoms, to_motion)
-        to_motion.update(zip(kinetic.u, forms, strict=True))
+        _, to_motion = on_motion(kinetic, motion)
         potential, places, _ = self.writer.weighed if self.writer.field is not None else (self.rates.system.U, {}, {})
         sweeps = Sweeps(self.rates.system, motion.velocities)
         pairs = forces_of(kinetic, sweeps, potential, places, to_motion, self.writer.angular)

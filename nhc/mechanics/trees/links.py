@@ -46,8 +46,8 @@ class Turn:
 
 
 class Links:
-    """Those of a system, each ``before`` what stands on it, and T's forms that no link has (``plain``: what they are of the kept
-    velocities, and their rates where these have none).
+    """Those of a system, and T's forms that no link has (``plain``: what they are of the kept velocities, and their rates where
+    these have none).
 
     Raises:
         Unread: T has anything else, or its coefficients move.

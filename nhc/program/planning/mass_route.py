@@ -12,7 +12,7 @@ from nhc.algebra.walks import count
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.detour import Detour, find_detour
 from nhc.mechanics.spherical_tops import find_in_space
-from nhc.mechanics.system import Form
+from nhc.mechanics.system import Form, System
 from nhc.mechanics.trees import FEW
 from nhc.program.plan import factor, solve_factored
 from nhc.records import fresh, structure
@@ -142,7 +142,7 @@ def _in_pairs(g: Graph, pairs: Sequence[tuple[Node, Node]], put_in: Mapping[Node
 
 
 def _of_bodies(full: Equations, put_in: Mapping[Node, Node]) -> MassRoute | None:
-    """The dense way with the matrix and the right side of bodies in space that nothing holds."""
+    """The dense way with the matrix and the right side of bodies in space, where T has nothing but these."""
     g, size = full.system.graph, len(full.motion.w)
     if not 2 < size <= _MOST_BODIES or "composite inertias" in g.off:
         return None
@@ -155,15 +155,9 @@ def _of_bodies(full: Equations, put_in: Mapping[Node, Node]) -> MassRoute | None
         return None
     flat = substitute(g, [*(x for row in found.mass for x in row), *found.force], put_in)
     mass = [flat[k * size : (k + 1) * size] for k in range(size)]
-    factors = factor(g, mass, g.mask(full.system.p))
-    values = shorten(g, solve_factored(g, factors, flat[size * size :]))
-    pivots = [(pivot, mass[k][k]) for k, pivot in zip(factors.order, factors.pivots, strict=True)]
-    return MassRoute(
-        values,
-        pivots,
-        lambda right: solve_factored(g, factors, right),
-        residual=lambda rates: substitute(g, found.residual(rates), put_in),
-    )
+    route = _by_matrix(full.system, mass, flat[size * size :])
+    route.residual = lambda rates: substitute(g, found.residual(rates), put_in)
+    return route
 
 
 def _is_small(equations: Equations) -> bool:
@@ -191,8 +185,12 @@ def _other_tree(equations: Equations) -> Elimination | None:
 
 
 def _dense(equations: Equations) -> MassRoute:
-    g = equations.system.graph
-    factors = factor(g, equations.mass, g.mask(equations.system.p))
-    values = shorten(g, solve_factored(g, factors, equations.force))
-    pivots = [(pivot, equations.mass[k][k]) for k, pivot in zip(factors.order, factors.pivots, strict=True)]
+    return _by_matrix(equations.system, equations.mass, equations.force)
+
+
+def _by_matrix(system: System, mass: Sequence[Sequence[Node]], force: Sequence[Node]) -> MassRoute:
+    g = system.graph
+    factors = factor(g, mass, g.mask(system.p))
+    values = shorten(g, solve_factored(g, factors, force))
+    pivots = [(pivot, mass[k][k]) for k, pivot in zip(factors.order, factors.pivots, strict=True)]
     return MassRoute(values, pivots, lambda right: solve_factored(g, factors, right))

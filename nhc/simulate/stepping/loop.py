@@ -91,9 +91,8 @@ class _Run:
     halved: int = 0
 
     def leave(self, kind: int, status: int = 0) -> Outcome:
-        s, ends = self.step, self.ends if self.task.logged else []
-        counts = (self.steps, self.rejected, s.calls, s.jacobians)
-        return Outcome(kind, status, s.t, list(s.y), s.h, *counts, self.states, s.size, ends)
+        s, counts = self.step, (self.steps, self.rejected, self.step.calls, self.step.jacobians)
+        return Outcome(kind, status, s.t, list(s.y), s.h, *counts, self.states, s.size, self.ends)
 
 
 def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcome:
@@ -269,7 +268,8 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
         run.before = keep_signs(run.before, after)
     _fill(run, cut)
     run.steps += 1
-    run.ends.append(reach)
+    if task.logged:
+        run.ends.append(reach)
     if which >= 0:
         s.y, s.t = _point(run, cut), s.t + cut * s.h
         s.seen = [max(a, abs(b)) for a, b in zip(s.seen, s.y, strict=True)] if s.hoping else s.seen
