@@ -1,29 +1,34 @@
-"""Lagrange's equations by way of quasi-velocities: T's own angular velocities in place of the rates of Euler's angles.
+"""By way of quasi-velocities: T's own angular velocities in place of the rates of Euler's angles.
 
-With u = W q' for forms u of T, Poincaré's equations M u' = f (I.2.14) have a matrix that often hardly moves, where W^T M W is
-full and moves with every angle.  The state stays (q, q'): u is put in, and q'' = W^-1 (u' - W' q').
+With u = W w for forms u of T, the Euler-Lagrange equations M u' = f (I.2.14, under constraints I.2.15) have a matrix that often
+hardly moves, where W^T M W is full and moves with every angle.  The state stays (q, w), without constraints w = q': u is put in,
+and w' = W^-1 (u' - W' w).
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import combinations, islice
 
 from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
-from nhc.algebra.graph import Graph, Node
-from nhc.algebra.walks import count
+from nhc.algebra.graph import MUL, POW, Graph, Node
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.solving.blocks import find_eliminated, without_sign
+from nhc.algebra.walks import count, reachable
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.energies.kinetic import Kinetic, kinetic_structure, rates_of_positions, velocity_forms
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.frame import Frame, complete_basis, coordinate_form, make_frame, velocity_symbol
-from nhc.mechanics.rotations.turning import along
+from nhc.mechanics.frame import Frame, complete_basis, form_value, make_frame, total_derivative, velocity_symbol
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
 _MOST = 20
-"""Coordinates beyond which a second matrix is not assembled."""
+"""Velocities beyond which a second matrix is not assembled; choices of T's forms among which independent ones are sought."""
+_TRIALS = 3
+"""Bases for which it is."""
 
 
 @record
@@ -49,63 +54,137 @@ class Detour:
         return tangent(g, self.back, dict(zip(self.frame.free, changed, strict=True)))
 
 
-def find_detour(equations: Equations) -> Detour | None:
-    """By T's forms that are no rates of positions; None where there are none, or the system is not free, or is large."""
+def find_detour(equations: Equations, kept: Sequence[Form]) -> Detour | None:
+    """By T's forms that are no rates of positions; None where there are none, or the system is large.
+
+    ``kept`` are the forms whose values the velocities w are.
+    """
     system = equations.system
-    if system.l or system.rotations or equations.motion.w != system.v or not 1 < system.n <= _MOST:
+    if system.rotations or not 1 < system.n - system.l == len(kept) <= _MOST or "detours" in system.graph.off:
         return None
-    if "detours" in system.graph.off:
-        return None
-    if rates_of_positions(system).issuperset(velocity_forms(system)):
+    # a constrained system has its structure already, a tree may do without
+    atoms = kinetic_structure(system).atoms if system.l else velocity_forms(system)
+    if rates_of_positions(system).issuperset(atoms):
         return None
     known: dict[tuple[Node, ...], Detour | None] = system.graph.memory.setdefault("detours", {})
-    key = (system.T, system.U, *system.Q)
+    key = (system.T, system.U, *system.Q, *equations.motion.w, *equations.motion.velocities)
     if key not in known:
-        known[key] = _make_detour(system)
+        known[key] = _make_detour(equations, kept)
     return known[key]
 
 
-def _make_detour(system: System) -> Detour | None:
-    kinetic = kinetic_structure(system)
-    forms = _choose_forms(system, kinetic)
-    if not forms:
-        return None
+def _make_detour(equations: Equations, kept: Sequence[Form]) -> Detour | None:
+    kinetic = kinetic_structure(equations.system)
+    for forms in _choose_forms(equations.system, kinetic, kept):
+        found = _by_way_of(forms, equations, kinetic, kept)
+        if found is not None:
+            return found
+    return None
+
+
+def _by_way_of(forms: Sequence[Form], equations: Equations, kinetic: Kinetic, kept: Sequence[Form]) -> Detour | None:
+    """None where these forms are no basis, or are singular where the state's velocities are not."""
+    system, motion = equations.system, equations.motion
+    g, number = system.graph, "I.2.15" if system.l else "I.2.14"
     try:
         frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
-        made = equations_of(system, _poincare(frame), kinetic)
+        made = equations_of(system, Formulation("euler-lagrange", number, frame, None, (), ""), kinetic)
     except Singular:
         return None
-    if not made.definite:
+    if not made.definite or not _is_sound(frame, made, equations):
         return None
-    g = system.graph
-    moving = {**along(system, system.v), system.t: g.one}
+    by_w, by_u = dict(zip(system.v, motion.velocities, strict=True)), dict(zip(system.v, frame.kinematics, strict=True))
+    values = [g.zero if form in kept else substitute(g, [form_value(system, form)], by_w)[0] for form in forms]
+    still = dict.fromkeys(motion.w, g.zero)
     return Detour(
         made,
         frame,
-        {symbol: form.value for symbol, form in zip(frame.omega, forms, strict=True) if form.value is not None},
-        tuple(tangent(g, [form.value], moving)[0] if form.value is not None else g.zero for form in forms),
-        frame.kinematics,
+        {symbol: value for symbol, value, form in zip(frame.free, values, forms, strict=True) if form not in kept},
+        tuple(total_derivative(system, value, motion.velocities, still) for value in values),
+        tuple(substitute(g, [form_value(system, form) for form in kept], by_u)),
     )
 
 
-def _poincare(frame: Frame) -> Formulation:
-    return Formulation("euler-lagrange", "I.2.14", frame, None, (), "")
+def _is_sound(frame: Frame, made: Equations, equations: Equations) -> bool:
+    """Whether the state's velocities are singular, or their mass matrix M_w is, wherever the coframe of u is.
+
+    M_w = W^T M_u W is where W is, if M_u is finite there: if it divides by nothing that the state's velocities do not.
+    """
+    if any(without_sign(frame.graph, pivot) in find_eliminated(frame.graph) for pivot, _ in frame.guards):
+        return False
+    if made.tree is not None:
+        return True
+    system = equations.system
+    g = system.graph
+    allowed = _divisors(g, [system.T, *equations.motion.velocities])
+    return _divisors(g, [x for row in made.mass for x in row]) <= allowed
 
 
-def _choose_forms(system: System, kinetic: Kinetic) -> list[Form]:
-    """A basis of T's forms that are no rates of positions, the simplest first, and of coordinates' velocities; empty without the
-    former.
+def _divisors(g: Graph, nodes: Sequence[Node]) -> set[Node]:
+    found = set[Node]()
+    todo = [g.a[node] for node in reachable(g, nodes) if g.op[node] == POW and g.b[node] < 0]
+    while todo:
+        node = g.core[todo.pop()]
+        if g.op[node] == MUL:
+            todo += [g.a[node], g.b[node]]
+        elif g.op[node] == POW:
+            todo.append(g.a[node])
+        elif g.value(node) is None:
+            found.add(node)
+    return found
+
+
+def _choose_forms(system: System, kinetic: Kinetic, kept: Sequence[Form]) -> Iterator[tuple[Form, ...]]:
+    """Bases of T's forms that are no rates of positions, the simplest first, and of the velocities that are kept.
+
+    There may be some: constraints leave fewer of these forms independent, and the first velocities or the last complete them.
+    """
+    turning = [k for k in range(len(kinetic.atoms)) if not kinetic.is_exact(k)]
+    named = {form.value: form for form in kept if form.value is not None}
+    if named.keys() >= {kinetic.atoms[k] for k in turning}:
+        return
+    own = [named.get(form.value or -1, form) for form in _own_forms(system, kinetic, turning)]
+    rows = {form: list(form.coefficients) for form in (*system.constraints, *own)}
+    held, g = list(system.constraints), system.graph
+    size = rank(g, list(rows.values())) - system.l if system.l else len(own)
+
+    def independent(forms: Sequence[Form]) -> bool:
+        return size == len(own) or rank(g, [rows[form] for form in (*held, *forms)]) == system.l + size
+
+    seen = set[tuple[Form, ...]]()
+    for forms in islice(combinations(own, size), _MOST):
+        if set(forms) <= set(kept) or not independent(forms):
+            continue
+        for rest in _complete(system, [*held, *forms], kept):
+            if (*forms, *rest) not in seen:
+                yield (*forms, *rest)
+                seen.add((*forms, *rest))
+            if len(seen) == _TRIALS:
+                return
+
+
+def _complete(system: System, given: Sequence[Form], kept: Sequence[Form]) -> Iterator[tuple[Form, ...]]:
+    """The velocities that complete a basis: the first, the last, and some sets among them."""
+    missing, pool = system.n - len(given), [form for form in kept if form not in given]
+    yield tuple(complete_basis(system, given, pool))
+    if missing:
+        yield tuple(complete_basis(system, given, pool[::-1])[::-1])
+        for rest in islice(combinations(pool, missing), _MOST):
+            if len(complete_basis(system, given, rest)) == missing:
+                yield rest
+
+
+def _own_forms(system: System, kinetic: Kinetic, turning: list[int]) -> list[Form]:
+    """Independent forms of T that are no rates of positions, the simplest first.
 
     Once as many forms as velocities stand in them are chosen, as for a body's three turns, no other form of these velocities
     is: a joint's rate stays beside its body's angular velocity.
     """
     g = system.graph
-    turning = [k for k in range(len(kinetic.atoms)) if not kinetic.is_exact(k)]
     held = {k: {v for v in system.v if g.depends(kinetic.atoms[k], g.deps[v])} for k in turning}
-    turning.sort(key=lambda k: (len(held[k]), count(g, [kinetic.atoms[k]]), k))
     chosen, rows = list[Form](), list[list[Node]]()
     closed, open_forms, opened = set[Node](), 0, set[Node]()
-    for k in turning:
+    for k in sorted(turning, key=lambda k: (len(held[k]), count(g, [kinetic.atoms[k]]), k)):
         form = kinetic.form(k)
         if held[k] & closed or rank(g, [*rows, list(form.coefficients)]) == len(rows):
             continue
@@ -116,8 +195,4 @@ def _choose_forms(system: System, kinetic: Kinetic) -> list[Form]:
         if len(opened) == open_forms:
             closed |= opened
             opened, open_forms = set(), 0
-    return (
-        [*chosen, *complete_basis(system, chosen, (coordinate_form(system, i) for i in range(system.n)))]
-        if chosen
-        else []
-    )
+    return chosen

@@ -89,7 +89,7 @@ RULES = (
     ),
     Rule(
         "detours",
-        "Lagrange's equations are solved for the rates of T's own angular velocities, then transformed back",
+        "equations in the rates of angles are solved for the rates of T's own angular velocities, then transformed back",
         "mechanics/detour.py",
     ),
     Rule(

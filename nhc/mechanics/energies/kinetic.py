@@ -223,7 +223,11 @@ def _is_positive(graph: Graph, node: Node, values: dict[Node, float]) -> bool:
 
 def kinetic_structure(system: System) -> Kinetic:
     """T's velocity forms; where T is no polynomial in the velocities they are the velocities themselves."""
-    return _structure(system, energy_as_squares(system))
+    memo: dict[int, Kinetic] = system.graph.memory.setdefault("kinetic structures", {})
+    known = memo.get(id(system))
+    if known is None or known.system is not system:
+        known = memo[id(system)] = _structure(system, energy_as_squares(system))
+    return known
 
 
 def _structure(system: System, energy: Node) -> Kinetic:

@@ -16,7 +16,7 @@ from nhc.mechanics.added_units import added_units
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
-from nhc.mechanics.frame import describe_added
+from nhc.mechanics.frame import describe_added, kept_forms
 from nhc.mechanics.regular.trials import usual_digits, usual_part
 from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System
@@ -103,8 +103,7 @@ class PlannerBase:
         if not rates:
             return
         if equations.definite:
-            frame = self.formulation.frame
-            kept = frame.forms[self.system.l :] if frame is not None else ()
+            kept = kept_forms(self.system, self.formulation.frame)
             self.route = mass_route(equations, self.full_equations, self.put_in, kept)
             self.solved = dict(zip(rates, self.route.values, strict=True))
             self.turned_guards = self._guard_determinants(self.route.turned, _TURNED_DIGITS, SINGULAR_MASS, MASS_LOST)

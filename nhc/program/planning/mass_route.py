@@ -30,6 +30,8 @@ Residual = Callable[[Sequence[Node]], list[Node]]
 _LONG = 90
 """Operations of the dense way for each rate, from which a tree is looked for where constraints leave few rates and T holds the
 time: the dense way then differentiates the matrices of what moves by itself."""
+_SHORT = 90
+"""Operations for each rate, up to which a detour is tried under constraints: what is longer has more than a body's turns in it."""
 _APART = 40
 """Operations for each rate, from which bodies in space are also taken each on its own axes."""
 _SHORTER = 1.05
@@ -57,7 +59,9 @@ class MassRoute:
     turned: Pairs = fresh(factory=list)
 
 
-def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]) -> MassRoute:
+def mass_route(
+    equations: Equations, full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form], *, straight: bool = False
+) -> MassRoute:
     """The cheapest way; ``full`` are the equations before ``put_in`` was put into them: a tree is read from these.
 
     ``kept`` are the forms whose values the velocities w are.
@@ -76,8 +80,13 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
         held = _along_held(full, put_in, kept, dense)
         if held is not None:
             found.append(held)
-    found += [_by(way, equations, put_in) for way in (find_detour(full), find_in_space(full, kept)) if way is not None]
-    bodies = _of_bodies(full, put_in) if min(count(g, way.values) for way in found) > _APART * size else None
+    least = min(count(g, way.values) for way in found)
+    if not straight:
+        in_space = find_in_space(full, kept)
+        detour = find_detour(full, kept) if not full.system.l or least <= _SHORT * size else None
+        found += [_by(way, full, put_in) for way in (detour, in_space) if way is not None]
+        least = min(count(g, way.values) for way in found)
+    bodies = _of_bodies(full, put_in) if least > _APART * size else None
     if len(found) == 1 and bodies is None:
         return found[0]
     from nhc.mechanics.trees.choice import CHAINED, work
@@ -127,12 +136,14 @@ def _along(equations: Equations, tree: Elimination, put_in: Mapping[Node, Node])
     )
 
 
-def _by(detour: Detour, equations: Equations, put_in: Mapping[Node, Node]) -> MassRoute:
-    g = equations.system.graph
-    inner = mass_route(detour.equations, detour.equations, {}, detour.frame.forms[detour.equations.system.l :])
+def _by(detour: Detour, full: Equations, put_in: Mapping[Node, Node]) -> MassRoute:
+    g = full.system.graph
+    inner = mass_route(
+        detour.equations, detour.equations, {}, detour.frame.forms[detour.equations.system.l :], straight=True
+    )
     values = shorten(g, detour.accelerations(substitute(g, inner.values, detour.values)))
     pivots = _in_pairs(g, _in_pairs(g, inner.pivots, detour.values), put_in)
-    turned = _in_pairs(g, detour.frame.guards, put_in)
+    turned = _in_pairs(g, [pair for pair in detour.frame.guards if pair not in full.guards], put_in)
     return MassRoute(substitute(g, values, put_in), pivots, short=True, chained=inner.chained, turned=turned)
 
 

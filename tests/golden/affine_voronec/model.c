@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:c2e0ee2d1b34de54)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:2c3b9d49dd0e20c0)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -246,7 +246,7 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     const double z25 = x * z21;
     const double z26 = s_z * z21;
     const double z27 = z2 * z21;
-    const double z28 = x_dot * (z2 * (z24 - (2.0 * z25 - 0.3 * z26)) - (z22 + (0.3 * (s_z * z27) + z23)));
+    const double z28 = x_dot * (z2 * (z24 - (2.0 * z25 - 0.3 * z26)) - (z22 + (z23 + 0.3 * (s_z * z27))));
     const double z29 = y_dot * c_z;
     const double z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z29 - y_2 * z26)) + (0.4 - 0.8 * (s_t * s_t) + z20
         * (z24 + z25));
@@ -365,8 +365,8 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double z29 = 0.06 * (c_z * z24) + z20 * (0.2 * (z5 * c_t) + 2.0 * (x * z22)) + z6 * z28;
     const double z30 = 0.3 * z23 - z29;
     const double z31 = z * z2;
-    const double z32 = 0.3 * (z2 * z20 * z21) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z20 *
-        z31)));
+    const double z32 = 0.3 * (z2 * z20 * z21) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z31 *
+        z20)));
     const double z33 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - (0.1 * x_dot + (x + (0.4 * (y_dot *
         c_t - y_2 * s_t) - z32)));
     const double z34 = 3.0 * z - (z11 - 0.05 * z20) - (0.2 * z4 + 0.5 * (y_dot * y_dot * z15) + x_dot * x_dot
@@ -502,8 +502,8 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z30 = x_dot * c_t;
     const double z31 = z6 * z29 + (0.06 * (c_z * z30) + z20 * (0.2 * (z5 * c_t) + 2.0 * (x * z24)));
     const double z32 = 0.3 * z25 - z31;
-    const double z33 = 0.3 * (z2 * z20 * z23) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z20 *
-        z21)));
+    const double z33 = 0.3 * (z2 * z20 * z23) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z21 *
+        z20)));
     const double z34 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - (0.1 * x_dot + (x + (0.4 * (y_dot *
         c_t - y_2 * s_t) - z33)));
     const double z35 = z13 * z32 - (c_z * (0.06 * (c_t * z20) + 0.3 * (z2 * z29)) - (z34 - z13 * z26));
@@ -653,7 +653,7 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z64 = 0.5 * (z3 * z55) + z63;
     const double z65 = 0.06 * (c_t * z23) + 0.3 * (z2 * z53);
     const double z66 = z * z2;
-    const double z67 = 0.2 * (z9 * c_t) + 2.0 * (z23 * z66);
+    const double z67 = 0.2 * (z9 * c_t) + 2.0 * (z66 * z23);
     const double z68 = 0.4 * (y_dot * c_t - y_2 * s_t) - (0.3 * (z30 * z47) + (0.1 * (t * z23) - x_dot *
         z67));
     const double z69 = z13 * z55 - (c_z * z65 - (2.0 * (x * z33) - (0.1 * x_dot + (x + z68)) + z13 * z59));
@@ -832,8 +832,8 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z25 = x * z21;
     const affine_voronec_lanes z26 = s_z * z21;
     const affine_voronec_lanes z27 = z2 * z21;
-    const affine_voronec_lanes z28 = x_dot * (z2 * (z24 - (2.0 * z25 - 0.3 * z26)) - (z22 + (0.3 * (s_z *
-        z27) + z23)));
+    const affine_voronec_lanes z28 = x_dot * (z2 * (z24 - (2.0 * z25 - 0.3 * z26)) - (z22 + (z23 + 0.3 * (s_z
+        * z27))));
     const affine_voronec_lanes z29 = y_dot * c_z;
     const affine_voronec_lanes z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z29 - y_2 * z26)) + (0.4 - 0.8 * (s_t
         * s_t) + z20 * (z24 + z25));

@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:ed8c2594a21f2924).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:0b9e71017df2011f).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -143,7 +143,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z26 = s_z * z21
         z27 = z2 * z21
         s2 = z2 * (z24 - (2.0 * z25 - 0.3 * z26))
-        z28 = x_dot * (s2 - (z22 + (0.3 * (s_z * z27) + z23)))
+        z28 = x_dot * (s2 - (z22 + (z23 + 0.3 * (s_z * z27))))
         z29 = y_dot * c_z
         s3 = x_dot * (0.1 * (c_t * z9) + z11 * (z29 - y_2 * z26))
         z30 = s3 + (0.4 - 0.8 * (s_t * s_t) + z20 * (z24 + z25))
@@ -274,7 +274,7 @@ def accelerations(
         z29 = 0.06 * (c_z * z24) + s3 + z6 * z28
         z30 = 0.3 * z23 - z29
         z31 = z * z2
-        s4 = x_dot * (0.2 * (z9 * c_t) + 2.0 * (z20 * z31))
+        s4 = x_dot * (0.2 * (z9 * c_t) + 2.0 * (z31 * z20))
         z32 = 0.3 * (z2 * z20 * z21) + (0.1 * (t_ * z20) - s4)
         s5 = 0.1 * x_dot + (x + (0.4 * (y_dot * c_t - y_2 * s_t) - z32))
         z33 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - s5
@@ -426,7 +426,7 @@ def reactions(
         s4 = z20 * (0.2 * (z5 * c_t) + 2.0 * (x * z24))
         z31 = z6 * z29 + (0.06 * (c_z * z30) + s4)
         z32 = 0.3 * z25 - z31
-        s5 = x_dot * (0.2 * (z9 * c_t) + 2.0 * (z20 * z21))
+        s5 = x_dot * (0.2 * (z9 * c_t) + 2.0 * (z21 * z20))
         z33 = 0.3 * (z2 * z20 * z23) + (0.1 * (t_ * z20) - s5)
         s6 = 0.1 * x_dot + (x + (0.4 * (y_dot * c_t - y_2 * s_t) - z33))
         z34 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - s6
@@ -584,7 +584,7 @@ def jacobian(
         z64 = 0.5 * (z3 * z55) + z63
         z65 = 0.06 * (c_t * z23) + 0.3 * (z2 * z53)
         z66 = z * z2
-        z67 = 0.2 * (z9 * c_t) + 2.0 * (z23 * z66)
+        z67 = 0.2 * (z9 * c_t) + 2.0 * (z66 * z23)
         s7 = 0.3 * (z30 * z47) + (0.1 * (t_ * z23) - x_dot * z67)
         z68 = 0.4 * (y_dot * c_t - y_2 * s_t) - s7
         s8 = 2.0 * (x * z33) - (0.1 * x_dot + (x + z68)) + z13 * z59

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:98412644bcc54437)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:0b235026cb848afc)
  * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -397,8 +397,8 @@ double charged_sleigh_energy(double t, const double *y, const double *p)
     const double theta = y[2]; /* heading [rad] */
 
     /* sines and cosines */
-    const double c_theta = cos(theta);
     const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
 
     /* what else is read */
     const double x = y[0]; /* point of the edge [m] */
@@ -414,7 +414,7 @@ double charged_sleigh_energy(double t, const double *y, const double *p)
     const double k1 = a * a;
 
     /* from the state */
-    const double z1 = a * w * (a + (x * c_theta + y_2 * s_theta)) + v * (x * s_theta - y_2 * c_theta);
+    const double z1 = v * (x * s_theta - y_2 * c_theta) + a * w * (a + (x * c_theta + y_2 * s_theta));
     const double z2 = w * w;
     return 0.5 * (B * z1 + (J * z2 + m * (z2 * k1 + v * v)));
 }

@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:8c1db47f10d337c1).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:64fd991ee0308eb7).
 
 Čaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends
     on x and y.
@@ -331,10 +331,10 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # from the parameters alone
         k1 = a * a
         # from the state
-        c_theta = math.cos(theta)
         s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
         s1 = a * w * (a + (x * c_theta + y_2 * s_theta))
-        z1 = s1 + v * (x * s_theta - y_2 * c_theta)
+        z1 = v * (x * s_theta - y_2 * c_theta) + s1
         z2 = w * w
         value1 = 0.5 * (B * z1 + (J * z2 + m * (z2 * k1 + v * v)))
         return _single("energy", value1)
