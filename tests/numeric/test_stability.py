@@ -264,6 +264,14 @@ def test_the_balance_of_a_motion_that_jumps() -> None:
     assert exact.kind == "balance" and exact.resolved and max(exact.series) < 1e-5
 
 
+def test_the_equilibrium_is_found_where_no_place_of_the_scene_leads_to_it() -> None:
+    """From x = 2 a search among all states exchanges the spring against a friction that grows with the speed."""
+    text = "nhc: 1\nsystem: vdp\ncoordinates: [x]\nT: x'^2/2\nV: x^2/2\nforces: {x: 3/2*(1 - x^2)*x'}\n"
+    found = stability(Source("vdp.yaml", text + "scenes: {a: {initial: {x: 2}, time: [0, 0.4]}}\n"), PLAIN)
+    assert found.motion is not None and found.motion.place == "the start"
+    assert found.motion.linearisation.steady.y == pytest.approx((0.0, 0.0), abs=1e-12)
+
+
 def test_a_power_that_the_steps_do_not_follow_is_not_resolved() -> None:
     """A force of 1e6 rad/s, over whose turns fixed steps pass."""
     made = model(Source("engine.yaml", ENGINE.replace("1000", "1e6").replace("10]", "0.1]")))

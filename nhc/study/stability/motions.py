@@ -26,7 +26,7 @@ from nhc.study.linearization.found import Locked, NotSteady, SingularFrame, Stea
 from nhc.study.linearization.leaf import held_on_leaf
 from nhc.study.linearization.linearize import Linearisation, linearise_at
 from nhc.study.linearization.motion import branch_of, nearest_of, read_holds, steady_model
-from nhc.study.linearization.steady import find_steady
+from nhc.study.linearization.steady import find_motion, find_steady
 from nhc.study.linearization.sweep import Sweep, sweep
 
 SweepRange = tuple[str, float, float, int]
@@ -135,9 +135,10 @@ def _find(
     for t, start in beside:
         guesses.append((f"the scene at t = {t:.6g}", (*start.q, *kept_velocities(model.flow.system, forms, start))))
     first: NotSteady | None = None
-    for place, y in guesses:
+    searches = [(place, y, find_steady) for place, y in guesses]
+    for place, y, search in (*searches, (*guesses[0], find_motion)):  # at rest where nothing else is found
         try:
-            found = keep_ranges(model, y, find_steady(model, y, holds), holds)
+            found = keep_ranges(model, y, search(model, y, holds), holds)
             if y is begun:  # what was asked for is a start, not what a scene comes to later
                 found = keep_speeds(model, scene, y, found, holds)
             return found, place, model.regularity(found.y)
