@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -16,9 +16,10 @@ from nhc.mechanics.linearize import quantity
 from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.values import coordinate_ranges
 from nhc.study.linearization.field import Hold, SteadyModel
-from nhc.study.linearization.found import NotSteady, Steady
-from nhc.study.linearization.steady import find_steady
+from nhc.study.linearization.found import Locked, NotSteady, SingularFrame, Steady
+from nhc.study.linearization.steady import find_motion, find_steady
 
+Search = Callable[[SteadyModel, Sequence[float], Sequence[Hold]], Steady]
 SNAP = 1e-11
 """What differs by no more, relative to its size, is the same."""
 _NOTHING = 1e-15
@@ -27,6 +28,40 @@ _SLIGHT = 1e-3  # of the kinetic energy: a velocity of a scene with less is a di
 _FARTHER = 2.0  # times the way to the nearest steady motion: where the velocities of a scene must not lead
 
 _PARTS = (0.5, 0.25, 0.75)  # of a range, where the search begins again
+
+
+def find_asked(
+    model: SteadyModel, scene: Scene, guess: Sequence[float], holds: Sequence[Hold], search: Search = find_motion
+) -> Steady:
+    """The steady motion that was asked about: with all that was given, where somebody gave it for this and there is such a motion.
+
+    Else the nearest in the whole state that ``search`` finds, and the member of its family with the velocities that were given.
+
+    Raises:
+        NotSteady: none is found.
+    """
+    declared = next((one.initial for one in model.flow.system.spec.scenes if one.name == scene.name), ())
+    try:
+        asked, places = _asked(model, scene, guess), _places(model, scene, guess)
+    except ArithmeticError:  # the search says why
+        asked, places = [], []
+    whole = (*holds, *(hold for _, hold in asked), *places)
+    given = bool(asked and places) and not any(entry in declared for entry, _ in asked)
+    found = _find(model, guess, whole) if given else None
+    if found is not None:
+        return _as_given(model, guess, found)
+    try:
+        nearest = keep_ranges(model, guess, search(model, guess, holds), holds)
+    except (SingularFrame, Locked):
+        raise  # there is one, or it is for other coframes to say
+    except NotSteady:
+        found = _find(model, guess, whole) if asked and not given else None
+        if found is None:
+            raise
+        return _as_given(model, guess, found)
+    asked = asked or _asked(model, scene, guess)
+    loose = [(_share(model, guess, hold), entry in declared, hold) for entry, hold in asked]
+    return _as_given(model, guess, _keep_speeds(model, guess, nearest, holds, loose))
 
 
 def keep_ranges(model: SteadyModel, guess: Sequence[float], nearest: Steady, holds: Sequence[Hold]) -> Steady:
@@ -57,42 +92,57 @@ def list_outside(model: SteadyModel, y: Sequence[float]) -> list[int]:
     return [i for i, low, high in limits if not low - SNAP <= y[i] <= high + SNAP]
 
 
-def keep_speeds(
-    model: SteadyModel, scene: Scene, guess: Sequence[float], nearest: Steady, holds: Sequence[Hold]
+def _keep_speeds(
+    model: SteadyModel,
+    guess: Sequence[float],
+    nearest: Steady,
+    holds: Sequence[Hold],
+    asked: Sequence[tuple[float, bool, Hold]],
 ) -> Steady:
     """The member of the family of ``nearest`` that has the velocities that were asked for, one by one as far as there is one.
 
     The search alone ends at the member nearest in the whole state, of which the user gave a part: at another speed.  What moves
-    most comes first.  A scene of the spec need not be near a steady motion: its own small velocities are disturbances that need
-    not stay, nor should its others lead far away.
+    most comes first: ``asked`` are parts of the kinetic energy, whether the spec's scene says so, and the holds.  A scene of the
+    spec need not be near a steady motion: its own small velocities are disturbances that need not stay, nor should its others lead
+    far away.
     """
-    declared = next((one.initial for one in model.flow.system.spec.scenes if one.name == scene.name), ())
-    asked = [(_share(model, guess, hold), entry in declared, hold) for entry, hold in _asked(model, scene, guess)]
     far, best = _FARTHER * _way(model, guess, nearest), nearest
     for share, loose, hold in sorted(asked, key=lambda one: -one[0]):
         if loose and share <= _SLIGHT:
             continue
         kept = (*holds, hold)
         if abs(model.value(best.y, hold.node) - hold.value) > SNAP * abs(hold.value):
-            try:
-                other = find_steady(model, best.y, kept)
-            except NotSteady:
-                continue
-            if loose and _way(model, guess, other) > far:
+            other = _find(model, best.y, kept)
+            if other is None or (loose and _way(model, guess, other) > far):
                 continue
             best = other
         holds = kept
-    return _as_given(model, guess, best)
+    return best
+
+
+def _find(model: SteadyModel, begin: Sequence[float], holds: Sequence[Hold]) -> Steady | None:
+    with suppress(NotSteady):
+        return find_steady(model, begin, holds)
+    return None
+
+
+def _places(model: SteadyModel, scene: Scene, guess: Sequence[float]) -> list[Hold]:
+    """The coordinates that were given, apart from those that are cyclic or go along with a symmetry, of which any value does."""
+    flow = model.flow
+    named = {entry.name for entry in scene.initial if entry.kind == "coordinate"}
+    turns = [turn for group in model.symmetries for turn in group]
+    moved = {i for i in model.rest for turn in turns if turn.matrix[i].any() or turn.shift[i]}
+    return [Hold(flow.names[i], flow.y[i], guess[i]) for i in model.rest if flow.names[i] in named and i not in moved]
 
 
 def _as_given(model: SteadyModel, guess: Sequence[float], steady: Steady) -> Steady:
     """With the values of the guess where the search's differ from them by rounding only, if that is as steady."""
     pairs = zip(steady.y, guess, strict=True)
     y = tuple(own if abs(x - own) <= SNAP * (1.0 + abs(x)) else x for x, own in pairs)
-    if steady.turning is not None or y == steady.y:
+    if y == steady.y:
         return steady
-    rest = list(model.rest)
-    left, before = (float(np.max(np.abs(model.field(at)[0])[rest], initial=0.0)) for at in (y, steady.y))
+    rest, own = list(model.rest), replace(model, turning=steady.turning) if steady.turning else model
+    left, before = (float(np.max(np.abs(own.field(at)[0])[rest], initial=0.0)) for at in (y, steady.y))
     return replace(steady, y=y) if left <= max(before, _NOTHING * (1.0 + max(map(abs, y)))) else steady
 
 

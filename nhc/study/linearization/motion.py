@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import TypeVar
 
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.show import to_text
-from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
+from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language.expressions.names import fold_typed
 from nhc.language.scope import names_in
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choosing.choose import Formulation, build
-from nhc.mechanics.choosing.conditioning import adapted_choices
+from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.flow import Flow, flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame
@@ -36,20 +33,16 @@ from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.properties.timed import timed_parts
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.starts.scenes import Start, start_of
-from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value, named_constants
 from nhc.records import record
-from nhc.simulate.switching import SOUND
-from nhc.study.linearization.asked import SNAP, describe_lost, has_halted, keep_ranges, keep_speeds
+from nhc.study.linearization.asked import SNAP, describe_lost, find_asked, has_halted
+from nhc.study.linearization.coframes import elsewhere
 from nhc.study.linearization.field import Hold, SteadyModel
-from nhc.study.linearization.found import NotSteady, SingularFrame, Steady, check_frame, check_smooth
+from nhc.study.linearization.found import NotSteady, Steady, check_frame, check_smooth
 from nhc.study.linearization.leaf import defined_at, held_on_leaf, leaf_integrals
 from nhc.study.linearization.linearize import Linearisation, linearise_at
-from nhc.study.linearization.steady import find_motion
 from nhc.study.linearization.sweep import Branch, Sweep, sweep
 from nhc.study.linearization.tape import Tapes
-
-Found = TypeVar("Found")
 
 
 @record
@@ -124,8 +117,7 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
         known = defined_at(system, leaf_integrals(system, formulation), model.values(guess))
         model = held_on_leaf(model, guess, known)
     holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
-    nearest = keep_ranges(model, guess, find_motion(model, guess, holds), holds)
-    steady = keep_speeds(model, scene, guess, nearest, holds)
+    steady = find_asked(model, scene, guess, holds)
     check_smooth(model, steady)
     made = linearise_at(model, steady)
     lost = describe_lost(model, scene, guess, steady.y)
@@ -180,54 +172,20 @@ def linearise_whole(equations: Equations, formulation: Formulation, request: Req
     better = reduced(system, formulation)
     try:
         return linearise(equations if better is formulation else equations_of(system, better), better, request)
-    except SingularFrame:
+    except NotSteady as error:
         start = start_of(system, scene_about(system.spec, request.about, request.settings))
-        return nearest_of(
-            system, start, lambda own, other: linearise(equations_of(own, other), other, request, start), found_at
+        return elsewhere(
+            system,
+            error,
+            start,
+            lambda own, other: linearise(equations_of(own, other), other, request, start),
+            found_at,
         )
 
 
 def found_at(findings: Findings) -> tuple[SteadyModel, Steady]:
     """The model with the steady motion that was found."""
     return findings.model, findings.linearisation.steady
-
-
-def nearest_of(
-    system: System,
-    start: Start,
-    study: Callable[[System, Formulation], Found],
-    where: Callable[[Found], tuple[SteadyModel, Steady]],
-) -> Found:
-    """A study by multipliers, and in coframes in which a motion that turns is steady: that of the motion nearest to the start.
-
-    Raises:
-        NotSteady: with multipliers, where none of them finds a steady motion.
-    """
-    place, failed = start.values(system), None
-    found: list[tuple[float, Found]] = []
-    try:
-        whole = study(system, build(system, "multipliers"))
-        found.append((_distance(place, *where(whole)), whole))
-    except NotSteady as error:
-        failed = error
-    for choice in adapted_choices(system, place):
-        if choice.value >= SOUND:
-            with suppress(NotSteady, SpecError):  # the names of other quasi-velocities are not known there
-                other = study(choice.system, choice.formulation)
-                found.append((_distance(place, *where(other)), other))
-    if not found:
-        assert failed is not None
-        raise failed
-    least = min(distance for distance, _ in found)
-    return next(one for distance, one in found if distance <= least + SNAP)
-
-
-def _distance(place: dict[Node, float], model: SteadyModel, steady: Steady) -> float:
-    """How far a steady motion is from a place, in q and q'."""
-    system = model.flow.system
-    values = [model.value(steady.y, node) for node in model.flow.velocities]
-    pairs = [*zip(system.q, steady.y, strict=False), *zip(system.v, values, strict=True)]
-    return math.sqrt(sum((place[symbol] - value) ** 2 for symbol, value in pairs))
 
 
 def _exact_place(

@@ -26,7 +26,9 @@ from nhc.study.linearization.turns import Turn, combined
 from nhc.study.linearization.units import Matrix, Vector, is_steady, trials
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
+_PLAIN = 30  # steps of Newton's method, which has converged then or never does
 _DAMPED, _UNDAMPED = 1.0, 0.0
+_POSITIONS = 1e3  # how much more rates of positions count where a search begins than accelerations
 _WEAKEST = 1e-13  # singular values below this part of the largest one are rounding
 
 
@@ -113,7 +115,7 @@ def _nearest(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold]) 
             groups = ()
     for turns in groups:
         try:
-            made = _iterate(own, turns, np.concatenate([y, _first_turn(own, turns, y)]), every)
+            made = _search(own, turns, np.concatenate([y, _first_turn(own, turns, y)]), every)
         except ArithmeticError as error:
             failed.append(
                 tell_way(own, y, error) if isinstance(error, NotSteady) else tell_singular(model, guess, error)
@@ -130,12 +132,35 @@ def _nearest(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold]) 
 
 
 def _first_turn(model: SteadyModel, turns: Sequence[Turn], y: Vector) -> Vector:
-    """How fast the guess turns: what leaves the least of its rates."""
+    """How fast the guess turns: what leaves the least of its rates, of positions above all, since velocities have yet to change."""
     if not turns:
         return np.zeros(0)
     rest = list(model.rest)
+    weights = np.where(np.array(rest) < model.flow.system.n, _POSITIONS, 1.0)
     along = np.array([turn.at(y) for turn in turns])[:, rest]
-    return np.asarray(np.linalg.lstsq(along.T, model.field([float(x) for x in y])[0][rest], rcond=None)[0])
+    rates = model.field([float(x) for x in y])[0][rest]
+    return np.asarray(np.linalg.lstsq((weights * along).T, weights * rates, rcond=None)[0])
+
+
+@np.errstate(over="ignore", invalid="ignore")  # far away nothing need have a finite size
+def _search(model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold]) -> Steady:
+    """Where steps that must get nearer come to a halt, full ones of Newton's method may pass: what is held leaves few ways.
+
+    Raises:
+        NotSteady: neither ends at a steady motion.
+    """
+    try:
+        return _iterate(model, turns, y, holds)
+    except NotSteady:
+        with suppress(ArithmeticError):
+            place = y
+            for step in range(_PLAIN if holds else 0):
+                value, slopes, _ = equations(model, turns, place, holds)
+                move = _step(value, slopes, bound(model, place, slopes[len(model.rest) :]), 0.0)
+                place = place + move
+                if float(np.linalg.norm(move)) <= 1e-14 * (1.0 + float(np.linalg.norm(place))):
+                    return _accept(model, turns, place, holds, step)
+        raise
 
 
 @np.errstate(over="ignore", invalid="ignore")  # a trial far away may have no finite size: it is no better

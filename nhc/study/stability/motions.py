@@ -20,12 +20,13 @@ from nhc.mechanics.linearize import reduced
 from nhc.mechanics.starts.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.study.linearization.asked import keep_ranges, keep_speeds
+from nhc.study.linearization.asked import find_asked, keep_ranges
+from nhc.study.linearization.coframes import elsewhere
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
-from nhc.study.linearization.found import Locked, NotSteady, SingularFrame, Steady, check_smooth
+from nhc.study.linearization.found import Locked, NotSteady, Steady, check_smooth
 from nhc.study.linearization.leaf import held_on_leaf
 from nhc.study.linearization.linearize import Linearisation, linearise_at
-from nhc.study.linearization.motion import branch_of, nearest_of, read_holds, steady_model
+from nhc.study.linearization.motion import branch_of, read_holds, steady_model
 from nhc.study.linearization.steady import find_motion, find_steady
 from nhc.study.linearization.sweep import Sweep, sweep
 
@@ -81,12 +82,12 @@ def steady_motion(
         return _motion(
             equations if better is formulation else equations_of(system, better), better, search, scene, start, beside
         )
-    except SingularFrame:
+    except NotSteady as error:
 
         def study(own: System, other: Formulation) -> Motion:
             return _motion(equations_of(own, other), other, search, scene, start, beside)
 
-        return nearest_of(system, start, study, lambda made: (made.model, made.linearisation.steady))
+        return elsewhere(system, error, start, study, lambda made: (made.model, made.linearisation.steady))
 
 
 def _motion(
@@ -138,9 +139,10 @@ def _find(
     searches = [(place, y, find_steady) for place, y in guesses]
     for place, y, search in (*searches, (*guesses[0], find_motion)):  # at rest where nothing else is found
         try:
-            found = keep_ranges(model, y, search(model, y, holds), holds)
             if y is begun:  # what was asked for is a start, not what a scene comes to later
-                found = keep_speeds(model, scene, y, found, holds)
+                found = find_asked(model, scene, y, holds, search)
+            else:
+                found = keep_ranges(model, y, search(model, y, holds), holds)
             return found, place, model.regularity(found.y)
         except Locked as error:
             return error.steady, place, error.regularity
