@@ -6,8 +6,6 @@ import math
 from dataclasses import replace
 
 from nhc.diagnostics import Source, SpecError
-from nhc.language import Spec
-from nhc.language.units.derived import derive_units
 from nhc.program.scene_model import count_operations_of
 from nhc.records import record
 from nhc.simulate.auto import choose_method
@@ -21,6 +19,7 @@ from nhc.simulate.task import TOO_MANY, Task
 from nhc.study.chart.measure import Rows, sizes_of, time_repeats
 from nhc.study.chart.model import ChartModel, compile_chart
 from nhc.study.simplify.ladder import Price, Size
+from nhc.study.simplify.on_the_way import Way, list_asked, way_of
 
 TIGHTER = 0.01
 """Of the wanted tolerance: the accuracy of every run; and of that, the accuracy of the reference."""
@@ -75,6 +74,7 @@ class Meter:
     own: tuple[float, ...]
     size: Size
     notes: tuple[str, ...]
+    way: Way
 
     def measure(self, text: str, again: bool = False) -> tuple[tuple[float, ...], Size]:
         """The errors of the needed quantities and the size of the model that a spec's text describes; ``again``: by the second way.
@@ -91,7 +91,12 @@ class Meter:
                 found = None  # perhaps for the sake of what the scene does not need
             if found is not None and max(found[0]) > _FAR * self.tolerance:
                 return found
-        return self._run(self.open(text), again)
+        job = self.open(text)
+        errors, size = self._run(job, again)
+        lost = self.way.find_lost(job) if not again and max(errors) <= self.tolerance else None
+        if lost is not None:
+            raise Refused(f"no model without it: the constraints lose their rank at t = {lost:.6g}")
+        return errors, size
 
     def _run(self, job: Job, again: bool) -> tuple[tuple[float, ...], Size]:
         settings = replace(self.second if again else self.settings, most=self.most)
@@ -184,12 +189,14 @@ def meter_of(source: Source, scene: str, formulation: str, tolerance: float, cha
             f"the full model's own runs differ by {max(own):.1e} in `{worst}`: too much to measure {tolerance:g}",
             ("take a shorter scene, a larger `--tol`, or leave a quantity that vanishes out of the scene's `need`",),
         )
+    everything = open_scene(source, scene, formulation, changes=changes, needs=list_asked(job.system), method=method)
+    whole = _complete(run(everything, settings))
     steps = plain.outcome.steps + plain.outcome.rejected
     quick = LONGER * steps + FIRST if plain.compiled and _is_quick(job, settings, steps) else 0
     most = PATIENT * max(each.outcome.steps + each.outcome.rejected for each in (plain, best, other)) + _LEAST_MOST
     return Meter(
         *(job.scene.name, formulation, tolerance, method, second, quick, most, job, plain.compiled),
-        *(best.headings, best.rows, sizes, own, size_of(plain), plain.notes),
+        *(best.headings, best.rows, sizes, own, size_of(plain), plain.notes, way_of(whole)),
     )
 
 
@@ -231,17 +238,3 @@ def size_of(found: Trajectory) -> Size:
     """What a run's model costs."""
     rhs = next(function for function in found.job.program.functions if function.name == "rhs")
     return Size(len(found.job.y), count_operations_of(rhs), found.outcome.calls)
-
-
-def ranges_of(
-    source: Source, spec: Spec, meter: Meter, changes: Changes = UNCHANGED
-) -> tuple[tuple[str, float, float, str], ...]:
-    """(name, least, largest, unit) of each coordinate and velocity of the full model on the output grid."""
-    units = derive_units(spec)
-    needs = tuple(name for c in spec.coordinates for name in (c.name, f"{c.name}'"))
-    job = open_scene(source, meter.scene, meter.formulation, changes=changes, needs=needs, method=meter.method)
-    found = _complete(run(job, meter.settings))
-    columns = zip(found.headings, zip(*found.rows, strict=True), strict=True)
-    return tuple(
-        (name, min(values) + 0.0, max(values) + 0.0, units.get(name, "")) for name, values in columns
-    )  # no -0.0

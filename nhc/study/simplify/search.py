@@ -17,7 +17,7 @@ from nhc.study.simplify.abreast import measure_abreast
 from nhc.study.simplify.candidate import Candidate
 from nhc.study.simplify.draft import Draft, draft_of
 from nhc.study.simplify.ladder import Kept, Ladder, Rung, Size
-from nhc.study.simplify.measure import TIGHTER, Meter, Refused, meter_of, ranges_of
+from nhc.study.simplify.measure import TIGHTER, Meter, Refused, meter_of
 from nhc.study.simplify.text import NoLimit, write_draft
 
 MOST_RUNS = 150
@@ -265,7 +265,7 @@ def simplify(
         again=again,
         parameters=tuple(zip(names, meter.job.start.p, strict=True)),
         needs=meter.needs,
-        ranges=ranges_of(source, draft.spec, meter, changes),
+        ranges=meter.way.ranges(draft.spec),
         rungs=tuple(rungs),
         kept=tuple(Kept(candidate.about, reason) for candidate, reason in search.reasons.items()),
         runs=search.runs,

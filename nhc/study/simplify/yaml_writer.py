@@ -7,7 +7,7 @@ import re
 
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 
-_PLAIN = re.compile(r"[A-Za-z0-9_(][A-Za-z0-9_ .+*/^()'=-]*")
+_PLAIN = re.compile(r"-?[A-Za-z0-9_(][A-Za-z0-9_ .+*/^()'=-]*")
 _DEPTH = 2  # mappings inside one another that get lines of their own; deeper ones stand in braces
 
 
