@@ -64,16 +64,22 @@ def formulate(system: System, name: str = "") -> Formulation:
     """
     wanted = name or system.spec.formulation or "auto"
     try:
-        if wanted == "auto" or _is_open(system, wanted):  # what a name leaves open is chosen as if it had not been said
-            best = choose(system)
-            if wanted in ("auto", best.name):
-                return best
-        return build(system, wanted)
+        return choose(system) if wanted == "auto" else of_name(system, wanted)
     except NotApplicable as error:
         spans = dict(system.spec.key_spans)
         written = [spans[key] for key in (error.key if name else "formulation", "holonomic") if key in spans]
         refuse(system, error, written[0] if written else system.spec.kinetic.span)
         raise
+
+
+def of_name(system: System, name: str) -> Formulation:
+    """The formulation of that name, in the velocities that `auto` takes where the name leaves them open and `auto` takes it.
+
+    Raises:
+        NotApplicable: a hypothesis that it cannot do without is broken.
+    """
+    best = choose(system) if _is_open(system, name) else None
+    return best if best is not None and best.name == name else build(system, name)
 
 
 def _is_open(system: System, name: str) -> bool:
@@ -299,10 +305,8 @@ def _on_axes(system: System, choice: DependentChoice) -> Formulation | None:
     frame, turning = found
     added = tuple(spelled(system, form) for form in frame.forms[system.l :])
     names = " and ".join(f"{system.q_names[k]}'" for k in (turning.first, turning.second))
-    heading = system.q_names[turning.heading]
-    reason = (
-        f"coframe chosen by nhc: on axes that turn with {heading}, which the kinetic energy in {names} would contain"
-    )
+    axes = f"on axes that turn with {system.q_names[turning.heading]}"
+    reason = f"coframe chosen by nhc: {axes}, which the kinetic energy in {names} would contain"
     return Formulation("euler-lagrange", "I.2.15", frame, None, added, reason)
 
 
@@ -318,14 +322,20 @@ def _voronec(system: System, choice: DependentChoice, reason: str) -> Formulatio
 
 
 def _reduced_or_voronec(system: System) -> Formulation:
+    """Čaplygin's equations where they apply with velocities that stay regular, else Voronec's, with the reason."""
     try:
         reduced = build(system, "chaplygin")
     except NotApplicable as error:
         if error.code != "E0411":
             raise
-        return build(system, "voronec")
-    regular = reduced.dependent is not None and reduced.dependent.regular
-    return reduced if regular else build(system, "voronec")
+        why = f"Čaplygin's equations do not apply: {error.reasons[0]}"
+    else:
+        if reduced.dependent is None or reduced.dependent.regular:
+            return reduced
+        names = ", ".join(f"{system.q_names[i]}'" for i in reduced.dependent.dependent)
+        why = f"Čaplygin's equations would need {names}, which are singular somewhere"
+    made = build(system, "voronec")
+    return replace(made, reason=f"{made.reason}; {why}")
 
 
 def applicable(system: System) -> list[Formulation]:
@@ -334,7 +344,7 @@ def applicable(system: System) -> list[Formulation]:
     found = []
     for name in order:
         try:
-            found.append(build(system, name))
+            found.append(of_name(system, name))
         except NotApplicable:
             continue
     return found

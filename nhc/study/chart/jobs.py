@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.language.spec import FORMULATIONS, Scene
-from nhc.mechanics.choosing.choose import Formulation, build, formulate
+from nhc.mechanics.choosing.choose import Formulation, formulate, of_name
 from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduction.reduce import Reduction
@@ -82,7 +82,7 @@ def prepare_jobs(system: System, scene: Scene, wanted: Sequence[str], needs: Seq
             shrunk[SCENE] = _shrunk(own.reduction)
     for name in names:
         try:
-            form = build(system, name)
+            form = of_name(system, name)
         except NotApplicable as error:
             skipped.append((name, f"does not apply: {error.reasons[0]}"))
             continue

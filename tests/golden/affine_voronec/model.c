@@ -1,10 +1,11 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:2c3b9d49dd0e20c0)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:80e4420e32945307)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
  * Equations of motion: voronec (I.4.9)
- * Why: dependent velocities of the spec
+ * Why: dependent velocities of the spec; Caplygin's equations do not apply: T contains the dependent
+ *     coordinate `z`
  * affine_voronec.h says what each function does.
  */
 #include "affine_voronec.h"

@@ -1,10 +1,11 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:72bf63400479b746)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:2e713d667f5cf29d)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
  * Equations of motion: voronec (I.4.9)
- * Why: dependent velocities of the spec
+ * Why: dependent velocities of the spec; Caplygin's equations do not apply: T contains the dependent
+ *     coordinate `z`
  *
  * State y:
  * y[0] = x

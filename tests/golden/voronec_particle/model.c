@@ -1,10 +1,11 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:bbe43914be0bce84)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:310ab4ef02be4e77)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
  * Equations of motion: voronec (I.4.9)
- * Why: dependent velocities of the spec
+ * Why: dependent velocities of the spec; Caplygin's equations do not apply: T contains the dependent
+ *     coordinate `z`
  * voronec_particle.h says what each function does.
  */
 #include "voronec_particle.h"

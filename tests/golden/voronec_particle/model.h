@@ -1,10 +1,11 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:bcb0970173926706)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:e9c6da8083289603)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
  * Equations of motion: voronec (I.4.9)
- * Why: dependent velocities of the spec
+ * Why: dependent velocities of the spec; Caplygin's equations do not apply: T contains the dependent
+ *     coordinate `z`
  *
  * State y:
  * y[0] = x

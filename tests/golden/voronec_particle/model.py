@@ -1,10 +1,11 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:87fe1f63eaf04134).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:39c77a25b774d348).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Čaplygin's hypotheses fail.
 Source: voronec_particle.yaml
 Equations of motion: voronec (I.4.9)
-Why: dependent velocities of the spec
+Why: dependent velocities of the spec; Čaplygin's equations do not apply: T contains
+    the dependent coordinate `z`
 
 State y:
 y[0] = x
