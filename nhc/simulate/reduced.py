@@ -33,10 +33,12 @@ def prepare_reduced(recipe: Recipe, formulation: Formulation, start: Start) -> J
     system, g = equations.system, equations.system.graph
     if count(g, [*equations.force, *equations.motion.velocities]) > _LARGE:
         return None
-    if equations.multipliers or any(form.equation is not None for form in system.constraints):
+    lengths = len(system.rotations)
+    if equations.multipliers or sum(form.equation is not None for form in system.constraints) > lengths:
         return None  # a run holds the state on these constraints, and needs all of it
     planner = reduce_one(equations, formulation, start)
-    if not planner.reduction.left:
+    turned = {place for rotation in system.rotations for place in rotation.places}
+    if not planner.reduction.left or turned & {*planner.reduction.kept, *planner.reduction.constants}:
         return None
     return replace(job_of(planner, start, recipe.jacobian, weak=recipe.weak), recipe=recipe)
 

@@ -1,4 +1,4 @@
-"""What was given of a steady motion is kept: balls that roll around in a cylinder and in a bowl."""
+"""What was given of a steady motion is kept, and a run needs no orientation: balls that roll around in a cylinder and in a bowl."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import pytest
 
 from nhc.diagnostics import Source
 from nhc.pipeline import Options, linearize
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, run
 from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.linearization.motion import Findings, Request
 
@@ -69,3 +71,13 @@ def test_all_that_was_given_stays_where_there_is_such_a_motion() -> None:
     assert rest[:5] == [0.0, 1.0, 0.0, 0.0, 0.0] and rest[6] == 0.0
     model = find(BOWL, "rho=1, phi'=2.6")
     assert model.linearisation.steady.turning is not None and not model.lost
+
+
+def test_an_orientation_that_nothing_needs_is_not_integrated() -> None:
+    """Though its quaternion has a length to hold; where it is needed all of the state is there."""
+    short = open_scene(Source("spec.yaml", CYLINDER.replace("6]", "6], need: [phi, z, energy]")), "drop")
+    whole = open_scene(Source("spec.yaml", CYLINDER.replace("6]", "6], need: [phi, z, energy, R_0]")), "drop")
+    assert len(short.y) == 3 and len(whole.y) == 9
+    rows = [run(job, Settings(tolerance=1e-11)) for job in (short, whole)]
+    assert rows[0].rows[-1] == pytest.approx(rows[1].rows[-1][:3], rel=1e-8)
+    assert rows[0].outcome.calls < rows[1].outcome.calls / 2
