@@ -6,8 +6,6 @@ import math
 from collections.abc import Sequence
 
 from nhc.algebra.bounds.common_zero import find_common_zero
-from nhc.algebra.bounds.interval import cannot_vanish
-from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.solving.blocks import find_eliminated
@@ -15,21 +13,16 @@ from nhc.algebra.solving.determinants import in_determinants
 from nhc.diagnostics import Bag
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.choosing.independence import independence
-from nhc.mechanics.properties.named import entry_text, zero_text
+from nhc.mechanics.properties.named import entry_text
 from nhc.mechanics.properties.singular import never_changes
-from nhc.mechanics.regular.regularity import Choice, intervals
+from nhc.mechanics.properties.zeros import never_vanishes, where_zero
+from nhc.mechanics.regular.regularity import Choice
 from nhc.mechanics.regular.trials import ordinary_points, trial_points
 from nhc.mechanics.system import Form, System
 
 _ROUNDING = 1e-12
 _CLEAR = 1e-5
 """Of a form's length, as far as the constraints and the other forms leave it; the mass matrix has its square."""
-
-
-def never_vanishes(system: System, node: Node | None) -> bool:
-    """Whether a determinant is not zero at any state."""
-    g, known = system.graph, intervals(system)
-    return node is not None and (cannot_vanish(g, node, known) or cannot_vanish_together(g, [node], known))
 
 
 def _is_zero_as_given(system: System, node: Node) -> bool:
@@ -59,12 +52,12 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
             continue
         if not _meets_equations(system, guard):
             continue
-        where = entry_text(system, guard) or zero_text(system, guard)
+        where = where_zero(system, guard, "`", entry_text(system, guard))
         own = len(system.quasi) > 3 * len(system.rotations)
         other = ", take the other `frame` of the rotation" if system.rotations else ""
         bag.warning(
             "W0408",
-            f"the quasi-velocities are singular where `{where} = 0`",
+            f"the quasi-velocities are singular where {where}",
             system.spec.key_span("quasi_velocities" if own else "rotation"),
             help=(f"choose forms that stay independent there{other}, or keep away from it",),
         )
@@ -78,7 +71,7 @@ def warn_of_dependent(system: System, choice: Choice, bag: Bag) -> None:
     advice = "leave `dependent:` out" if own else "name others under `dependent:`, leave `formulation:` out"
     bag.warning(
         "W0408",
-        f"the dependent velocities {names} are singular where `{zero_text(system, choice.determinant)} = 0`",
+        f"the dependent velocities {names} are singular where {where_zero(system, choice.determinant, '`')}",
         system.spec.key_span("dependent" if own else "formulation"),
         notes=() if own else ("nhc chose them; no choice is known to be regular everywhere",),
         help=(f"{advice}, or use quasi-velocities that stay regular",),

@@ -12,15 +12,16 @@ from nhc.diagnostics import Bag, several
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.formulations.chaplygin import mark_letters
 from nhc.mechanics.frame import coordinate_frame, describe_added
-from nhc.mechanics.properties.coframe import never_vanishes, warn_of_dependent, warn_of_quasi_velocities
+from nhc.mechanics.properties.coframe import warn_of_dependent, warn_of_quasi_velocities
 from nhc.mechanics.properties.conserved import Integral, find_conserved
 from nhc.mechanics.properties.inertia import warn_of_inertia
 from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals
-from nhc.mechanics.properties.named import named_text, zero_text
+from nhc.mechanics.properties.named import named_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
 from nhc.mechanics.properties.still import depends_on_time, describe_affine, describe_kinetic
+from nhc.mechanics.properties.zeros import never_vanishes, where_all_zero, where_zero
 from nhc.mechanics.regular.determined import warn_of_bare
 from nhc.mechanics.regular.regularity import Choice, choose_dependent
 from nhc.mechanics.regular.trials import trial_points
@@ -259,8 +260,7 @@ def _rank_loss(system: System, facts: Facts) -> None:
     found, full = find_rank_loss(system), None
     signed = [(minor, system.graph.neg(minor)) for minor in found.minors]  # what is zero has no sign
     minors = [min((named_text(system, one, 100) for one in pair), key=len) for pair in signed]
-    others = f", where {len(minors) - _SHOWN} other minors vanish, too" if len(minors) > _SHOWN else ""
-    where = f"${' = '.join(minors[:_SHOWN])} = 0$" + others
+    where = where_all_zero(system, found.minors, minors, _SHOWN, "$") if minors else ""
     if found.regular is None:
         text = "too large to decide where it is lost"
     elif found.regular:
@@ -322,7 +322,7 @@ def _dependent(system: System, formulation: Formulation, choice: Choice, by_name
     else:
         limit = f"determinant ${named_text(system, choice.determinant)}$"
         if not never and limit.endswith("…$"):
-            where = f"singular where ${zero_text(system, choice.determinant)} = 0$"
+            where = f"singular where {where_zero(system, choice.determinant, '$')}"
             limit, regular = "the determinant is long", f"{where}{aside}"
     facts.say(
         "dependent",
