@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 _OTHERS = (
     "velocities that turn with a body (x' and y', rates of a quaternion) are not steady here: leave out `--formulation`"
 )
+LONGEST = 100  # characters of an entry's expression that are read at a glance
 
 
 @verb(
@@ -161,17 +162,21 @@ def _matrix_lines(found: Findings) -> list[str]:
     made = found.linearisation
     names = [found.flow.names[i] for i in made.rest]
     lines = [f"matrix of perturbations of ({', '.join(names)}), entries that are not zero"]
-    entries = []
+    entries, long = [], False
     for r, row in enumerate(names):
         for c, column in enumerate(names):
             value = float(made.full[r, c])
             if value:
-                paper = f"  {found.paper[r][c]}" if found.paper else ""
-                entries.append((f"{row} <- {column}", f"{value:.12g}", paper))
+                paper = found.paper[r][c] if found.paper else ""
+                long = long or len(paper) > LONGEST
+                shown = f"  {paper}" if 0 < len(paper) <= LONGEST else ""
+                entries.append((f"{row} <- {column}", f"{value:.12g}", shown))
     left, right = (max((len(e[k]) for e in entries), default=0) for k in (0, 1))
     lines += [f"  {label:{left}}  {value:>{right}}{paper}".rstrip() for label, value, paper in entries]
     if found.paper:
         lines.append("  as expressions at " + ", ".join(f"{name} = {text}" for name, text in found.held))
+        if long:
+            lines.append(f"  expressions of more than {LONGEST} characters are left out; `--json` has them")
     else:
         lines.append(f"  no expressions: {found.why}")
     return lines

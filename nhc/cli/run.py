@@ -270,9 +270,20 @@ def _report(found: Trajectory, target: Path | None) -> int:
     rank = rank_left(found.job, found.outcome)
     if rank is not None:
         notes.append(f"the smallest singular value of the constraints there: {rank:.3g}")
-    advice = _advise(found, rank is not None and rank < LOST_RANK)
+    advice = [*_advise(found, rank is not None and rank < LOST_RANK), *_end_before(found)]
     failure = f"the scene `{scene}` fails {where} ({method}): {found.reason}"
     raise Failure(failure, advice, exit=Exit.NUMERICAL, notes=notes)
+
+
+def _end_before(found: Trajectory) -> list[str]:
+    """The option that writes what comes before the failure; nothing where a scene fails at its start."""
+    start = found.job.start.time[0]
+    far = 0.99 * (found.outcome.t - start)
+    end = start + float(f"{far:.3g}")
+    if not start < end < found.outcome.t:
+        return []
+    time = f"{start:.12g}:{end:.12g}" if start else f"{end:.12g}"
+    return [f"`--time {time}` writes the motion until shortly before"]
 
 
 def _advise(found: Trajectory, lost: bool) -> list[str]:

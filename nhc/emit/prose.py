@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 import textwrap
 import unicodedata
+from fractions import Fraction
 
-from nhc.program.ir import Origin
+from nhc.program.ir import Guard, Load, Number, Origin
 
 PUNCTUATION = {
     "\u2010": "-", "\u2011": "-", "\u2012": "-", "\u2013": "-", "\u2014": "-", "\u2212": "-",
@@ -15,6 +16,7 @@ PUNCTUATION = {
     "\u0142": "l", "\u0141": "L", "\u00e6": "ae", "\u2265": ">=", "\u2264": "<=", "\u2026": "...",
     "\u00b5": "u", "\u2044": "/",
 }  # fmt: skip
+SHORT = 24  # characters of a value that a comment repeats
 RAISED = re.compile("[\u207a\u207b\u2070\u00b9\u00b2\u00b3\u2074-\u2079]+")  # signs and digits of exponents
 
 
@@ -54,6 +56,22 @@ def wrap(text: str, width: int, hanging: str = "") -> list[str]:
     return textwrap.wrap(
         text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False, expand_tabs=False
     )
+
+
+def describe_load(load: Load, spelling: str) -> str:
+    """What the remark of a load says: its name in the spec where the code's ``spelling`` is another, what it is, and its unit."""
+    if load.quantity in ("", spelling):
+        return load.about
+    colon = ":" if load.about and not load.about.startswith("[") else ""
+    return f"{load.quantity}{colon} {load.about}".strip()
+
+
+def describe_guard(guard: Guard, value: str) -> str:
+    """What a guard's comment says: what is singular, and by which value where its text in the code is short."""
+    if not 0 < len(value) <= SHORT:
+        return guard.what
+    nearly = "" if guard.scale == Number(Fraction(0)) else "nearly "
+    return f"{guard.what}, if {value} is {nearly}0"
 
 
 def show_origin(origin: Origin) -> str:

@@ -31,7 +31,7 @@ from nhc.language.scope import Scope, check_reactions, names_in
 from nhc.language.sections import decode_coordinates, decode_parameters
 from nhc.language.shape import Shapes
 from nhc.language.spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Rotation, Spec
-from nhc.language.units.check import check_units
+from nhc.language.units.beside import check_sound_units
 from nhc.language.yaml_tree.extend import merge_bases
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty, read_nodes
@@ -124,8 +124,8 @@ class _Decoder:
             bodies=self.plain.bodies,
             velocities=self.plain.velocities,
         )
-        if not self.bag.has_errors:
-            check_units(spec, self.bag)
+        if not self.bag.has_errors or (kinetic is not None and not self.scope.open):
+            check_sound_units(spec, self.written, self.bag)
         self.bag.raise_if_errors()
         return spec
 

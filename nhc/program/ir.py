@@ -96,7 +96,8 @@ class Load:
     name: str
     array: str
     index: int
-    about: str = ""  # "theta [rad]"
+    about: str = ""  # "heading [rad]"
+    quantity: str = ""  # as the spec writes it: "theta", "theta'"
 
 
 @record

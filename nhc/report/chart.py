@@ -199,15 +199,13 @@ def _draw_costs(study: Study, top: float) -> tuple[list[str], float]:
             parts.append(draw_text(x + 8, at + 12, f"the same code as {cost.twin}", more=' font-size="11"'))
             at += 16
             continue
-        for language, look, value in (
-            ("c", ("circle", "#0072b2"), cost.c),
-            ("python", ("square", "#e69f00"), cost.python),
-        ):
+        for language, value in (("c", cost.c), ("python", cost.python)):
             if math.isfinite(value):
                 words = f"{LANGUAGE_NAMES[language]}: {duration(value)}"
                 more = f", {cost.operations}, {cost.states} states" if language == "c" else ""
-                parts.append(draw_marker(look[0], x + scale.place(value), at + 8, SMALLEST, look[1]))
-                parts.append(draw_text(x + scale.place(value) + 10, at + 12, words + more, more=' font-size="11"'))
+                place = x + scale.place(value)  # a bar: colours and shapes stand for methods and equations above
+                parts.append(draw_line(place, at + 3, place, at + 13, "#444444", ' stroke-width="3"'))
+                parts.append(draw_text(place + 10, at + 12, words + more, more=' font-size="11"'))
             at += 17
     return parts, top + height + 18
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import math
 import re
+from collections.abc import Sequence
 from html import escape
 from itertools import accumulate
 
 from nhc.algebra.evaluate import evaluate
 from nhc.emit.environment import create_environment
+from nhc.language.spec import reaction_name
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.properties.conserved import power_terms
 from nhc.report.drawing import describe_drawing, shorten, thin_rows
@@ -26,6 +28,7 @@ from nhc.report.svg import (
     make_room,
     time_axis,
 )
+from nhc.report.units import typeset_unit
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Trajectory, energy_change
 from nhc.version import __version__
@@ -36,6 +39,7 @@ LONGEST = 32  # letters of names beside an axis
 FLAT = 30.0  # times as large as another quantity, which would seem to be zero in the same panel
 MOST_STARTED = 24  # coordinates and velocities of the start that are named
 ROUNDING = 1e-15  # of a velocity that follows from the constraints, relative to the largest
+NOISE = 1e-13  # a residual that never leaves this is rounding
 FEW = 24  # rows, each of which is marked: a line alone would claim what is between them
 MOST_READ = 2000  # rows that the page carries as numbers
 
@@ -47,8 +51,7 @@ def list_charts(found: Trajectory) -> list[Chart]:
         units.setdefault(column.unit, []).append(k)
     charts: list[Chart] = []
     for unit, indices in [(unit, part) for unit, all_ in units.items() for part in _by_size(found, all_)]:
-        names = ", ".join(found.headings[k] for k in indices)
-        label = names if len(names) <= LONGEST else "value"
+        label = _label(found.job, [found.headings[k] for k in indices])
         few = len(found.times) <= FEW
         series = tuple(
             Series(found.headings[k], found.times, [row[k] for row in found.rows], marked=few) for k in indices
@@ -58,6 +61,21 @@ def list_charts(found: Trajectory) -> list[Chart]:
         y = Axis(f"{label} [{shown}]" if shown else label, unit=shown)
         charts.append(make_room(Chart(title, time_axis(found.job.system.spec.time_unit), y, series, WIDTH, PANEL)))
     return charts
+
+
+def _label(job: Job, names: Sequence[str]) -> str:
+    """What an axis shows: the names, or where they are too long what they all are."""
+    text = ", ".join(names)
+    if len(text) <= LONGEST:
+        return text
+    system = job.system
+    kinds = {
+        "reactions": {reaction_name(form.name) for form in system.constraints},
+        "coordinates": set(system.q_names),
+        "velocities": {*(f"{name}'" for name in system.q_names), *(form.name for form in system.quasi)},
+        "outputs": {name for name, _ in system.outputs},
+    }
+    return next((kind for kind, known in kinds.items() if known.issuperset(names)), "value")
 
 
 def _by_size(found: Trajectory, indices: list[int]) -> list[list[int]]:
@@ -73,31 +91,55 @@ def _by_size(found: Trajectory, indices: list[int]) -> list[list[int]]:
     return groups
 
 
-def list_check_charts(found: Trajectory) -> list[Chart]:
-    """The energy's relative change, and how far the constraints are off."""
-    checks = found.job.checks
-    charts: list[Chart] = []
-    for group, title, axis in (
-        ("energy", "energy: change relative to the largest of |T + V| and T", "relative change"),
-        ("residual", "residuals of the constraints", "in the spec's units"),
-        ("position", "holonomic constraints: position residuals", "in the spec's units"),
+def list_check_charts(found: Trajectory, driven: Sequence[str] = ()) -> list[Chart]:
+    """The energy, and how far the constraints are off.
+
+    Of the energy its relative change, which is an error; but T + V itself where it need not be constant, because of what is
+    ``driven``.
+    """
+    charts = [_draw_energy(found, bool(driven))] if _columns(found, "energy") else []
+    for group, title in (
+        ("residual", "residuals of the constraints"),
+        ("position", "holonomic constraints: position residuals"),
     ):
-        indices = [k for k, column in enumerate(checks) if column.group == group]
-        if not indices or not found.checks:
-            continue
-        series = []
-        for k in indices:
-            values = [row[k] for row in found.checks]
-            if group == "energy":
-                values = energy_change(found)
-            series.append(
-                Series(checks[k].heading, found.times, [max(abs(v), TINY) if v else math.nan for v in values])
-            )
-        if all(math.isnan(y) for s in series for y in s.y):
-            continue  # exactly zero: the table says so
-        t = time_axis(found.job.system.spec.time_unit)
-        charts.append(make_room(Chart(title, t, Axis(axis, log=True), tuple(series), WIDTH, PANEL)))
-    return charts
+        lines = _merge_noise(_columns(found, group))
+        charts.append(_chart(found, title, Axis("in the spec's units", log=True), lines))
+    return [chart for chart in charts if chart is not None]
+
+
+def _columns(found: Trajectory, group: str) -> list[tuple[str, list[float]]]:
+    """The checks of a group, row by row."""
+    indices = [k for k, column in enumerate(found.job.checks) if column.group == group and found.checks]
+    return [(found.job.checks[k].heading, [row[k] for row in found.checks]) for k in indices]
+
+
+def _draw_energy(found: Trajectory, driven: bool) -> Chart | None:
+    if not driven:
+        title, axis = "energy: change relative to the largest of |T + V| and T", Axis("relative change", log=True)
+        return _chart(found, title, axis, [("energy", energy_change(found))])
+    unit = found.job.system.units.get("energy", "")
+    axis = Axis(f"T + V [{unit}]" if unit else "T + V", unit=unit)
+    return _chart(found, "energy, which is not conserved", axis, [("T + V", _columns(found, "energy")[0][1])])
+
+
+def _merge_noise(lines: list[tuple[str, list[float]]]) -> list[tuple[str, list[float]]]:
+    """The lines, but for several that never leave rounding: one line of their largest values says as much as all of them."""
+    quiet = [(name, values) for name, values in lines if max(map(abs, values)) < NOISE]
+    if len(quiet) < 2:
+        return lines
+    largest = [max(map(abs, row)) for row in zip(*(values for _, values in quiet), strict=True)]
+    name = f"largest of {'all' if len(quiet) == len(lines) else 'the others'}"
+    return [*(line for line in lines if line not in quiet), (name, largest)]
+
+
+def _chart(found: Trajectory, title: str, y: Axis, lines: list[tuple[str, list[float]]]) -> Chart | None:
+    """A chart of checks over time; nothing where a logarithmic axis has only zeros to show: the table says so."""
+    if y.log:
+        lines = [(name, [max(abs(v), TINY) if v else math.nan for v in values]) for name, values in lines]
+    series = tuple(Series(name, found.times, values) for name, values in lines)
+    if all(math.isnan(v) for _, values in lines for v in values):
+        return None
+    return make_room(Chart(title, time_axis(found.job.system.spec.time_unit), y, series, WIDTH, PANEL))
 
 
 def make_picture(found: Trajectory) -> str:
@@ -115,7 +157,7 @@ def make_picture(found: Trajectory) -> str:
 
 def make_page(found: Trajectory) -> str:
     """A self-contained HTML page: facts, charts with a reading of values under the pointer, checks."""
-    job, outcome = found.job, found.outcome
+    job, outcome, driven = found.job, found.outcome, _list_drives(found)
     steps = f"{outcome.steps} steps, {outcome.rejected} rejected, {outcome.calls} right-hand sides"
     facts = [
         ("scene", f"{job.scene.name}{': ' + job.scene.about if job.scene.about else ''}"),
@@ -127,14 +169,14 @@ def make_page(found: Trajectory) -> str:
         ),
         ("parameters", _list_parameters(job) or "none"),
         ("start", _list_start(job) or "all coordinates and velocities are zero"),
-        *_summary(found),
+        *_summary(found, driven),
         *(("note", note) for note in found.notes),
     ]
     if found.ended == "event":
         facts.append(("ended", found.reason))
     if found.ended not in ("done", "event"):
         facts.append(("incomplete", f"{found.reason} at t = {outcome.t!r}"))
-    charts = (*list_charts(found), *list_check_charts(found))
+    charts = (*list_charts(found), *list_check_charts(found, driven))
     drawing = describe_drawing(found)
     context = {
         "title": escape(f"{job.program.system}: {job.scene.name}"),
@@ -152,7 +194,7 @@ def _number(value: float, unit: str = "") -> str:
     """The shortest decimal that reads back as the same double, long rows of zeros as a power of ten; its unit after it."""
     text = re.sub(r"e([+-]?)0*(?=\d)", lambda found: f"e{found[1].strip('+')}", repr(value).removesuffix(".0"))
     text = re.sub(r"0{9,}$", lambda zeros: f"e{len(zeros[0])}", text) if text.lstrip("-").isdigit() else text
-    return f"{text} {unit}" if unit not in ("", "1") else text
+    return f"{text} {typeset_unit(unit)}" if unit not in ("", "1") else text
 
 
 def _list_parameters(job: Job) -> str:
@@ -187,24 +229,26 @@ def _embed(data: object) -> str:
     return json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
 
 
-def _summary(found: Trajectory) -> list[tuple[str, str]]:
-    """The largest violation of each kind of check."""
+def _list_drives(found: Trajectory) -> list[str]:
+    """Why T + V is not constant in this run, in words; empty where it is, or might as well be."""
+    return power_terms(found.job.system) if _columns(found, "energy") and any(energy_change(found)) else []
+
+
+def _summary(found: Trajectory, driven: Sequence[str]) -> list[tuple[str, str]]:
+    """What the energy does, and the largest violation of each kind of constraint."""
     facts = []
-    for group, name in (("energy", "energy"), ("residual", "constraints"), ("position", "holonomic constraints")):
-        indices = [k for k, column in enumerate(found.job.checks) if column.group == group]
-        if not indices or not found.checks:
-            continue
-        columns = [[row[k] for row in found.checks] for k in indices]
-        if group == "energy":
-            columns = [energy_change(found)]
-        worst = max(abs(x) for column in columns for x in column)
-        text = f"off by at most {worst:.3g}, in the spec's units"
-        if group == "energy":
-            text = f"relative change at most {worst:.3g}"
-            terms = power_terms(found.job.system)
-            if terms and worst > 0:  # a number that is no error
-                text += f"; it need not be constant, because of {', '.join(terms).replace('`', '')}"
-        facts.append((name, text))
+    energy = [values for _, values in _columns(found, "energy")]
+    if energy and driven:
+        unit = found.job.system.units.get("energy", "")
+        first, last = (_number(float(f"{x:.4g}"), unit) for x in (energy[0][0], energy[0][-1]))
+        text = f"T + V goes from {first} to {last}; it need not be constant, because of {', '.join(driven)}"
+        facts.append(("energy", text.replace("`", "")))
+    elif energy:
+        facts.append(("energy", f"relative change at most {max(map(abs, energy_change(found))):.3g}"))
+    for group, name in (("residual", "constraints"), ("position", "holonomic constraints")):
+        worst = [abs(x) for _, values in _columns(found, group) for x in values]
+        if worst:
+            facts.append((name, f"off by at most {max(worst):.3g}, in the spec's units"))
     return facts
 
 
@@ -218,8 +262,8 @@ def _readable(chart: Chart) -> dict[str, object]:
         "height": frame.y.length,
         "low": frame.x.low,
         "high": frame.x.high,
-        "time": chart.x.unit,
-        "unit": chart.y.unit,
+        "time": typeset_unit(chart.x.unit),
+        "unit": typeset_unit(chart.y.unit),
         "names": [series.label for series in chart.series],
         "x": shorten(thin_rows(chart.series[0].x, MOST_READ)),
         "y": [[None if math.isnan(y) else y for y in shorten(thin_rows(s.y, MOST_READ))] for s in chart.series],

@@ -9,6 +9,7 @@ from dataclasses import replace
 from nhc.records import record
 from nhc.report.marks import draw_axes, draw_document, draw_line, draw_text, draw_title, fit_size
 from nhc.report.ticks import Scale, linear_scale, log_scale
+from nhc.report.units import typeset_label
 
 # Okabe and Ito: told apart by most eyes
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c6d1f")
@@ -84,7 +85,9 @@ def draw(chart: Chart) -> str:
 def describe(chart: Chart) -> str:
     """The chart in words: its title, what it shows over what, and the names of its lines where no label has them."""
     names = [series.label for series in chart.series if series.label and series.label not in chart.y.label]
-    shown = f"{chart.y.label} over {chart.x.label}" + (f" ({', '.join(names)})" if names else "")
+    shown = f"{typeset_label(chart.y.label)} over {typeset_label(chart.x.label)}" + (
+        f" ({', '.join(names)})" if names else ""
+    )
     return f"{chart.title}: {shown}" if chart.title else shown
 
 
@@ -166,16 +169,23 @@ def _draw_series(series: Series, frame: Frame, index: int) -> list[str]:
 def _draw_axes(chart: Chart, frame: Frame) -> list[str]:
     x, y = frame.x, frame.y
     parts = draw_axes(frame.left, frame.top, x, y)
-    parts.append(draw_text(frame.left + x.length / 2, frame.top + y.length + 34, chart.x.label, "middle"))
+    parts.append(
+        draw_text(frame.left + x.length / 2, frame.top + y.length + 34, typeset_label(chart.x.label), "middle")
+    )
     middle = frame.top + y.length / 2
     if chart.y.label:
-        parts.append(draw_text(14, middle, chart.y.label, "middle", f' transform="rotate(-90 14 {middle:.2f})"'))
+        turned = f' transform="rotate(-90 14 {middle:.2f})"'
+        parts.append(draw_text(14, middle, typeset_label(chart.y.label), "middle", turned))
     return parts
 
 
 def legend_rows(chart: Chart) -> list[list[tuple[int, str, float]]]:
-    """(series, text, place from the left) in rows; nothing where the axis's label says it already."""
-    if len(chart.series) == 1 and chart.series[0].label in ("", chart.y.label.split(" [")[0]):
+    """(series, text, place from the left) in rows; nothing for one line that the axis's label or the title names already."""
+    if len(chart.series) == 1 and chart.series[0].label in (
+        "",
+        chart.y.label.split(" [")[0],
+        chart.title.split(":")[0],
+    ):
         return []
     rows: list[list[tuple[int, str, float]]] = [[]]
     at = float(LEFT)

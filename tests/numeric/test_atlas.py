@@ -53,6 +53,20 @@ def test_a_failing_scenario_is_shown_and_counted() -> None:
     assert "**fail**" in markdown(results) and tree(results)["scenarios"][0]["passed"] is False
 
 
+def test_what_is_measured_stands_below_the_table() -> None:
+    verdict = Verdict(Measure("a long text of the naive way", 1.0), Measure("what nhc does", 2.0), "1e-9", True)
+    head, _, row, *below = markdown([(Scenario("C0", "t", "s", lambda: verdict), verdict)]).splitlines()
+    assert (head, row) == ("| | failure | system | nhc |", "| C0 | t | `s` | pass |")
+    assert below == [
+        "",
+        "**C0: t**",
+        "",
+        "- naive: a long text of the naive way",
+        "- nhc: what nhc does",
+        "- criterion: 1e-9",
+    ]
+
+
 def test_the_document_lists_every_scenario() -> None:
     text = (ROOT / "docs" / "stability.md").read_text()
     for s in SCENARIOS:

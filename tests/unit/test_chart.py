@@ -159,6 +159,15 @@ def test_the_picture_shows_every_case_and_marks_failures_and_unresolved_points()
     assert all("nan" not in value for e in root.iter() for value in e.attrib.values())
 
 
+def test_times_of_right_hand_sides_have_marks_of_no_method_and_no_formulation() -> None:
+    text = draw_study(study(CROSSING))
+    place = text.index("time of one right-hand side [s]")
+    assert "<circle" not in text[place:] and "<rect" not in text[place:] and "<polygon" not in text[place:]
+    assert text[place:].count('stroke-width="3"') == sum(
+        math.isfinite(t) for cost in study(CROSSING).costs if not cost.twin for t in (cost.c, cost.python)
+    )
+
+
 def test_what_is_beaten_by_an_unresolved_case_is_not_among_the_best() -> None:
     """The slow line's finest resolved case has the least resolved error; a case on the grey ground is better and faster."""
     fast = [

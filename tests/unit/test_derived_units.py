@@ -141,7 +141,48 @@ def test_emitted_files_show_them_for_reactions_and_the_energy(language: str) -> 
     text = SLEIGH.replace("LENGTH", "m").replace("MASS", "kg")
     header = next(iter(emit(Source("s.yaml", text), language).values()))
     assert re.search(r"Constraints, with the units of their reactions:\n[ *]*0: slip \[N\]\n", header)
-    assert "energy T + V [J]\n" in header
+    assert re.search(r"(?i)energy T \+ V \[J\]\.?\n", header)
     bare = re.sub(r"(, )?unit: [^,}]*", "", text).replace("{, ", "{")
     plain = next(iter(emit(Source("s.yaml", bare), language).values()))
-    assert re.search(r"Constraints:\n[ *]*0: slip\n", plain) and "energy T + V\n" in plain
+    assert re.search(r"Constraints:\n[ *]*0: slip\n", plain)
+    assert re.search(r"(?i)energy T \+ V\.?\n", plain)
+
+
+MISTAKEN = """nhc: 1
+system: bad
+coordinates: {x: {unit: m}, th: {unit: rad}}
+parameters: {m: {value: 1, unit: kg}, k: {value: 2, unit: N/m}, I: {value: 1, unit: kg*m^2}}
+T: m/2*x'^2 + I/2*th'
+V: k*x^2 + m*x
+forces: {th: x''}
+outputs: {way: x + th}
+scenes:
+  a: {initial: {x: 1, q: 3}, time: [0, 1], need: [foo]}
+"""
+
+
+def told(text: str) -> list[tuple[str, int]]:
+    source = Source("bad.yaml", text)
+    with pytest.raises(SpecError) as error:
+        decode(source)
+    return [(d.code, text[: d.span.start].count("\n") + 1) for d in error.value.diagnostics]
+
+
+def test_units_are_told_together_with_other_mistakes() -> None:
+    units = [("E0413", 5), ("E0413", 6), ("E0413", 8)]
+    assert told(MISTAKEN) == [*units[:2], ("E0207", 7), units[2], ("E0419", 10), ("E0419", 10)]
+    sound = MISTAKEN.replace("x''", "0").replace(", q: 3", "").replace("foo", "x")
+    assert told(sound) == units
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "found"),
+    [
+        ("I/2*th'", "I/2*th'^2 + q", [("E0302", 5), ("E0413", 8)]),  # what T is made of is not known: V may be anything
+        ("unit: kg*m^2", "unit: kgg*m^2", [("E0316", 4)]),  # nor are the units of what is declared
+        ("parameters:", "params:", [("E0303", 4)]),
+    ],
+)
+def test_units_of_what_is_not_sound_are_not_told(right: str, wrong: str, found: list[tuple[str, int]]) -> None:
+    text = MISTAKEN.replace("k*x^2 + m*x", "k*x^2").replace("x''", "0").replace(", q: 3", "").replace("foo", "x")
+    assert told(text.replace(right, wrong)) == found

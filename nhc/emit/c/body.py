@@ -9,7 +9,7 @@ from nhc.emit.c.names import print_singular
 from nhc.emit.c.pairs import Pair, pair_angles
 from nhc.emit.c.rolled.lines import Fetch, Leave, Line, Loop, Put
 from nhc.emit.c.rolled.printing import print_index, print_loop
-from nhc.emit.prose import show_origin
+from nhc.emit.prose import describe_guard, describe_load, show_origin
 from nhc.program.ir import (
     Call,
     Evaluate,
@@ -76,7 +76,8 @@ class BodyPrinter(CodePrinter):
         elif isinstance(statement, Load):
             source = self.element(statement.array, statement.index)
             if source != self.scope[statement.name]:
-                self.add_noted(f"const double {self.scope[statement.name]} = {source};", statement.about)
+                spelling = self.scope[statement.name]
+                self.add_noted(f"const double {spelling} = {source};", describe_load(statement, spelling))
         elif isinstance(statement, Let):
             self.mark_origin(statement.origin)
             self.add(f"const double {self.scope[statement.name]} = {self.printer.print(statement.value)};")
@@ -118,7 +119,7 @@ class BodyPrinter(CodePrinter):
 
     def print_guard(self, guard: Guard) -> None:
         """Leave where the block is singular."""
-        self.add_comment(print_comment(guard.what))
+        self.add_comment(print_comment(describe_guard(guard, self.printer.print(guard.value))))
         value, bound = self.print_sides(guard)
         left = NAN
         if not self.scalar:

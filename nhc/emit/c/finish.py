@@ -101,7 +101,7 @@ def print_finish(
         if finish.entries:
             printer.add_comment("an infinity, a NaN or a division by zero anywhere above stays in this sum")
         if finish.entries and finish.factors:
-            printer.add_comment("(0 times it is NaN then, and nothing is larger)")
+            printer.add_comment("(times 0 it is NaN then, and the comparison fails)")
         printer.open_unless(tests)
         if near[0]:
             printer.print_exit(near[0], near[1])

@@ -14,7 +14,7 @@ from nhc.emit.c.rolled.lines import Fetch, Leave, Line, Loop, Put
 from nhc.emit.c.rolled.printing import print_factor, print_index, print_loop
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
-from nhc.emit.prose import show_origin
+from nhc.emit.prose import describe_guard, show_origin
 from nhc.emit.statements import iterate_refs
 from nhc.program.ir import Call, Expr, Guard, Let, Load, Store
 from nhc.records import record
@@ -104,7 +104,8 @@ class LanesPrinter:
             value = self.print_value(statement.value)
             self.add(f"const {self.kind} {self.scope[statement.name]} = {value};")
         elif isinstance(statement, Guard):
-            self.lines += [f"    /* {line} */" for line in (print_comment(statement.what),) if line]
+            what = print_comment(describe_guard(statement, self.printer.print(statement.value)))
+            self.lines += [f"    /* {line} */" for line in (what,) if line]
             value, bound = self.print_value(Call("abs", (statement.value,))), self.print_value(bound_test(statement))
             self.helpers.add("misses")
             self.add(f"bad |= {self.prefix}_misses({value}, {bound});")

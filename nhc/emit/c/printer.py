@@ -121,20 +121,30 @@ def list_codes(program: Program) -> tuple[Constant, ...]:
 
 
 def list_tables(program: Program) -> tuple[Table, ...]:
-    """Names and defaults; C99 has no empty array, so an empty table gets one entry that nothing reads."""
-    name = program.system
+    """Names and defaults, each with its size; C99 has no empty array, so an empty table gets one entry that nothing reads."""
+    name, capitals = program.system, program.system.upper()
     defaults = tuple(print_default(quantity) for quantity in program.parameters)
     unused = "no entry counts: C99 has no empty array"
     return (
         *(
-            Table(f"const char *const {name}_{kind}_names[]", entries or ('""',), "" if entries else unused)
-            for kind, entries in (
-                ("coordinate", tuple(print_string(q.name) for q in program.coordinates)),
-                ("state", tuple(print_string(q.name) for q in program.state)),
-                ("parameter", tuple(print_string(q.name) for q in program.parameters)),
+            Table(
+                f"const char *const {name}_{kind}_names[{f'{capitals}_{size}' if quantities else 1}]",
+                tuple(print_string(quantity.name) for quantity in quantities) or ('""',),
+                "" if quantities else unused,
+            )
+            for kind, size, quantities in (
+                ("coordinate", "NQ", program.coordinates),
+                ("state", "NY", program.state),
+                ("parameter", "NP", program.parameters),
+                ("constraint", "NC", program.constraints),
+                ("output", "NOUT", program.outputs),
             )
         ),
-        Table(f"const double {name}_parameter_defaults[]", defaults or ("0.0",), "" if defaults else unused),
+        Table(
+            f"const double {name}_parameter_defaults[{f'{capitals}_NP' if defaults else 1}]",
+            defaults or ("0.0",),
+            "" if defaults else unused,
+        ),
     )
 
 

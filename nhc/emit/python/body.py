@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from nhc.emit.expressions import ATOM, POWER, ExpressionPrinter, Text, enclose
 from nhc.emit.names import Scope
-from nhc.emit.prose import show_origin, wrap
+from nhc.emit.prose import describe_guard, describe_load, show_origin, wrap
 from nhc.emit.python.literals import print_comment, print_float
 from nhc.program.ir import (
     Binary,
@@ -151,7 +151,7 @@ class BodyPrinter:
             self.helpers.add("load")
         text = f"_load({source})" if self.array else f"float({source})"
         line = f"    {self.scope[load.name]} = {text}"
-        note = print_comment(load.about)
+        note = print_comment(describe_load(load, self.scope[load.name]))
         if note and len(line) + len(note) + 4 <= WIDTH:
             self.lines.append(f"{line}  # {note}")
         else:
@@ -210,7 +210,7 @@ class BodyPrinter:
             bound = Binary("*", bound, guard.scale)
         value, limit = self.print_value(Call("abs", (guard.value,)), 28), self.print_value(bound, 30)
         test = f"{value} > {limit}"
-        self.add_comment(guard.what, self.indent)
+        self.add_comment(describe_guard(guard, value.partition("(")[2].removesuffix(")")), self.indent)
         if self.array == "jax":
             self.add_mask(test)
             return

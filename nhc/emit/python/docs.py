@@ -61,6 +61,7 @@ def print_function_docstring(program: Program, function: Function, array: str) -
     texts = [f"{inputs}.", f"{result}."]
     if function.name == "reactions":
         texts.append(f"{REACTIONS}.")
-    head = wrap_all([describe_function(function)], "    ", "")
+    about = describe_function(function)
+    head = wrap_all([f"{about[0].upper()}{about[1:]}."], "    ", "")
     head[0] = f'    """{head[0].lstrip()}'
     return (*head, "", *wrap_all(texts, "    "), '    """')

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from nhc.emit.about import print_counts
+from nhc.emit.prose import describe_load
 from nhc.program.ir import (
     Argument,
     Binary,
@@ -92,7 +93,7 @@ def _statement(statement: Statement, width: int) -> list[str]:
             return [f"-- {statement.title}"]
         case Load():
             source = statement.array if statement.index < 0 else f"{statement.array}[{statement.index}]"
-            return [f"{statement.name.ljust(width)} := {source}{_remark(statement.about)}"]
+            return [f"{statement.name.ljust(width)} := {source}{_remark(describe_load(statement, statement.name))}"]
         case Let():
             return [f"{statement.name.ljust(width)} := {_text(statement.value)}{_remark(statement.origin.equation)}"]
         case Guard():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label, Span
@@ -93,7 +94,7 @@ class Checker:
             case Name():
                 return self.names.get(node.name, _UNKNOWN)
             case Differential():
-                return self.names[node.name]
+                return self.names.get(node.name, _UNKNOWN)
             case Negate():
                 number = parts[0].number
                 return Quantity(parts[0].dimension, parts[0].any, -number if number is not None else None)
@@ -232,36 +233,44 @@ def list_units(spec: Spec) -> list[tuple[str, str]]:
     return [*coordinates, *((parameter.name, parameter.unit) for parameter in spec.parameters)]
 
 
-def check_units(spec: Spec, bag: Bag) -> None:
+def check_units(spec: Spec, bag: Bag, broken: Sequence[Span] = ()) -> None:
     """Report what does not fit (E0413); says nothing where a coordinate or parameter has no unit.
 
     Time is in seconds, numbers have no unit, 0 fits everything. T must be an energy (or an energy per mass or per
-    moment of inertia), U and V the same as T, and a force times its coordinate too.
+    moment of inertia), U and V the same as T, and a force times its coordinate too.  Expressions with a place in ``broken``,
+    where there is another mistake, have no known unit.
     """
+
+    def sound(*trees: Syntax) -> bool:
+        return not any(tree.span.start <= place.start < tree.span.end for tree in trees for place in broken)
+
     turned = {name for rotation in spec.rotations for name in rotation.coordinates}
     units = [unit for name, unit in list_units(spec) if name not in turned]
     if not units or not all(units):
         return
     checker = Checker(spec, bag)
     checker.measure_named(spec)
-    kinetic = checker.demand(spec.kinetic, _KINETIC, "the kinetic energy")
+    kinetic = checker.demand(spec.kinetic, _KINETIC, "the kinetic energy") if sound(spec.kinetic) else _UNKNOWN
     energy = kinetic.dimension
-    if spec.potential is not None:
+    if spec.potential is not None and sound(spec.potential):
         checker.demand(spec.potential, (energy,) if energy else (), f"`{spec.potential_kind}`, like `T`,")
     for force in spec.forces:
-        _check_force(checker, force, energy)
-    for constraint in spec.constraints:
-        checker.equate(constraint)
-    for holonomic in spec.holonomic:
-        checker.equate(holonomic)
+        if sound(force.value):
+            _check_force(checker, force, energy)
+    equations: tuple[Constraint | Holonomic, ...] = (*spec.constraints, *spec.holonomic)
+    for equation in equations:
+        if sound(equation.left, equation.right):
+            checker.equate(equation)
     for name in ENERGIES:
         checker.names.setdefault(name, kinetic)
     for output in spec.outputs:
-        checker.measure(output.value)
+        if sound(output.value):
+            checker.measure(output.value)
     checker.loose = True
     for scene in spec.scenes:
         for start in scene.initial:
-            _check_start(checker, start)
+            if sound(start.value):
+                _check_start(checker, start)
     checker.loose = False
     spec.memory["measured"] = checker, kinetic
 

@@ -41,6 +41,8 @@ from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, SweepPlan
 
 _MANY = 150  # lets beyond which results are stored as soon as they are known
 _ONE = Fraction(1)
+PRIMES = {"velocity": "'", "rate": "'", "acceleration": "''"}
+"""What the spec writes behind the name of a symbol of that kind."""
 
 
 class Lowering:
@@ -143,14 +145,22 @@ class Lowering:
         wanted = [(symbol, place) for symbol, place in self.plan.loads.items() if symbol in present]
         for symbol, (array, index, about) in wanted:
             self.names[symbol] = array if index < 0 else self.namer.symbol(symbol)  # a scalar argument is its own name
-            self.body.append(Load(self.names[symbol], array, index, about))
+            self.body.append(Load(self.names[symbol], array, index, about, self._written(symbol)))
+
+    def _written(self, symbol: Node) -> str:
+        """The symbol as the spec writes it."""
+        found = self.graph.symbol_of(symbol)
+        assert found is not None
+        return found.name + PRIMES.get(found.kind, "")
 
     def _parameter_section(self, lets: list[Node]) -> None:
         if lets:
             self.body.append(Section("from the parameters alone"))
             for node in lets:
                 self._let(node)
-        self.body.append(Section("from the state"))
+        inputs = {argument.name for argument in self.plan.inputs}
+        known = "coordinates and velocities" if "qdot" in inputs else "coordinates" if "q" in inputs else "state"
+        self.body.append(Section(f"from the {known}"))
 
     def _let(self, node: Node) -> None:
         value = self._opposite(node) if node in self.turned.values() else self._whole(node)

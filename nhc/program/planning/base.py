@@ -57,10 +57,11 @@ class PlannerBase:
         self.kept_w: tuple[int, ...] = tuple(range(len(self.equations.motion.w)))
         self.put_in: dict[Node, Node] = {}
         self._arrange()
+        rates = [system.units.get(f"{name}'", "") for name in system.q_names]
         self.motion_loads = {
             system.t: ("t", -1, "time"),
             **{node: ("q", i, _about(system, i)) for i, node in enumerate(system.q)},
-            **{node: ("qdot", i, "") for i, node in enumerate(system.v)},
+            **{node: ("qdot", i, _unit(rates[i])) for i, node in enumerate(system.v)},
             **self._parameter_loads(),
         }
         self._solve()
@@ -71,7 +72,8 @@ class PlannerBase:
         self.y_nodes = (*(system.q[i] for i in self.kept_q), *(w[k] for k in self.kept_w))
         self.y = Argument("y", len(self.y_nodes))
         self.p = Argument("p", len(self.parameters))
-        abouts = [*(_about(system, i) for i in self.kept_q), *("" for _ in self.kept_w)]
+        kept = self.state_quantities()[len(system.spec.coordinates) :]
+        abouts = [*(_about(system, i) for i in self.kept_q), *(_unit(kept[k].unit) for k in self.kept_w)]
         self.state_loads = {
             system.t: ("t", -1, "time"),
             **{node: ("y", k, about) for k, (node, about) in enumerate(zip(self.y_nodes, abouts, strict=True))},
@@ -90,8 +92,7 @@ class PlannerBase:
     def _parameter_loads(self) -> dict[Node, tuple[str, int, str]]:
         found = {}
         for k, (node, parameter) in enumerate(zip(self.system.p, self.system.spec.parameters, strict=True)):
-            unit = f" [{parameter.unit}]" if parameter.unit else ""
-            found[node] = ("p", k, f"{parameter.about}{unit}".strip())
+            found[node] = ("p", k, f"{parameter.about} {_unit(parameter.unit)}".strip())
         return found
 
     # --- the rates ------------------------------------------------------------------------------------------
@@ -326,5 +327,8 @@ class PlannerBase:
 
 def _about(system: System, i: int) -> str:
     coordinate = system.spec.coordinates[i]
-    unit = f" [{coordinate.unit}]" if coordinate.unit else ""
-    return f"{coordinate.about}{unit}".strip()
+    return f"{coordinate.about} {_unit(coordinate.unit)}".strip()
+
+
+def _unit(unit: str) -> str:
+    return f"[{unit}]" if unit else ""

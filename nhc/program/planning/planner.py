@@ -109,8 +109,8 @@ class Planner(PlannerBase):
         plan = self.plan(name, about, equation, entries, guards, self.solves)
         if not self.calls_rhs(name):
             return plan
-        first, names = len(self.kept_q), self.kept_names()
-        rates = {self.equations.motion.rates[k]: ("dydt", first + i, f"{names[k]}'") for i, k in enumerate(self.kept_w)}
+        first = len(self.kept_q)
+        rates = {self.equations.motion.rates[k]: ("dydt", first + i, "") for i, k in enumerate(self.kept_w)}
         own = self.frame_guards() if self.exchanges else ()  # which rhs does not refuse then
         calls = (("rhs", "dydt", self.y.size),)
         return replace(plan, loads=self.state_loads | rates, guards=own, solves=(), calls=calls)

@@ -24,7 +24,7 @@ class Limits:
     """Attempts at steps after which it is asked whether the rest of the run would take more than MOST_STEPS of that length."""
     patience: int = 50
     """How often in a row it would before the run ends; just past a singular place steps are that short too, some 1e5 of them."""
-    hopeless: int = 2
+    unimproved: int = 2
     """Refusals in a row whose error a shorter step did not lessen; then entries near zero are held to 1e-6 of the largest only."""
     returns: int = 20
     """How often a run goes back because entries did not grow as a refused step foretold; then such forecasts are ignored."""
@@ -38,7 +38,7 @@ class Limits:
     """How many times as long as the step after which it was asked what rounding makes of the slopes another one may be for the
     answer to hold."""
     shorter: float = 0.25
-    """The part of the longest step since then to which steps have to come down before it is asked again."""
+    """The part of the longest step since noise was measured to which steps have to come down before it is measured again."""
     opening: float = 0.09549150281252627
     """The first step of an explicit method from rest, as a part of the run: a tenth, but sin(18 deg)^2, since round parts of a
     run may be whole numbers of a force's periods."""

@@ -34,14 +34,16 @@ class Step:
     relative to its size.  An entry that leaves rest has none yet, so that refused steps have to foretell it:
 
     - ``size``: the largest magnitude of each entry so far;
-    - ``coming``: magnitudes that the ends of refused steps foretell; ``ahead``: the longest of these steps;
-    - ``hoping``: steps are taken that count on such magnitudes, ``hope``, which must have come by the time ``until``; ``seen``:
-      what came meanwhile, ``drift``: the errors meanwhile, added up; ``returns``: how often it did not come and the run went back;
-    - ``noise``: what rounding may make of the slopes; ``still``: the length of the step at whose end that was asked, if it had been
-      taken (else 0); ``longest``: of the steps since;
+    - ``foretold``: magnitudes that the ends of refused steps foretell; ``ahead``: length of the longest of these steps, signed;
+    - ``expecting``: steps were taken whose errors counted relative to such magnitudes, ``expected``, which must be reached by the
+      time ``until``; ``seen``: the largest magnitudes since then, ``summed_errors``: the errors since then, added up; ``returns``:
+      how often they were not reached and the run went back;
+    - ``noise``: how far rounding may put the slopes off; ``measured_step``: the length of the step at whose end that was measured,
+      if it had been taken (else 0); ``longest_since``: that of the longest step since;
     - ``damping``: of an implicit step, ``pole`` - h J in factors, and ``pole``; None for explicit ones;
-    - ``wrong``: the square of the last refused step's error; ``stuck``: how often in a row a shorter step did not lessen it;
-    - ``spared``: of each entry, the part of the largest entry that its error may count relative to (empty: of none);
+    - ``refused_square``: the square of the last refused step's error; ``unimproved``: how often in a row a shorter step did not
+      lessen it;
+    - ``floor_part``: the size of each entry is at least this part of the largest entry's (empty: of none);
     - ``push``, ``asked``: what clocks do to the slopes, and how often that was asked (:mod:`nhc.simulate.stepping.beating`).
     """
 
@@ -55,22 +57,22 @@ class Step:
     reached: Vector = field(default_factory=list)
     arrived: Vector = field(default_factory=list)
     size: Vector = field(default_factory=list)
-    coming: Vector = field(default_factory=list)
+    foretold: Vector = field(default_factory=list)
     ahead: float = 0.0
-    hope: Vector = field(default_factory=list)
+    expected: Vector = field(default_factory=list)
     seen: Vector = field(default_factory=list)
-    drift: Vector = field(default_factory=list)
+    summed_errors: Vector = field(default_factory=list)
     until: float = 0.0
-    hoping: bool = False
+    expecting: bool = False
     returns: int = 0
     errors: Vector = field(default_factory=list)
     noise: Vector = field(default_factory=list)
-    still: float = 0.0
-    longest: float = 0.0
+    measured_step: float = 0.0
+    longest_since: float = 0.0
     damping: tuple[tuple[list[Vector], list[int]], float] | None = None
-    wrong: float = 0.0
-    stuck: int = 0
-    spared: Vector = field(default_factory=list)
+    refused_square: float = 0.0
+    unimproved: int = 0
+    floor_part: Vector = field(default_factory=list)
     k: list[Vector] = field(default_factory=list)
     shape: list[Vector] | None = None
     first: bool = True
@@ -82,7 +84,7 @@ class Step:
 
     def __post_init__(self) -> None:
         self.size = [abs(x) for x in self.y]
-        self.coming, self.noise = [0.0] * len(self.y), [0.0] * len(self.y)
+        self.foretold, self.noise = [0.0] * len(self.y), [0.0] * len(self.y)
 
     def rhs(self, t: float, y: Vector, p: Vector | None = None) -> Vector:
         """The slope, with other parameters than the run's where ``p`` gives them."""
@@ -108,13 +110,13 @@ class Step:
         largest entry at most: past a singular place slopes are so sensitive that it would be anything.  What was asked on the
         motion itself counts in steps up to ``LIMITS.steady`` times as long as the one that was taken there.
         """
-        rows = zip(self.size, self.coming, reached, strict=True)
-        sizes = [max(size, coming, abs(end)) for size, coming, end in rows]
+        rows = zip(self.size, self.foretold, reached, strict=True)
+        sizes = [max(size, foretold, abs(end)) for size, foretold, end in rows]
         largest = max(sizes, default=0.0)
-        if self.spared:
-            sizes = [max(x, part * largest) for x, part in zip(sizes, self.spared, strict=True)]
+        if self.floor_part:
+            sizes = [max(x, part * largest) for x, part in zip(sizes, self.floor_part, strict=True)]
         step = abs(self.h) / (self.tolerance or 1.0)
-        sure = min(abs(self.h), LIMITS.steady * self.still) / (self.tolerance or 1.0)
+        sure = min(abs(self.h), LIMITS.steady * self.measured_step) / (self.tolerance or 1.0)
         noises = [max(min(step * noise, 1e-6 * largest), sure * noise) for noise in self.noise]
         return [max(x, noise) for x, noise in zip(sizes, noises, strict=True)]
 
@@ -138,42 +140,44 @@ class Step:
         return max(self.size, default=0.0) <= 1e-3 * max(map(abs, self.reached), default=0.0)
 
     def learn_sizes(self, square: float, trust: float) -> None:
-        """Sizes to come of entries near zero, from the end of a refused step, if its error and those of the steps refused after
-        it are at most the part ``trust`` of their ends, or three tenths where some entries are spared.
+        """Foretell the sizes of entries near zero, from the end of a refused step, if its error and those of the steps refused
+        after it are at most the part ``trust`` of their ends, or three tenths where some entries have a floor.
 
         A motion that leaves rest as a power of the time has the same relative error in each step, however short.  ``square``: of
         the error relative to what is allowed.
         """
         tame = trust >= 1.0  # any step that is solved
-        self.stuck = self.stuck + 1 if self.wrong > 0.0 and square >= 0.25 * self.wrong else 0
-        self.wrong = square
-        right = square * self.tolerance**2 <= max(trust**2, 0.09 if self.spared else 0.0) and (tame or self.telling)
+        self.unimproved = (
+            self.unimproved + 1 if self.refused_square > 0.0 and square >= 0.25 * self.refused_square else 0
+        )
+        self.refused_square = square
+        right = square * self.tolerance**2 <= max(trust**2, 0.09 if self.floor_part else 0.0) and (tame or self.telling)
         if not right or self.returns >= LIMITS.returns:
-            self.coming, self.ahead = [0.0] * len(self.y), 0.0
+            self.foretold, self.ahead = [0.0] * len(self.y), 0.0
             return
-        rows = zip(self.coming, self.size, map(abs, self.reached), map(abs, self.arrived), strict=True)
+        rows = zip(self.foretold, self.size, map(abs, self.reached), map(abs, self.arrived), strict=True)
         h = abs(self.h)
         told = [
             end if size <= 1e-3 * end and (tame or h * v <= LIMITS.power * end) else 0.0 for _, size, end, v in rows
         ]
         if any(told) and h > abs(self.ahead):
             self.ahead = self.h
-        self.coming = [max(a, b) for a, b in zip(self.coming, told, strict=True)]
+        self.foretold = [max(a, b) for a, b in zip(self.foretold, told, strict=True)]
 
-    def spare(self) -> None:
+    def set_floors(self) -> None:
         """Where everything rests, or shorter steps do not lessen the errors (of high powers of the time): from here on the error of
         an entry near zero counts relative to a millionth of the largest entry.
         """
-        if not self.telling or (self.stuck < LIMITS.hopeless and not self.resting):
+        if not self.telling or (self.unimproved < LIMITS.unimproved and not self.resting):
             return
-        rows = zip(self.spared or [0.0] * len(self.y), self.size, self.reached, strict=True)
-        self.spared = [1e-6 if size <= 1e-3 * abs(end) else part for part, size, end in rows]
+        rows = zip(self.floor_part or [0.0] * len(self.y), self.size, self.reached, strict=True)
+        self.floor_part = [1e-6 if size <= 1e-3 * abs(end) else part for part, size, end in rows]
 
     def move(self, t: float) -> None:
         """The step is taken: the next one begins at its end."""
         self.t, self.y, self.slope, self.first = t, self.reached, self.arrived, False
-        self.size = [max(a, b, abs(x)) for a, b, x in zip(self.size, self.coming, self.y, strict=True)]
-        self.coming, self.wrong, self.stuck = [0.0] * len(self.y), 0.0, 0
+        self.size = [max(a, b, abs(x)) for a, b, x in zip(self.size, self.foretold, self.y, strict=True)]
+        self.foretold, self.refused_square, self.unimproved = [0.0] * len(self.y), 0.0, 0
 
     def cubic(self) -> list[Vector]:
         """Hermite's cubic through both ends, in the terms of ``interpolate``."""

@@ -28,8 +28,10 @@ def hold_end(s: Step, model: Held, reach: float, first: bool) -> bool:
     except ArithmeticError as singular:
         s.status = getattr(singular, "status", 0)
         return False
-    least = max(sys.float_info.min, 1e-6 * max(*s.size, *s.coming))
-    sizes = [max(size, coming, abs(end), least) for size, coming, end in zip(s.size, s.coming, reached, strict=True)]
+    least = max(sys.float_info.min, 1e-6 * max(*s.size, *s.foretold))
+    sizes = [
+        max(size, foretold, abs(end), least) for size, foretold, end in zip(s.size, s.foretold, reached, strict=True)
+    ]
     moved = max(abs(b - a) / size for a, b, size in zip(reached, s.reached, sizes, strict=True))
     way = max(abs(b - a) / size for a, b, size in zip(s.y, reached, sizes, strict=True))
     most = 1e-3 if s.tolerance > 0 and way > 2e-3 else 0.5 * way

@@ -14,8 +14,8 @@ from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.step import NoSolution, Step
 from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.stepping.beating import Beating, find_turn
+from nhc.simulate.stepping.foretelling import expect_foretold, find_unmet, go_back, look_on
 from nhc.simulate.stepping.holding import Held, hold_end
-from nhc.simulate.stepping.hoping import count_on_hopes, find_hollow, go_back, look_on
 from nhc.simulate.stepping.inside import has_more_stages, is_wild
 from nhc.simulate.stepping.leaping import Placed, find_most
 from nhc.simulate.stepping.lengths import find_growth, guess_length, limit_growth
@@ -123,13 +123,13 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
 
 
 def _remember(run: _Run) -> None:
-    """Before a step is taken that was held to sizes to come."""
+    """Before a step is taken that was held to foretold sizes: where the run goes back to if they are not reached."""
     s = run.step
-    if not any(s.coming):
+    if not any(s.foretold):
         return
-    if not s.hoping:
+    if not s.expecting:
         run.back = replace(run, step=copy(s), states=list(run.states), ends=list(run.ends), back=None)
-    count_on_hopes(s)
+    expect_foretold(s)
 
 
 def _goes_back(run: _Run, done: Outcome | None) -> bool:
@@ -137,10 +137,10 @@ def _goes_back(run: _Run, done: Outcome | None) -> bool:
     from the first of these steps.
     """
     s, back = run.step, run.back
-    if not s.hoping or back is None or (done is not None and done.kind == STOPPED):
+    if not s.expecting or back is None or (done is not None and done.kind == STOPPED):
         return False
-    s.hoping = any(find_hollow(s))
-    if not s.hoping or (done is None and s.h * (s.until - s.t) > 0.0):
+    s.expecting = any(find_unmet(s))
+    if not s.expecting or (done is None and s.h * (s.until - s.t) > 0.0):
         return False
     go_back(s, back.step)
     vars(run).update(vars(back) | {"step": s, "growth": 1.0, "former": 1.0, "next": abs(s.h)})
@@ -172,7 +172,7 @@ def _is_stalled(run: _Run) -> bool:
     passed, run.marked, run.since = abs(s.t - run.since), tried, s.t
     run.stalls = run.stalls + 1 if passed < LIMITS.few * abs(run.task.times[-1] - s.t) else 0
     if run.stalls > 0:  # what stalls it may be next to nothing
-        s.spared = [1e-6] * len(s.y)
+        s.floor_part = [1e-6] * len(s.y)
     return run.stalls >= LIMITS.patience
 
 
@@ -272,9 +272,9 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
         run.ends.append(reach)
     if which >= 0:
         s.y, s.t = _point(run, cut), s.t + cut * s.h
-        s.seen = [max(a, abs(b)) for a, b in zip(s.seen, s.y, strict=True)] if s.hoping else s.seen
+        s.seen = [max(a, abs(b)) for a, b in zip(s.seen, s.y, strict=True)] if s.expecting else s.seen
         return run.leave(EVENT if which < model.events else CROSSED, which)
-    if s.hoping:
+    if s.expecting:
         look_on(s, run.method)
     s.move(reach)
     if task.step <= 0 and reach != run.bound:
@@ -310,7 +310,7 @@ def _pass_stop(run: _Run) -> Outcome | None:
     run.stop, run.bound = next_bound(task, s.t, run.stop)
     if s.t == task.times[-1]:
         return run.leave(DONE)
-    s.first, s.longest, run.next = True, 0.0, max(run.next, 4 * _EPSILON * abs(s.t))
+    s.first, s.longest_since, run.next = True, 0.0, max(run.next, 4 * _EPSILON * abs(s.t))
     s.slope = s.rhs(s.t, s.y)
     return None
 

@@ -74,11 +74,11 @@ def look_at_length(s: Step) -> None:
     makes of the slopes, for lengths that go down smoothly may follow rounding down while no step is refused.
     """
     h = abs(s.h)
-    if h >= LIMITS.shorter * s.longest:
-        s.longest = max(s.longest, h)
+    if h >= LIMITS.shorter * s.longest_since:
+        s.longest_since = max(s.longest_since, h)
         return
     measure_noise(s, s.t, s.y, s.slope)
-    s.longest = s.still = h
+    s.longest_since = s.measured_step = h
     rows = zip(s.noise, s.size, strict=True)
     s.noise = [noise if LIMITS.steady * h * noise > s.tolerance * size else 0.0 for noise, size in rows]
 
@@ -106,15 +106,15 @@ def reconsider(s: Step, error: float, twice: bool, again: Callable[[], float]) -
     Raises:
         NoSolution: an implicit step has none with what rounding allows.
     """
-    former, still, s.still = s.noise, s.still, 0.0
+    former, measured_step, s.measured_step = s.noise, s.measured_step, 0.0
     measure_noise(s, s.t + s.h, s.reached, s.arrived)
     if twice:
-        s.spare()
+        s.set_floors()
     try:
-        found = again() if s.spared or is_noisy(s) else error
+        found = again() if s.floor_part or is_noisy(s) else error
     except (ArithmeticError, NoSolution):
-        s.noise, s.still = former, still
+        s.noise, s.measured_step = former, measured_step
         raise
     if not 0.0 <= found <= 1.0:
-        s.noise, s.still = former, still
+        s.noise, s.measured_step = former, measured_step
     return found

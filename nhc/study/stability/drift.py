@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from nhc.algebra.exact.modular import is_zero
 from nhc.mechanics.properties.constancy import has_jumps
 from nhc.records import record
 from nhc.simulate.run import list_times
@@ -92,10 +93,12 @@ def _rows(bench: Bench, times: Sequence[float], outcome: Outcome) -> tuple[int, 
 
 
 def _others(bench: Bench, table: Matrix) -> list[Drift]:
-    """Every conserved quantity but the energy, and every residual of a run."""
+    """Every conserved quantity but the energy, and every residual of a run, each fact once."""
     found = []
     for group in ("integral", "hidden"):
         for k in bench.group(group):
+            if _is_position(bench, k):
+                continue
             heading = bench.columns[k].heading
             if group == "hidden" and has_jumps(bench.equations.system, [bench.columns[k].node]):
                 continue  # it is another constant after a whole turn
@@ -103,8 +106,23 @@ def _others(bench: Bench, table: Matrix) -> list[Drift]:
                 found.append(_relative(bench, k, heading, group, table[:, k]))
     for group in ("residual", "position"):
         for k in bench.group(group):
-            found.append(_drift(bench.columns[k].heading, group, False, table[:, k], ROUNDING))
+            if not _says_nothing(bench, k):
+                found.append(_drift(bench.columns[k].heading, group, False, table[:, k], ROUNDING))
     return found
+
+
+def _is_position(bench: Bench, place: int) -> bool:
+    """Whether a conserved quantity is, but for its sign, the left side of a holonomic constraint, which has a row of its own."""
+    g, node = bench.equations.system.graph, bench.columns[place].node
+    sides = [bench.columns[k].node for k in bench.group("position")]
+    return any(is_zero(g, g.sub(node, side)) or is_zero(g, g.add(node, side)) for side in sides)
+
+
+def _says_nothing(bench: Bench, place: int) -> bool:
+    """Whether this is the residual of a holonomic constraint that is zero in any state, as with the velocities of a rotation."""
+    column, system = bench.columns[place], bench.equations.system
+    held = {form.name for form in system.constraints if form.equation is not None}
+    return column.group == "residual" and column.heading in held and column.node == system.graph.zero
 
 
 def _energy(bench: Bench, run: LongRun, table: Matrix, ends: Sequence[float]) -> Drift:

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:80e4420e32945307)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:7b0bc14aa251e4c4)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -14,23 +14,30 @@
 #include <math.h>
 #include <string.h>
 
-const char *const affine_voronec_coordinate_names[] = {
+const char *const affine_voronec_coordinate_names[AFFINE_VORONEC_NQ] = {
     "x",
     "y",
     "z"
 };
-const char *const affine_voronec_state_names[] = {
+const char *const affine_voronec_state_names[AFFINE_VORONEC_NY] = {
     "x",
     "y",
     "z",
     "x'",
     "y'"
 };
-const char *const affine_voronec_parameter_names[] = {
+const char *const affine_voronec_parameter_names[1] = {
     /* no entry counts: C99 has no empty array */
     ""
 };
-const double affine_voronec_parameter_defaults[] = {
+const char *const affine_voronec_constraint_names[AFFINE_VORONEC_NC] = {
+    "contact"
+};
+const char *const affine_voronec_output_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const double affine_voronec_parameter_defaults[1] = {
     /* no entry counts: C99 has no empty array */
     0.0
 };
@@ -215,9 +222,9 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = 2.0 + s_z;
@@ -270,11 +277,11 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     if (!(fabs(dydt[4]) <= DBL_MAX
         && fabs(z8) > 1e-13 * z8
         && fabs(z19) > 1e-13 * (z15 + z6 * (z12 * z12)))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z8)) {
             return affine_voronec_refuse(fabs(z8), 1e-13 * z8, AFFINE_VORONEC_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z19 is nearly 0 */
         if (!(fabs(z19) > 1e-13 * (z15 + z6 * (z12 * z12)))) {
             return affine_voronec_refuse(fabs(z19), 1e-13 * (z15 + z6 * (z12 * z12)),
                 AFFINE_VORONEC_SINGULAR_2);
@@ -296,9 +303,9 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = x * z;
@@ -329,9 +336,9 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = 2.0 + s_z;
@@ -385,11 +392,11 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     qddot[2] = z27 + (z13 * z40 + 0.5 * (z26 - z3 * z41)); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[2]) <= DBL_MAX && fabs(z8) > 1e-13 * z8 && fabs(z19) > 1e-13 * z14)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z8)) {
             return affine_voronec_refuse(fabs(z8), 1e-13 * z8, AFFINE_VORONEC_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z19 is nearly 0 */
         if (!(fabs(z19) > 1e-13 * z14)) {
             return affine_voronec_refuse(fabs(z19), 1e-13 * z14, AFFINE_VORONEC_SINGULAR_2);
         }
@@ -403,16 +410,16 @@ int affine_voronec_state(double t, const double *q, const double *qdot, const do
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0];
     y[0] = x;
-    const double y_2 = q[1];
+    const double y_2 = q[1]; /* y */
     y[1] = y_2;
     const double z = q[2];
     y[2] = z;
-    const double x_dot = qdot[0];
+    const double x_dot = qdot[0]; /* x' */
     y[3] = x_dot;
-    const double y_dot = qdot[1];
+    const double y_dot = qdot[1]; /* y' */
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -434,11 +441,11 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
     /* what else is read */
     const double x = q[0];
     const double y = q[1];
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double z_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' */
+    const double y_dot = qdot[1]; /* y' */
+    const double z_dot = qdot[2]; /* z' */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = x * z;
     const double z2 = 0.3 * z1 + (x_dot * (y * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.4 * (c_t *
         s_t);
@@ -465,9 +472,9 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = 2.0 + s_z;
@@ -517,11 +524,11 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     lambda[0] = z26 - (z32 - z40); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z8) > 1e-13 * z8 && fabs(z19) > 1e-13 * z14)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z8)) {
             return affine_voronec_refuse(fabs(z8), 1e-13 * z8, AFFINE_VORONEC_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z19 is nearly 0 */
         if (!(fabs(z19) > 1e-13 * z14)) {
             return affine_voronec_refuse(fabs(z19), 1e-13 * z14, AFFINE_VORONEC_SINGULAR_2);
         }
@@ -543,9 +550,9 @@ double affine_voronec_energy(double t, const double *y, const double *p)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = z * z;
@@ -581,9 +588,9 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = 2.0 + s_z;
@@ -757,11 +764,11 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
         + J[24]) <= DBL_MAX
         && fabs(z8) > 1e-13 * z8
         && fabs(z20) > 1e-13 * z15)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z8)) {
             return affine_voronec_refuse(fabs(z8), 1e-13 * z8, AFFINE_VORONEC_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z20 is nearly 0 */
         if (!(fabs(z20) > 1e-13 * z15)) {
             return affine_voronec_refuse(fabs(z20), 1e-13 * z15, AFFINE_VORONEC_SINGULAR_2);
         }
@@ -807,7 +814,7 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z6 = z5 * z2;
     const affine_voronec_lanes z7 = z3 * z6;
     const affine_voronec_lanes z8 = z1 * z2 + 0.25 * (z3 * z7);
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z8 is nearly 0 */
     bad |= affine_voronec_misses(affine_voronec_size(AFFINE_VORONEC_SPREAD(z8)), 1e-13 * z8);
     const affine_voronec_lanes c_z = cosine1;
     const affine_voronec_lanes z9 = y_2 * c_z;
@@ -821,7 +828,7 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z17 = 1.0 / z8;
     const affine_voronec_lanes z18 = z16 * z17;
     const affine_voronec_lanes z19 = z12 * (0.6 * z13 + z12 * z6) + (z15 - z16 * z18);
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z19 is nearly 0 */
     bad |= affine_voronec_misses(affine_voronec_size(AFFINE_VORONEC_SPREAD(z19)), 1e-13 * (z15 + z6 * (z12 *
         z12)));
     const affine_voronec_lanes z20 = 0.3 + 0.5 * y_dot;

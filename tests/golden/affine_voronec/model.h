@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:2e713d667f5cf29d)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:df07f7dfac51d069)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -67,10 +67,12 @@ enum {
     AFFINE_VORONEC_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const affine_voronec_coordinate_names[];
-extern const char *const affine_voronec_state_names[];
-extern const char *const affine_voronec_parameter_names[];
-extern const double affine_voronec_parameter_defaults[];
+extern const char *const affine_voronec_coordinate_names[AFFINE_VORONEC_NQ];
+extern const char *const affine_voronec_state_names[AFFINE_VORONEC_NY];
+extern const char *const affine_voronec_parameter_names[1];
+extern const char *const affine_voronec_constraint_names[AFFINE_VORONEC_NC];
+extern const char *const affine_voronec_output_names[1];
+extern const double affine_voronec_parameter_defaults[1];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.4.9)

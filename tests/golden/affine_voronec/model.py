@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:fbb231892626c4f8).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:9d15ad89df75540d).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -92,17 +92,17 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.4.9)
+    """Right-hand side dy/dt = f(t, y; p) (I.4.9).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns dydt (5,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         s_z = math.sin(z)
@@ -115,7 +115,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = z5 * z2
         z7 = z3 * z6
         z8 = z1 * z2 + 0.25 * (z3 * z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is nearly 0
         if not abs(z8) > 1e-13 * z8:
             raise _refuse(abs(z8), 1e-13 * z8, 2, "rhs")
         c_z = math.cos(z)
@@ -131,7 +131,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z18 = z16 * z17
         z19 = z12 * (0.6 * z13 + z12 * z6) + (z15 - z16 * z18)
         s1 = z15 + z6 * (z12 * z12)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z19 is nearly 0
         if not abs(z19) > 1e-13 * s1:
             raise _refuse(abs(z19), 1e-13 * s1, 2, "rhs")
         z20 = 0.3 + 0.5 * y_dot
@@ -181,17 +181,17 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qdot (3,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         z1 = x * z
@@ -218,17 +218,17 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.4.9)
+    """All accelerations q'' on the motion (I.4.9).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qddot (3,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         s_z = math.sin(z)
@@ -241,7 +241,7 @@ def accelerations(
         z6 = z5 * z2
         z7 = z3 * z6
         z8 = z1 * z2 + 0.25 * (z3 * z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is nearly 0
         if not abs(z8) > 1e-13 * z8:
             raise _refuse(abs(z8), 1e-13 * z8, 2, "accelerations")
         z9 = 1.0 + z * z
@@ -256,7 +256,7 @@ def accelerations(
         z17 = 1.0 / z8
         z18 = z16 * z17
         z19 = z14 + (0.6 * (z13 * z15) - z16 * z18)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z19 is nearly 0
         if not abs(z19) > 1e-13 * z14:
             raise _refuse(abs(z19), 1e-13 * z14, 2, "accelerations")
         c_t = math.cos(t_)
@@ -309,18 +309,18 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns y (5,).
     """
     x = float(q[0])
-    y_2 = float(q[1])
+    y_2 = float(q[1])  # y
     z = float(q[2])
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
+    x_dot = float(qdot[0])  # x'
+    y_dot = float(qdot[1])  # y'
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, z, x_dot, y_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -333,20 +333,20 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns r (1,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(q[0])
     y = float(q[1])
     z = float(q[2])
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    z_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x'
+    y_dot = float(qdot[1])  # y'
+    z_dot = float(qdot[2])  # z'
     try:
-        # from the state
+        # from the coordinates and velocities
         z1 = x * z
         c_z = math.cos(z)
         s_t = math.sin(t_)
@@ -367,18 +367,18 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         s_z = math.sin(z)
@@ -391,7 +391,7 @@ def reactions(
         z6 = z5 * z2
         z7 = z3 * z6
         z8 = z1 * z2 + 0.25 * (z3 * z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is nearly 0
         if not abs(z8) > 1e-13 * z8:
             raise _refuse(abs(z8), 1e-13 * z8, 2, "reactions")
         z9 = 1.0 + z * z
@@ -406,7 +406,7 @@ def reactions(
         z17 = 1.0 / z8
         z18 = z16 * z17
         z19 = z14 + (0.6 * (z13 * z15) - z16 * z18)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z19 is nearly 0
         if not abs(z19) > 1e-13 * z14:
             raise _refuse(abs(z19), 1e-13 * z14, 2, "reactions")
         c_t = math.cos(t_)
@@ -450,17 +450,17 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """Energy T + V.
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         z1 = z * z
@@ -490,17 +490,17 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.4.9)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.4.9).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         s_z = math.sin(z)
@@ -513,7 +513,7 @@ def jacobian(
         z6 = z5 * z2
         z7 = z3 * z6
         z8 = z1 * z2 + 0.25 * (z3 * z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is nearly 0
         if not abs(z8) > 1e-13 * z8:
             raise _refuse(abs(z8), 1e-13 * z8, 2, "jacobian")
         z9 = 1.0 + z * z
@@ -529,7 +529,7 @@ def jacobian(
         z18 = 1.0 / z8
         z19 = z17 * z18
         z20 = z15 + (0.6 * (z13 * z16) - z17 * z19)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z20 is nearly 0
         if not abs(z20) > 1e-13 * z15:
             raise _refuse(abs(z20), 1e-13 * z15, 2, "jacobian")
         z21 = 0.3 + 0.5 * y_dot
@@ -731,7 +731,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns out (0,).

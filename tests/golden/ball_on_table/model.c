@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:ee29172425814d4b)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:52d5262a6ed7e991)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -19,14 +19,14 @@
 #include <math.h>
 #include <string.h>
 
-const char *const ball_on_table_coordinate_names[] = {
+const char *const ball_on_table_coordinate_names[BALL_ON_TABLE_NQ] = {
     "x",
     "y",
     "phi",
     "theta",
     "psi"
 };
-const char *const ball_on_table_state_names[] = {
+const char *const ball_on_table_state_names[BALL_ON_TABLE_NY] = {
     "x",
     "y",
     "phi",
@@ -36,7 +36,7 @@ const char *const ball_on_table_state_names[] = {
     "theta'",
     "psi'"
 };
-const char *const ball_on_table_parameter_names[] = {
+const char *const ball_on_table_parameter_names[BALL_ON_TABLE_NP] = {
     "m",
     "a",
     "k",
@@ -44,7 +44,15 @@ const char *const ball_on_table_parameter_names[] = {
     "Omega1",
     "nu"
 };
-const double ball_on_table_parameter_defaults[] = {
+const char *const ball_on_table_constraint_names[BALL_ON_TABLE_NC] = {
+    "roll_x",
+    "roll_y"
+};
+const char *const ball_on_table_output_names[BALL_ON_TABLE_NOUT] = {
+    "spin",
+    "moving_energy"
+};
+const double ball_on_table_parameter_defaults[BALL_ON_TABLE_NP] = {
     1.0,
     0.3,
     0.4,
@@ -237,10 +245,10 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *restri
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double y_2 = y[1]; /* y: centre [m] */
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
@@ -277,18 +285,18 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *restri
     dydt[6] = (a * (z4 * z9) - (x * z8 - y_2 * z7)) * k6; /* theta'' */
     dydt[7] = -s_theta * z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(k) > 0.0 * (dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7])
         && fabs(z2) > 1e-13 * (k2 * (k + z1)))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k * k2 is 0 */
         if (!(fabs(k * k2) > 0.0)) {
             return ball_on_table_refuse(fabs(k * k2), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k5 is 0 */
         if (!(fabs(k5) > 0.0)) {
             return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is nearly 0 */
         if (!(fabs(z2) > 1e-13 * (k2 * (k + z1)))) {
             return ball_on_table_refuse(fabs(z2), 1e-13 * (k2 * (k + z1)), BALL_ON_TABLE_SINGULAR_2);
         }
@@ -311,10 +319,10 @@ int ball_on_table_velocities(double t, const double *y, const double *p, double 
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double y_2 = y[1]; /* y: centre [m] */
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double a = p[1]; /* radius [m] */
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
@@ -353,10 +361,10 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double y_2 = y[1]; /* y: centre [m] */
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
@@ -400,17 +408,17 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     qddot[3] = -z11; /* theta'' */
     qddot[4] = -z16; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(k) > 0.0 * (qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4]) && fabs(z2) > 1e-13 * z1)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k5 is 0 */
         if (!(fabs(k5) > 0.0)) {
             return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is nearly 0 */
         if (!(fabs(z2) > 1e-13 * z1)) {
             return ball_on_table_refuse(fabs(z2), 1e-13 * z1, BALL_ON_TABLE_SINGULAR_2);
         }
@@ -424,10 +432,10 @@ int ball_on_table_state(double t, const double *q, const double *qdot, const dou
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0]; /* centre [m] */
     y[0] = x;
-    const double y_2 = q[1]; /* centre [m] */
+    const double y_2 = q[1]; /* y: centre [m] */
     y[1] = y_2;
     const double phi = q[2]; /* precession [rad] */
     y[2] = phi;
@@ -435,11 +443,11 @@ int ball_on_table_state(double t, const double *q, const double *qdot, const dou
     y[3] = theta;
     const double psi = q[4]; /* spin [rad] */
     y[4] = psi;
-    const double phi_dot = qdot[2];
+    const double phi_dot = qdot[2]; /* phi' [rad/s] */
     y[5] = phi_dot;
-    const double theta_dot = qdot[3];
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
     y[6] = theta_dot;
-    const double psi_dot = qdot[4];
+    const double psi_dot = qdot[4]; /* psi' [rad/s] */
     y[7] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7]) <= DBL_MAX)) {
@@ -463,15 +471,15 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
     /* what else is read */
     const double x = q[0]; /* centre [m] */
     const double y = q[1]; /* centre [m] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[3];
-    const double psi_dot = qdot[4];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
+    const double psi_dot = qdot[4]; /* psi' [rad/s] */
     const double a = p[1]; /* radius [m] */
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double Omega = Omega0 + Omega1 * s1;
     const double z1 = psi_dot * s_theta;
     /* (I.1.1) 27:5 */
@@ -503,10 +511,10 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double y_2 = y[1]; /* y: centre [m] */
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
@@ -549,17 +557,17 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     /* (I.4.1) 28:5 */
     lambda[1] = -z19; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(k) > 0.0 * (lambda[0] + lambda[1]) && fabs(z2) > 1e-13 * z1)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k5 is 0 */
         if (!(fabs(k5) > 0.0)) {
             return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is nearly 0 */
         if (!(fabs(z2) > 1e-13 * z1)) {
             return ball_on_table_refuse(fabs(z2), 1e-13 * z1, BALL_ON_TABLE_SINGULAR_2);
         }
@@ -583,10 +591,10 @@ double ball_on_table_energy(double t, const double *y, const double *p)
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double y_2 = y[1]; /* y: centre [m] */
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
@@ -628,10 +636,10 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double y_2 = y[1]; /* y: centre [m] */
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
@@ -731,15 +739,15 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     if (!(fabs(J[2] + J[7] + J[10] + J[15] + J[43] + J[46] + J[48] + J[49] + J[50] + J[51] + J[53] + J[55] +
         J[56] + J[57] + J[58] + J[62] + J[63]) <= DBL_MAX
         && fabs(z2) > 1e-13 * z1)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k4 is 0 */
         if (!(fabs(k4) > 0.0)) {
             return ball_on_table_refuse(fabs(k4), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k6 is 0 */
         if (!(fabs(k6) > 0.0)) {
             return ball_on_table_refuse(fabs(k6), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is nearly 0 */
         if (!(fabs(z2) > 1e-13 * z1)) {
             return ball_on_table_refuse(fabs(z2), 1e-13 * z1, BALL_ON_TABLE_SINGULAR_2);
         }
@@ -760,10 +768,10 @@ int ball_on_table_outputs(double t, const double *y, const double *p, double *ou
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double y_2 = y[1]; /* y: centre [m] */
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
@@ -823,7 +831,7 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const ball_on_table_lanes s_theta = sine1;
     const ball_on_table_lanes z1 = s_theta * s_theta;
     const ball_on_table_lanes z2 = z1 * k5;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z2 is nearly 0 */
     bad |= ball_on_table_misses(ball_on_table_size(BALL_ON_TABLE_SPREAD(z2)), 1e-13 * (k2 * (k + z1)));
     const ball_on_table_lanes z3 = t_ * nu;
     ball_on_table_lanes sine2, cosine2;
@@ -898,7 +906,7 @@ int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, cons
     const double k4 = Omega1 * nu;
     const double k5 = k2 * k3;
     const double k6 = -k1 / k5;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if k * k2 is 0 */
     if (!(fabs(k * k2) > 0.0)) {
         return ball_on_table_refuse(fabs(k * k2), 0.0, BALL_ON_TABLE_SINGULAR_2);
     }

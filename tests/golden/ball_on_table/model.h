@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:0aae23011d947628)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:81e9805893544b76)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -86,10 +86,12 @@ enum {
     BALL_ON_TABLE_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const ball_on_table_coordinate_names[];
-extern const char *const ball_on_table_state_names[];
-extern const char *const ball_on_table_parameter_names[];
-extern const double ball_on_table_parameter_defaults[];
+extern const char *const ball_on_table_coordinate_names[BALL_ON_TABLE_NQ];
+extern const char *const ball_on_table_state_names[BALL_ON_TABLE_NY];
+extern const char *const ball_on_table_parameter_names[BALL_ON_TABLE_NP];
+extern const char *const ball_on_table_constraint_names[BALL_ON_TABLE_NC];
+extern const char *const ball_on_table_output_names[BALL_ON_TABLE_NOUT];
+extern const double ball_on_table_parameter_defaults[BALL_ON_TABLE_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:4c47096b018507fc).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:0b74268ab88d37a0).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -113,19 +113,19 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns dydt (8,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])  # centre [m]
-    y_2 = float(y[1])  # centre [m]
+    y_2 = float(y[1])  # y: centre [m]
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     k = float(p[2])  # moment of inertia over m a^2; 2/5 for a homogeneous ball
@@ -136,13 +136,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # from the parameters alone
         k1 = m * a
         k2 = a * k1
-        # the mass matrix is singular
+        # the mass matrix is singular, if k * k2 is 0
         if not abs(k * k2) > 0.0:
             raise _refuse(abs(k * k2), 0.0, 2, "rhs")
         k3 = 1.0 + k
         k4 = Omega1 * nu
         k5 = k2 * k3
-        # the mass matrix is singular
+        # the mass matrix is singular, if k5 is 0
         if not abs(k5) > 0.0:
             raise _refuse(abs(k5), 0.0, 2, "rhs")
         k6 = -k1 / k5
@@ -150,7 +150,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = z1 * k5
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is nearly 0
         if not abs(z2) > 1e-13 * (k2 * (k + z1)):
             raise _refuse(abs(z2), 1e-13 * (k2 * (k + z1)), 2, "rhs")
         z3 = t_ * nu
@@ -196,19 +196,19 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns qdot (5,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])  # centre [m]
-    y_2 = float(y[1])  # centre [m]
+    y_2 = float(y[1])  # y: centre [m]
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     a = float(p[1])  # radius [m]
     Omega0 = float(p[3])  # mean rate of the table [rad/s]
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
@@ -243,19 +243,19 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns qddot (5,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])  # centre [m]
-    y_2 = float(y[1])  # centre [m]
+    y_2 = float(y[1])  # y: centre [m]
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     k = float(p[2])  # moment of inertia over m a^2; 2/5 for a homogeneous ball
@@ -267,12 +267,12 @@ def accelerations(
         k1 = m * a
         k2 = m * a * a
         k3 = k * k2
-        # the mass matrix is singular
+        # the mass matrix is singular, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "accelerations")
         k4 = 1.0 + k
         k5 = k2 * k4
-        # the mass matrix is singular
+        # the mass matrix is singular, if k5 is 0
         if not abs(k5) > 0.0:
             raise _refuse(abs(k5), 0.0, 2, "accelerations")
         k6 = Omega1 * nu
@@ -282,7 +282,7 @@ def accelerations(
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
         z2 = z1 - c_theta * c_theta * k3
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is nearly 0
         if not abs(z2) > 1e-13 * z1:
             raise _refuse(abs(z2), 1e-13 * z1, 2, "accelerations")
         z3 = t_ * nu
@@ -334,21 +334,21 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns y (8,).
     """
     x = float(q[0])  # centre [m]
-    y_2 = float(q[1])  # centre [m]
+    y_2 = float(q[1])  # y: centre [m]
     phi = float(q[2])  # precession [rad]
     theta = float(q[3])  # nutation [rad]
     psi = float(q[4])  # spin [rad]
-    phi_dot = float(qdot[2])
-    theta_dot = float(qdot[3])
-    psi_dot = float(qdot[4])
+    phi_dot = float(qdot[2])  # phi' [rad/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
+    psi_dot = float(qdot[4])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, phi, theta, psi, phi_dot, theta_dot, psi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -361,26 +361,26 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns r (2,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(q[0])  # centre [m]
     y = float(q[1])  # centre [m]
     phi = float(q[2])  # precession [rad]
     theta = float(q[3])  # nutation [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[3])
-    psi_dot = float(qdot[4])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
+    psi_dot = float(qdot[4])  # psi' [rad/s]
     a = float(p[1])  # radius [m]
     Omega0 = float(p[3])  # mean rate of the table [rad/s]
     Omega1 = float(p[4])  # amplitude of its modulation [rad/s]
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         s1 = math.sin(t_ * nu)
         Omega = Omega0 + Omega1 * s1
         s_phi = math.sin(phi)
@@ -403,20 +403,20 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns lambda_ (2,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])  # centre [m]
-    y_2 = float(y[1])  # centre [m]
+    y_2 = float(y[1])  # y: centre [m]
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     k = float(p[2])  # moment of inertia over m a^2; 2/5 for a homogeneous ball
@@ -428,12 +428,12 @@ def reactions(
         k1 = m * a
         k2 = m * a * a
         k3 = k * k2
-        # the mass matrix is singular
+        # the mass matrix is singular, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "reactions")
         k4 = 1.0 + k
         k5 = k2 * k4
-        # the mass matrix is singular
+        # the mass matrix is singular, if k5 is 0
         if not abs(k5) > 0.0:
             raise _refuse(abs(k5), 0.0, 2, "reactions")
         k6 = Omega1 * nu
@@ -443,7 +443,7 @@ def reactions(
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
         z2 = z1 - c_theta * c_theta * k3
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is nearly 0
         if not abs(z2) > 1e-13 * z1:
             raise _refuse(abs(z2), 1e-13 * z1, 2, "reactions")
         z3 = t_ * nu
@@ -483,19 +483,19 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns a scalar.
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])  # centre [m]
-    y_2 = float(y[1])  # centre [m]
+    y_2 = float(y[1])  # y: centre [m]
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     k = float(p[2])  # moment of inertia over m a^2; 2/5 for a homogeneous ball
@@ -531,19 +531,19 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])  # centre [m]
-    y_2 = float(y[1])  # centre [m]
+    y_2 = float(y[1])  # y: centre [m]
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     k = float(p[2])  # moment of inertia over m a^2; 2/5 for a homogeneous ball
@@ -557,12 +557,12 @@ def jacobian(
         k2 = m * a
         k3 = m * k1
         k4 = k * k3
-        # the mass matrix is singular
+        # the mass matrix is singular, if k4 is 0
         if not abs(k4) > 0.0:
             raise _refuse(abs(k4), 0.0, 2, "jacobian")
         k5 = 1.0 + k
         k6 = k3 * k5
-        # the mass matrix is singular
+        # the mass matrix is singular, if k6 is 0
         if not abs(k6) > 0.0:
             raise _refuse(abs(k6), 0.0, 2, "jacobian")
         k7 = Omega1 * nu
@@ -575,7 +575,7 @@ def jacobian(
         z1 = k3 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
         z2 = z1 - c_theta * c_theta * k4
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is nearly 0
         if not abs(z2) > 1e-13 * z1:
             raise _refuse(abs(z2), 1e-13 * z1, 2, "jacobian")
         z3 = t_ * nu
@@ -730,18 +730,18 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns out (2,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     x = float(y[0])  # centre [m]
-    y_2 = float(y[1])  # centre [m]
+    y_2 = float(y[1])  # y: centre [m]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     k = float(p[2])  # moment of inertia over m a^2; 2/5 for a homogeneous ball

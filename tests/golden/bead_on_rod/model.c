@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:503b0409022552e9)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:eedf38b0d7c497cd)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -12,18 +12,26 @@
 #include <math.h>
 #include <string.h>
 
-const char *const bead_on_rod_coordinate_names[] = {
+const char *const bead_on_rod_coordinate_names[BEAD_ON_ROD_NQ] = {
     "r"
 };
-const char *const bead_on_rod_state_names[] = {
+const char *const bead_on_rod_state_names[BEAD_ON_ROD_NY] = {
     "r",
     "r'"
 };
-const char *const bead_on_rod_parameter_names[] = {
+const char *const bead_on_rod_parameter_names[BEAD_ON_ROD_NP] = {
     "m",
     "Omega"
 };
-const double bead_on_rod_parameter_defaults[] = {
+const char *const bead_on_rod_constraint_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const char *const bead_on_rod_output_names[BEAD_ON_ROD_NOUT] = {
+    "jacobi",
+    "torque"
+};
+const double bead_on_rod_parameter_defaults[BEAD_ON_ROD_NP] = {
     1.0,
     2.0
 };
@@ -169,7 +177,7 @@ int bead_on_rod_rhs(double t, const double *y, const double *p, double *restrict
     const double k1 = Omega * Omega;
 
     /* from the state */
-    const double r_dot = y[1];
+    const double r_dot = y[1]; /* r' [m/s] */
     /* (II.3) */
     dydt[0] = r_dot; /* r' */
     const double r = y[0]; /* distance from the axis [m] */
@@ -177,9 +185,9 @@ int bead_on_rod_rhs(double t, const double *y, const double *p, double *restrict
     dydt[1] = r * k1; /* r'' */
     const double m = p[0]; /* mass of the bead [kg] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * (dydt[0] + dydt[1]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
         }
@@ -194,7 +202,7 @@ int bead_on_rod_velocities(double t, const double *y, const double *p, double *q
     (void)p;
 
     /* from the state */
-    const double r_dot = y[1];
+    const double r_dot = y[1]; /* r' [m/s] */
     qdot[0] = r_dot; /* r' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0]) <= DBL_MAX)) {
@@ -217,9 +225,9 @@ int bead_on_rod_accelerations(double t, const double *y, const double *p, double
     qddot[0] = r * k1; /* r'' */
     const double m = p[0]; /* mass of the bead [kg] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * qddot[0])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
         }
@@ -233,10 +241,10 @@ int bead_on_rod_state(double t, const double *q, const double *qdot, const doubl
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double r = q[0]; /* distance from the axis [m] */
     y[0] = r;
-    const double r_dot = qdot[0];
+    const double r_dot = qdot[0]; /* r' [m/s] */
     y[1] = r_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
@@ -262,7 +270,7 @@ int bead_on_rod_reactions(double t, const double *y, const double *p, double *la
 
     /* from the state */
     const double m = p[0]; /* mass of the bead [kg] */
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
         return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
     }
@@ -280,7 +288,7 @@ double bead_on_rod_energy(double t, const double *y, const double *p)
 
     /* from the state */
     const double r = y[0]; /* distance from the axis [m] */
-    const double r_dot = y[1];
+    const double r_dot = y[1]; /* r' [m/s] */
     const double m = p[0]; /* mass of the bead [kg] */
     return 0.5 * (m * (r_dot * r_dot + k1 * (r * r)));
 }
@@ -299,9 +307,9 @@ int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J)
     J[2] = Omega * Omega;
     const double m = p[0]; /* mass of the bead [kg] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * J[2])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
         }
@@ -322,7 +330,7 @@ int bead_on_rod_outputs(double t, const double *y, const double *p, double *out)
 
     /* from the state */
     const double r = y[0]; /* distance from the axis [m] */
-    const double r_dot = y[1];
+    const double r_dot = y[1]; /* r' [m/s] */
     /* 16:11 */
     out[0] = 0.5 * (m * (r_dot * r_dot - k1 * (r * r))); /* jacobi */
     /* 17:11 */
@@ -375,7 +383,7 @@ int bead_on_rod_rhs_batch(size_t count, const double *t, const double *y, const 
     const double m = p[0]; /* mass of the bead [kg] */
     const double Omega = p[1]; /* rate of the rod [rad/s] */
     const double k1 = Omega * Omega;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
         return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
     }

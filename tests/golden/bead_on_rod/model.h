@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:76c4610efb278d6a)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:9687997825d16290)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -64,10 +64,12 @@ enum {
     BEAD_ON_ROD_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const bead_on_rod_coordinate_names[];
-extern const char *const bead_on_rod_state_names[];
-extern const char *const bead_on_rod_parameter_names[];
-extern const double bead_on_rod_parameter_defaults[];
+extern const char *const bead_on_rod_coordinate_names[BEAD_ON_ROD_NQ];
+extern const char *const bead_on_rod_state_names[BEAD_ON_ROD_NY];
+extern const char *const bead_on_rod_parameter_names[BEAD_ON_ROD_NP];
+extern const char *const bead_on_rod_constraint_names[1];
+extern const char *const bead_on_rod_output_names[BEAD_ON_ROD_NOUT];
+extern const double bead_on_rod_parameter_defaults[BEAD_ON_ROD_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (II.3)

@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:c82193c04767289f).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:b97b1caf22e57236).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -92,17 +92,17 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (II.3)
+    """Right-hand side dy/dt = f(t, y; p) (II.3).
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns dydt (2,).
     """
     r = float(y[0])  # distance from the axis [m]
-    r_dot = float(y[1])
+    r_dot = float(y[1])  # r' [m/s]
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
         # from the parameters alone
@@ -124,12 +124,12 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state
+    """All velocities q' from the state.
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns qdot (1,).
     """
-    r_dot = float(y[1])
+    r_dot = float(y[1])  # r' [m/s]
     try:
         # from the state
         qdot: list[float] = [
@@ -146,7 +146,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (II.3)
+    """All accelerations q'' on the motion (II.3).
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns qddot (1,).
@@ -155,7 +155,7 @@ def accelerations(
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -176,15 +176,15 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (1,), qdot (1,), p (2,).
     Returns y (2,).
     """
     r = float(q[0])  # distance from the axis [m]
-    r_dot = float(qdot[0])
+    r_dot = float(qdot[0])  # r' [m/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [r, r_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -197,7 +197,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (1,), qdot (1,), p (2,).
     Returns r (0,).
@@ -214,7 +214,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns lambda_ (0,).
@@ -222,7 +222,7 @@ def reactions(
     """
     m = float(p[0])  # mass of the bead [kg]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
         # from the state
@@ -233,13 +233,13 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns a scalar.
     """
     r = float(y[0])  # distance from the axis [m]
-    r_dot = float(y[1])
+    r_dot = float(y[1])  # r' [m/s]
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:
@@ -257,7 +257,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3).
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns rows (2, 2): d rhs_i / d y_j stands at [i][j].
@@ -265,7 +265,7 @@ def jacobian(
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
         # from the state
@@ -284,13 +284,13 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns out (2,).
     """
     r = float(y[0])  # distance from the axis [m]
-    r_dot = float(y[1])
+    r_dot = float(y[1])  # r' [m/s]
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:88753010d8338ad0)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:e1c11ce15fb3874c)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -18,7 +18,7 @@
 #define BICYCLE_SSE2
 #endif
 
-const char *const bicycle_coordinate_names[] = {
+const char *const bicycle_coordinate_names[BICYCLE_NQ] = {
     "x",
     "y",
     "z",
@@ -29,7 +29,7 @@ const char *const bicycle_coordinate_names[] = {
     "thR",
     "thF"
 };
-const char *const bicycle_state_names[] = {
+const char *const bicycle_state_names[BICYCLE_NY] = {
     "x",
     "y",
     "z",
@@ -43,7 +43,7 @@ const char *const bicycle_state_names[] = {
     "steer'",
     "thF'"
 };
-const char *const bicycle_parameter_names[] = {
+const char *const bicycle_parameter_names[BICYCLE_NP] = {
     "w",
     "c",
     "lam",
@@ -71,7 +71,20 @@ const char *const bicycle_parameter_names[] = {
     "F_xx",
     "F_yy"
 };
-const double bicycle_parameter_defaults[] = {
+const char *const bicycle_constraint_names[BICYCLE_NC] = {
+    "rear_x",
+    "rear_y",
+    "rear_z",
+    "front_x",
+    "front_y",
+    "front_z"
+};
+const char *const bicycle_output_names[BICYCLE_NOUT] = {
+    "speed",
+    "rear_height",
+    "front_height"
+};
+const double bicycle_parameter_defaults[BICYCLE_NP] = {
     1.02,
     0.08,
     0.3141592653589793,
@@ -331,9 +344,9 @@ int bicycle_rhs(double t, const double *y, const double *p, double *restrict dyd
     const double s_yaw = sin(yaw);
 
     /* what else is read */
-    const double roll_dot = y[9];
-    const double steer_dot = y[10];
-    const double thF_dot = y[11];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
+    const double steer_dot = y[10]; /* steer' [rad/s] */
+    const double thF_dot = y[11]; /* thF' [rad/s] */
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
     const double g = p[3]; /* acceleration of gravity [m/s^2] */
@@ -720,20 +733,20 @@ int bicycle_rhs(double t, const double *y, const double *p, double *restrict dyd
         && fabs(-z35) > 1e-12 * (k19 * ((z36 + k51) * (z36 + k52)))
         && fabs(z105) > 1e-13 * z100
         && fabs(z137) > 1e-13 * z128)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if -z35 is nearly 0 */
         if (!(fabs(-z35) > 1e-12 * (k19 * ((z36 + k51) * (z36 + k52))))) {
             return bicycle_refuse(fabs(-z35), 1e-12 * (k19 * ((z36 + k51) * (z36 + k52))),
                 BICYCLE_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if -z76 is 0 */
         if (!(fabs(-z76) > 0.0)) {
             return bicycle_refuse(fabs(-z76), 0.0, BICYCLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z105 is nearly 0 */
         if (!(fabs(z105) > 1e-13 * z100)) {
             return bicycle_refuse(fabs(z105), 1e-13 * z100, BICYCLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z137 is nearly 0 */
         if (!(fabs(z137) > 1e-13 * z128)) {
             return bicycle_refuse(fabs(z137), 1e-13 * z128, BICYCLE_SINGULAR_2);
         }
@@ -766,9 +779,9 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double c_yaw = cos(yaw);
 
     /* what else is read */
-    const double roll_dot = y[9];
-    const double steer_dot = y[10];
-    const double thF_dot = y[11];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
+    const double steer_dot = y[10]; /* steer' [rad/s] */
+    const double thF_dot = y[11]; /* thF' [rad/s] */
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
@@ -849,7 +862,7 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[3] + qdot[5]) <= DBL_MAX
         && fabs(z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
-        /* the coframe is singular */
+        /* the coframe is singular, if z25 is nearly 0 */
         if (!(fabs(z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
             return bicycle_refuse(fabs(z25), 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))), BICYCLE_SINGULAR_1);
         }
@@ -887,9 +900,9 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double s_steer = sin(steer);
 
     /* what else is read */
-    const double roll_dot = y[9];
-    const double steer_dot = y[10];
-    const double thF_dot = y[11];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
+    const double steer_dot = y[10]; /* steer' [rad/s] */
+    const double thF_dot = y[11]; /* thF' [rad/s] */
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
@@ -1041,10 +1054,10 @@ int bicycle_state(double t, const double *q, const double *qdot, const double *p
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0]; /* centre of the rear wheel [m] */
     y[0] = x;
-    const double y_2 = q[1]; /* centre of the rear wheel [m] */
+    const double y_2 = q[1]; /* y: centre of the rear wheel [m] */
     y[1] = y_2;
     const double z = q[2]; /* centre of the rear wheel, downwards [m] */
     y[2] = z;
@@ -1060,11 +1073,11 @@ int bicycle_state(double t, const double *q, const double *qdot, const double *p
     y[7] = thR;
     const double thF = q[8]; /* front wheel against front frame [rad] */
     y[8] = thF;
-    const double roll_dot = qdot[4];
+    const double roll_dot = qdot[4]; /* roll' [rad/s] */
     y[9] = roll_dot;
-    const double steer_dot = qdot[6];
+    const double steer_dot = qdot[6]; /* steer' [rad/s] */
     y[10] = steer_dot;
-    const double thF_dot = qdot[8];
+    const double thF_dot = qdot[8]; /* thF' [rad/s] */
     y[11] = thF_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11]) <= DBL_MAX)) {
@@ -1096,15 +1109,15 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
     const double c_steer = cos(steer);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double z_dot = qdot[2];
-    const double yaw_dot = qdot[3];
-    const double roll_dot = qdot[4];
-    const double pitch_dot = qdot[5];
-    const double steer_dot = qdot[6];
-    const double thR_dot = qdot[7];
-    const double thF_dot = qdot[8];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double z_dot = qdot[2]; /* z' [m/s] */
+    const double yaw_dot = qdot[3]; /* yaw' [rad/s] */
+    const double roll_dot = qdot[4]; /* roll' [rad/s] */
+    const double pitch_dot = qdot[5]; /* pitch' [rad/s] */
+    const double steer_dot = qdot[6]; /* steer' [rad/s] */
+    const double thR_dot = qdot[7]; /* thR' [rad/s] */
+    const double thF_dot = qdot[8]; /* thF' [rad/s] */
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
@@ -1113,7 +1126,7 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
     /* from the parameters alone */
     const double k1 = w + c;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = s_yaw * e2z;
     const double e1x = c_yaw * c_pitch - z1 * s_pitch;
     const double w2 = pitch_dot + yaw_dot * e2z;
@@ -1417,11 +1430,11 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[62] = z32;
     const double z33 = 1.0 / (z12 * z31 + z5 * z32);
     kept[63] = z33;
-    const double roll_dot = y[9];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
     const double z34 = roll_dot * c1;
     kept[64] = z34;
     const double z35 = s_steer * z34;
-    const double thF_dot = y[11];
+    const double thF_dot = y[11]; /* thF' [rad/s] */
     const double z36 = thF_dot - z35;
     kept[65] = z36;
     const double z37 = k3 * z35 - z10 * z36;
@@ -1442,7 +1455,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double z44 = k9 * z41 - v2_x;
     kept[73] = z44;
     const double z45 = z18 * z36 + (z35 * k44 - s_steer * z44);
-    const double steer_dot = y[10];
+    const double steer_dot = y[10]; /* steer' [rad/s] */
     const double z46 = steer_dot + z41;
     kept[74] = z46;
     const double z47 = c_steer * z34;
@@ -1499,7 +1512,7 @@ BICYCLE_SLOW static int bicycle_reactions_part2(double t, const double *y, const
     const double z68 = kept[92];
     const double z69 = kept[93];
     const double z70 = z9 * z68 + z69 * z67;
-    const double roll_dot = y[9];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
     const double z65 = kept[89];
     const double z71 = roll_dot * z65;
     const double z17 = kept[47];
@@ -1638,7 +1651,7 @@ BICYCLE_SLOW static int bicycle_reactions_part2(double t, const double *y, const
     const double z131 = c_steer * z128 - s_steer * z130;
     const double z132 = z73 + (z65 * z98 + s1 * z123);
     const double z133 = z63 * z55 - s_steer * z95 + (z64 * z102 - c_steer * z132);
-    const double steer_dot = y[10];
+    const double steer_dot = y[10]; /* steer' [rad/s] */
     const double w3_steer = steer_dot + z99;
     const double z134 = c_steer * z55 + s_steer * z102;
     const double k47 = kept[25];
@@ -1705,7 +1718,7 @@ BICYCLE_SLOW static int bicycle_reactions_part2(double t, const double *y, const
         - (w3_steer * z167 - z136 * z168));
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
     const double z170 = z169 - (k52 * z151 - (k47 * z150 + k34 * z159)) - F_yy * (z148 + (thF_ddot + z151));
-    const double thF_dot = y[11];
+    const double thF_dot = y[11]; /* thF' [rad/s] */
     const double z171 = F_yy * (thF_dot - z134) - k52 * z134;
     const double k57 = kept[33];
     const double z172 = h2z * k57 + (k50 * z124 - (k47 * z131 + k49 * z133) - (z134 * z168 + w3_steer *
@@ -1801,9 +1814,9 @@ double bicycle_energy(double t, const double *y, const double *p)
 
     /* what else is read */
     const double z = y[2]; /* centre of the rear wheel, downwards [m] */
-    const double roll_dot = y[9];
-    const double steer_dot = y[10];
-    const double thF_dot = y[11];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
+    const double steer_dot = y[10]; /* steer' [rad/s] */
+    const double thF_dot = y[11]; /* thF' [rad/s] */
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
     const double g = p[3]; /* acceleration of gravity [m/s^2] */
@@ -1943,7 +1956,7 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double z81 = m_B * (z78 * z78 + z79 * z79 + z80 * z80) + (B_yy * (w2 * w2) + B_xx * z74 + B_zz *
         z76);
     const double z82 = 0.5 * z72 + H_xz * (z64 * z66) + (0.5 * z77 + (0.5 * z81 + B_xz * (z73 * z75)));
-    /* the coframe is singular */
+    /* the coframe is singular, if -z26 is nearly 0 */
     if (!(fabs(-z26) > 1e-12 * (k15 * ((z27 + k19) * (z27 + k20))))) {
         return (double)NAN;
     }
@@ -2540,7 +2553,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     const double z11 = kept[47];
     const double z184 = z11 * z11;
     kept[192] = z184;
-    const double roll_dot = y[9];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double z185 = roll_dot * r_R;
     kept[193] = z185;
@@ -2557,7 +2570,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     kept[198] = z189;
     const double z190 = s_steer * z189;
     kept[199] = z190;
-    const double thF_dot = y[11];
+    const double thF_dot = y[11]; /* thF' [rad/s] */
     const double z191 = thF_dot - z190;
     kept[200] = z191;
     const double z192 = roll_dot * s1;
@@ -2570,7 +2583,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
 {
     (void)J;
     (void)t;
-    const double steer_dot = y[10];
+    const double steer_dot = y[10]; /* steer' [rad/s] */
     const double z192 = kept[201];
     const double z193 = steer_dot + z192;
     kept[202] = z193;
@@ -2650,7 +2663,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     kept[224] = z272;
     const double z273 = steer_dot * s_steer;
     kept[225] = z273;
-    const double roll_dot = y[9];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
     const double z274 = roll_dot * e2z;
     kept[226] = z274;
     const double z275 = s1 * z207;
@@ -2854,7 +2867,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z355 = z278 * z208 + s_steer * z329 + (z273 * z331 - c_steer * z333);
     const double z356 = c_steer * z208 + s_steer * z331;
     kept[301] = z356;
-    const double thF_dot = y[11];
+    const double thF_dot = y[11]; /* thF' [rad/s] */
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
     const double z357 = F_yy * (thF_dot - z356) - k56 * z356;
     kept[302] = z357;
@@ -2986,23 +2999,23 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double k25 = kept[13];
     const double z37 = kept[73];
     const double z38 = kept[74];
-    /* the coframe is singular */
+    /* the coframe is singular, if z37 is nearly 0 */
     if (!(fabs(z37) > 1e-12 * ((z38 + k25) * (k22 * (z38 + k24))))) {
         return bicycle_refuse(fabs(z37), 1e-12 * ((z38 + k25) * (k22 * (z38 + k24))), BICYCLE_SINGULAR_1);
     }
     const double z84 = kept[118];
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z84 is 0 */
     if (!(fabs(z84) > 0.0)) {
         return bicycle_refuse(fabs(z84), 0.0, BICYCLE_SINGULAR_2);
     }
     const double z121 = kept[151];
     const double z127 = kept[154];
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z127 is nearly 0 */
     if (!(fabs(z127) > 1e-13 * z121)) {
         return bicycle_refuse(fabs(z127), 1e-13 * z121, BICYCLE_SINGULAR_2);
     }
     const double z164 = kept[187];
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z174 is nearly 0 */
     if (!(fabs(z174) > 1e-13 * z164)) {
         return bicycle_refuse(fabs(z174), 1e-13 * z164, BICYCLE_SINGULAR_2);
     }
@@ -3099,7 +3112,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep1(double t, const double *y, cons
         z244);
     const double z188 = kept[197];
     const bicycle_lanes z246 = z188 * z245;
-    const double roll_dot = y[9];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
     const bicycle_lanes z247 = roll_dot * z216;
     const bicycle_lanes z248 = roll_dot * z222;
     const double z189 = kept[198];
@@ -3440,7 +3453,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part1(double t, const double *y
     const double z11 = kept[47];
     const bicycle_lanes z477 = r_F * (z5 * z457) - r_R * (z11 * z476) - z2 * z460;
     bicycle_put(carried + 72 * BICYCLE_LANES, z477);
-    const double roll_dot = y[9];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
     const double z28 = kept[64];
     const double z32 = kept[68];
     const double z330 = kept[281];
@@ -3803,7 +3816,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z417 = bicycle_get(carried + 18 * BICYCLE_LANES);
     const bicycle_lanes z421 = bicycle_get(carried + 21 * BICYCLE_LANES);
     const bicycle_lanes z597 = z331 * z417 + z337 * z421;
-    const double roll_dot = y[9];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
     const double k26 = kept[14];
     const double z81 = kept[117];
     const double z378 = kept[323];
@@ -4301,7 +4314,7 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
         * z583;
     const bicycle_lanes z745 = z189 * z717 - (z195 * z517 + (z744 - z62 * z586)) + z45 * z619 + c1 * z722 -
         z8 * z671;
-    const double steer_dot = y[10];
+    const double steer_dot = y[10]; /* steer' [rad/s] */
     const bicycle_lanes z746 = steer_dot * z740 - (z745 + k10 * z683 + z22 * z693 + z21 * z695 + z17 * z706 -
         z3 * z701);
     const bicycle_lanes z747 = c_steer * (steer_dot * z732 + (z277 * z461 + z738) - e2z * z701) - s_steer *
@@ -4383,9 +4396,9 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
 
     /* what else is read */
     const double z = y[2]; /* centre of the rear wheel, downwards [m] */
-    const double roll_dot = y[9];
-    const double steer_dot = y[10];
-    const double thF_dot = y[11];
+    const double roll_dot = y[9]; /* roll' [rad/s] */
+    const double steer_dot = y[10]; /* steer' [rad/s] */
+    const double thF_dot = y[11]; /* thF' [rad/s] */
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
@@ -4458,7 +4471,7 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX
         && fabs(z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
-        /* the coframe is singular */
+        /* the coframe is singular, if z27 is nearly 0 */
         if (!(fabs(z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
             return bicycle_refuse(fabs(z27), 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))), BICYCLE_SINGULAR_1);
         }
@@ -4563,7 +4576,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z34 = z31 * z26 + z32 * z25;
     const bicycle_lanes z35 = z13 * z33 + z5 * z34;
     const bicycle_lanes z36 = k20 + k14 * (9.0 + bicycle_size(BICYCLE_SPREAD(z1)));
-    /* the coframe is singular */
+    /* the coframe is singular, if -z35 is nearly 0 */
     bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(-z35)), 1e-12 * (k19 * ((z36 + k51) * (z36 + k52))));
     const bicycle_lanes z37 = r_R * z1;
     const bicycle_lanes z38 = c_roll * z37;
@@ -4638,7 +4651,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z103 = 1.0 / z76;
     const bicycle_lanes z104 = z102 * z103;
     const bicycle_lanes z105 = z100 + z102 * z104;
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z105 is nearly 0 */
     bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z105)), 1e-13 * z100);
     const bicycle_lanes z106 = z20 * z13;
     const bicycle_lanes z107 = z20 * z25;
@@ -4680,7 +4693,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z135 = 1.0 / z105;
     const bicycle_lanes z136 = z134 * z135;
     const bicycle_lanes z137 = z128 + z131 * z132 - z134 * z136;
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z137 is nearly 0 */
     bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z137)), 1e-13 * z128);
     bicycle_lanes sine4, cosine4;
     bicycle_turn_lanes(BICYCLE_SPREAD(yaw), &far, &sine4, &cosine4);

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:e977a4340eec6dc0)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:2b4091aaea65c008)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -109,10 +109,12 @@ enum {
     BICYCLE_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const bicycle_coordinate_names[];
-extern const char *const bicycle_state_names[];
-extern const char *const bicycle_parameter_names[];
-extern const double bicycle_parameter_defaults[];
+extern const char *const bicycle_coordinate_names[BICYCLE_NQ];
+extern const char *const bicycle_state_names[BICYCLE_NY];
+extern const char *const bicycle_parameter_names[BICYCLE_NP];
+extern const char *const bicycle_constraint_names[BICYCLE_NC];
+extern const char *const bicycle_output_names[BICYCLE_NOUT];
+extern const double bicycle_parameter_defaults[BICYCLE_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

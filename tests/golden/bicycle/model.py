@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:364b0a5c8b6de97a).
+"""bicycle, emitted by nhc 0.1.0 (nhc:05a557a35e1252e5).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -220,7 +220,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns dydt (12,).
@@ -229,9 +229,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     roll = float(y[4])  # second turn, about x [rad]
     pitch = float(y[5])  # third turn, about y [rad]
     steer = float(y[6])  # front frame against rear frame [rad]
-    roll_dot = float(y[9])
-    steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    roll_dot = float(y[9])  # roll' [rad/s]
+    steer_dot = float(y[10])  # steer' [rad/s]
+    thF_dot = float(y[11])  # thF' [rad/s]
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -371,7 +371,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z35 = z13 * z33 + z5 * z34
         z36 = k20 + k14 * (9.0 + abs(z1))
         s4 = (z36 + k51) * (z36 + k52)
-        # the coframe is singular
+        # the coframe is singular, if -z35 is nearly 0
         if not abs(-z35) > 1e-12 * (k19 * s4):
             raise _refuse(abs(-z35), 1e-12 * (k19 * s4), 1, "rhs")
         z37 = r_R * z1
@@ -417,7 +417,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s7 = z47 * z64 + (z62 * z65 + (z57 * z66 + (z61 * z67 + z74)))
         z75 = z53 * (z58 + z59) + s7
         z76 = z38 * (k23 * z47 - (k21 * z38 - k22 * z48)) - z75
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if -z76 is 0
         if not abs(-z76) > 0.0:
             raise _refuse(abs(-z76), 0.0, 2, "rhs")
         z77 = z16 * z12
@@ -451,7 +451,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z103 = 1.0 / z76
         z104 = z102 * z103
         z105 = z100 + z102 * z104
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z105 is
+        # nearly 0
         if not abs(z105) > 1e-13 * z100:
             raise _refuse(abs(z105), 1e-13 * z100, 2, "rhs")
         z106 = z20 * z13
@@ -495,7 +496,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z135 = 1.0 / z105
         z136 = z134 * z135
         z137 = z128 + z131 * z132 - z134 * z136
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z137 is
+        # nearly 0
         if not abs(z137) > 1e-13 * z128:
             raise _refuse(abs(z137), 1e-13 * z128, 2, "rhs")
         c_yaw = math.cos(yaw)
@@ -683,7 +685,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns qdot (9,).
@@ -692,9 +694,9 @@ def velocities(
     roll = float(y[4])  # second turn, about x [rad]
     pitch = float(y[5])  # third turn, about y [rad]
     steer = float(y[6])  # front frame against rear frame [rad]
-    roll_dot = float(y[9])
-    steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    roll_dot = float(y[9])  # roll' [rad/s]
+    steer_dot = float(y[10])  # steer' [rad/s]
+    thF_dot = float(y[11])  # thF' [rad/s]
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -752,7 +754,7 @@ def velocities(
         z25 = z11 * z23 + z5 * z24
         z26 = k11 + k5 * (9.0 + abs(z3))
         s3 = (z26 + k12) * (z26 + k13)
-        # the coframe is singular
+        # the coframe is singular, if z25 is nearly 0
         if not abs(z25) > 1e-12 * (k10 * s3):
             raise _refuse(abs(z25), 1e-12 * (k10 * s3), 1, "velocities")
         s_yaw = math.sin(yaw)
@@ -808,7 +810,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns qddot (9,).
@@ -818,9 +820,9 @@ def accelerations(
     roll = float(y[4])  # second turn, about x [rad]
     pitch = float(y[5])  # third turn, about y [rad]
     steer = float(y[6])  # front frame against rear frame [rad]
-    roll_dot = float(y[9])
-    steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    roll_dot = float(y[9])  # roll' [rad/s]
+    steer_dot = float(y[10])  # steer' [rad/s]
+    thF_dot = float(y[11])  # thF' [rad/s]
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -1003,13 +1005,13 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (9,), qdot (9,), p (26,).
     Returns y (12,).
     """
     x = float(q[0])  # centre of the rear wheel [m]
-    y_2 = float(q[1])  # centre of the rear wheel [m]
+    y_2 = float(q[1])  # y: centre of the rear wheel [m]
     z = float(q[2])  # centre of the rear wheel, downwards [m]
     yaw = float(q[3])  # first turn of the rear frame, about z [rad]
     roll = float(q[4])  # second turn, about x [rad]
@@ -1017,11 +1019,11 @@ def state(
     steer = float(q[6])  # front frame against rear frame [rad]
     thR = float(q[7])  # rear wheel against rear frame [rad]
     thF = float(q[8])  # front wheel against front frame [rad]
-    roll_dot = float(qdot[4])
-    steer_dot = float(qdot[6])
-    thF_dot = float(qdot[8])
+    roll_dot = float(qdot[4])  # roll' [rad/s]
+    steer_dot = float(qdot[6])  # steer' [rad/s]
+    thF_dot = float(qdot[8])  # thF' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [
             x,
             y_2,
@@ -1047,7 +1049,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (9,), qdot (9,), p (26,).
     Returns r (6,).
@@ -1056,15 +1058,15 @@ def residuals(
     roll = float(q[4])  # second turn, about x [rad]
     pitch = float(q[5])  # third turn, about y [rad]
     steer = float(q[6])  # front frame against rear frame [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    z_dot = float(qdot[2])
-    yaw_dot = float(qdot[3])
-    roll_dot = float(qdot[4])
-    pitch_dot = float(qdot[5])
-    steer_dot = float(qdot[6])
-    thR_dot = float(qdot[7])
-    thF_dot = float(qdot[8])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    z_dot = float(qdot[2])  # z' [m/s]
+    yaw_dot = float(qdot[3])  # yaw' [rad/s]
+    roll_dot = float(qdot[4])  # roll' [rad/s]
+    pitch_dot = float(qdot[5])  # pitch' [rad/s]
+    steer_dot = float(qdot[6])  # steer' [rad/s]
+    thR_dot = float(qdot[7])  # thR' [rad/s]
+    thF_dot = float(qdot[8])  # thF' [rad/s]
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -1075,7 +1077,7 @@ def residuals(
         s_lam = math.sin(lam)
         c_lam = math.cos(lam)
         k1 = w + c
-        # from the state
+        # from the coordinates and velocities
         c_yaw = math.cos(yaw)
         c_pitch = math.cos(pitch)
         s_yaw = math.sin(yaw)
@@ -1192,7 +1194,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns lambda_ (6,).
@@ -1203,9 +1205,9 @@ def reactions(
     roll = float(y[4])  # second turn, about x [rad]
     pitch = float(y[5])  # third turn, about y [rad]
     steer = float(y[6])  # front frame against rear frame [rad]
-    roll_dot = float(y[9])
-    steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    roll_dot = float(y[9])  # roll' [rad/s]
+    steer_dot = float(y[10])  # steer' [rad/s]
+    thF_dot = float(y[11])  # thF' [rad/s]
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -1562,7 +1564,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns a scalar.
@@ -1571,9 +1573,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     roll = float(y[4])  # second turn, about x [rad]
     pitch = float(y[5])  # third turn, about y [rad]
     steer = float(y[6])  # front frame against rear frame [rad]
-    roll_dot = float(y[9])
-    steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    roll_dot = float(y[9])  # roll' [rad/s]
+    steer_dot = float(y[10])  # steer' [rad/s]
+    thF_dot = float(y[11])  # thF' [rad/s]
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -1660,7 +1662,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         z26 = z12 * z24 + z5 * z25
         z27 = k16 + k10 * (9.0 + abs(z3))
         s2 = (z27 + k19) * (z27 + k20)
-        # the coframe is singular
+        # the coframe is singular, if -z26 is nearly 0
         if not abs(-z26) > 1e-12 * (k15 * s2):
             raise _refuse(abs(-z26), 1e-12 * (k15 * s2), 1, "energy")
         z28 = s_pitch * c_roll
@@ -1741,7 +1743,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns rows (12, 12): d rhs_i / d y_j stands at [i][j].
@@ -1750,9 +1752,9 @@ def jacobian(
     roll = float(y[4])  # second turn, about x [rad]
     pitch = float(y[5])  # third turn, about y [rad]
     steer = float(y[6])  # front frame against rear frame [rad]
-    roll_dot = float(y[9])
-    steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    roll_dot = float(y[9])  # roll' [rad/s]
+    steer_dot = float(y[10])  # steer' [rad/s]
+    thF_dot = float(y[11])  # thF' [rad/s]
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -1902,7 +1904,7 @@ def jacobian(
         z38 = k17 * (9.0 + abs(z11))
         s4 = k22 * (z38 + k24)
         s5 = (z38 + k25) * s4
-        # the coframe is singular
+        # the coframe is singular, if z37 is nearly 0
         if not abs(z37) > 1e-12 * s5:
             raise _refuse(abs(z37), 1e-12 * s5, 1, "jacobian")
         z39 = 1.0 / z37
@@ -1953,7 +1955,7 @@ def jacobian(
         s7 = z65 * z72 + (z70 * z73 + (z63 * z74 + (z68 * z75 + z82)))
         z83 = z53 * z66 + (z67 * z71 + s7)
         z84 = z83 + R_yy * (z61 * z61) + F_yy * (z67 * z67)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z84 is 0
         if not abs(z84) > 0.0:
             raise _refuse(abs(z84), 0.0, 2, "jacobian")
         z85 = z18 * z8
@@ -2003,7 +2005,8 @@ def jacobian(
         z125 = 1.0 / z84
         z126 = z124 * z125
         z127 = z121 - z124 * z126
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z127 is
+        # nearly 0
         if not abs(z127) > 1e-13 * z121:
             raise _refuse(abs(z127), 1e-13 * z121, 2, "jacobian")
         z128 = z20 * z25
@@ -2059,7 +2062,8 @@ def jacobian(
         z172 = 1.0 / z127
         z173 = z171 * z172
         z174 = z164 - z167 * z168 - z171 * z173
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z174 is
+        # nearly 0
         if not abs(z174) > 1e-13 * z164:
             raise _refuse(abs(z174), 1e-13 * z164, 2, "jacobian")
         s_yaw = math.sin(yaw)
@@ -3000,7 +3004,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns out (3,).
@@ -3009,9 +3013,9 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     roll = float(y[4])  # second turn, about x [rad]
     pitch = float(y[5])  # third turn, about y [rad]
     steer = float(y[6])  # front frame against rear frame [rad]
-    roll_dot = float(y[9])
-    steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    roll_dot = float(y[9])  # roll' [rad/s]
+    steer_dot = float(y[10])  # steer' [rad/s]
+    thF_dot = float(y[11])  # thF' [rad/s]
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -3071,7 +3075,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z27 = z16 * (c_steer * z17 * z23 - s_steer * z17 * z25) + z6 * z26
         z28 = k11 + k5 * (9.0 + abs(z4))
         s2 = (z28 + k12) * (z28 + k13)
-        # the coframe is singular
+        # the coframe is singular, if z27 is nearly 0
         if not abs(z27) > 1e-12 * (k10 * s2):
             raise _refuse(abs(z27), 1e-12 * (k10 * s2), 1, "outputs")
         z29 = roll_dot * z8

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:1378c83cbd7db1c8)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:a094c999b0cb1056)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -72,10 +72,12 @@ enum {
     CARTESIAN_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const cartesian_pendulum_coordinate_names[];
-extern const char *const cartesian_pendulum_state_names[];
-extern const char *const cartesian_pendulum_parameter_names[];
-extern const double cartesian_pendulum_parameter_defaults[];
+extern const char *const cartesian_pendulum_coordinate_names[CARTESIAN_PENDULUM_NQ];
+extern const char *const cartesian_pendulum_state_names[CARTESIAN_PENDULUM_NY];
+extern const char *const cartesian_pendulum_parameter_names[CARTESIAN_PENDULUM_NP];
+extern const char *const cartesian_pendulum_constraint_names[CARTESIAN_PENDULUM_NC];
+extern const char *const cartesian_pendulum_output_names[CARTESIAN_PENDULUM_NOUT];
+extern const double cartesian_pendulum_parameter_defaults[CARTESIAN_PENDULUM_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:a21fefbe3955dcbd)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:3b73eec785453622)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-const char *const chaotic_coordinate_names[] = {
+const char *const chaotic_coordinate_names[CHAOTIC_NQ] = {
     "x",
     "y1",
     "y2",
@@ -23,7 +23,7 @@ const char *const chaotic_coordinate_names[] = {
     "z2",
     "z3"
 };
-const char *const chaotic_state_names[] = {
+const char *const chaotic_state_names[CHAOTIC_NY] = {
     "x",
     "y1",
     "y2",
@@ -38,11 +38,18 @@ const char *const chaotic_state_names[] = {
     "z2'",
     "z3'"
 };
-const char *const chaotic_parameter_names[] = {
+const char *const chaotic_parameter_names[1] = {
     /* no entry counts: C99 has no empty array */
     ""
 };
-const double chaotic_parameter_defaults[] = {
+const char *const chaotic_constraint_names[CHAOTIC_NC] = {
+    "contact"
+};
+const char *const chaotic_output_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const double chaotic_parameter_defaults[1] = {
     /* no entry counts: C99 has no empty array */
     0.0
 };
@@ -192,7 +199,7 @@ int chaotic_rhs(double t, const double *y, const double *p, double *restrict dyd
     (void)p;
 
     /* from the state */
-    const double y1_ = y[1];
+    const double y1_ = y[1]; /* y1 */
     const double z4 = 1.0 + y1_ * y1_;
     const double y2 = y[2];
     const double z5 = y2 * y2;
@@ -208,12 +215,12 @@ int chaotic_rhs(double t, const double *y, const double *p, double *restrict dyd
     const double z11 = z3 * (1.0 + z6);
     const double z12 = z2 * (z5 + z8);
     const double x = y[0];
-    const double y1_dot = y[7];
-    const double y2_dot = y[8];
-    const double y3_dot = y[9];
-    const double z1_dot = y[10];
-    const double z2_dot = y[11];
-    const double z3_dot = y[12];
+    const double y1_dot = y[7]; /* y1' */
+    const double y2_dot = y[8]; /* y2' */
+    const double y3_dot = y[9]; /* y3' */
+    const double z1_dot = y[10]; /* z1' */
+    const double z2_dot = y[11]; /* z2' */
+    const double z3_dot = y[12]; /* z3' */
     const double z13 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * z11 + (y2 * z12 + (x +
         y1_ * z10)));
     const double z14 = z13 / z7;
@@ -234,7 +241,7 @@ int chaotic_rhs(double t, const double *y, const double *p, double *restrict dyd
     dydt[12] = -(z11 + y3 * z14); /* z3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[7] + dydt[8] + dydt[9] + dydt[10] + dydt[11] + dydt[12]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z7 is 0 */
         if (!(fabs(z7) > 0.0)) {
             return chaotic_refuse(fabs(z7), 0.0, CHAOTIC_SINGULAR_2);
         }
@@ -249,19 +256,19 @@ int chaotic_velocities(double t, const double *y, const double *p, double *qdot)
     (void)p;
 
     /* from the state */
-    const double y1_ = y[1];
+    const double y1_ = y[1]; /* y1 */
     const double y2 = y[2];
     const double y3 = y[3];
-    const double z1_dot = y[10];
-    const double z2_dot = y[11];
-    const double z3_dot = y[12];
+    const double z1_dot = y[10]; /* z1' */
+    const double z2_dot = y[11]; /* z2' */
+    const double z3_dot = y[12]; /* z3' */
     /* (I.1.2) */
     qdot[0] = -(y3 * z3_dot + (y1_ * z1_dot + y2 * z2_dot)); /* x' */
-    const double y1_dot = y[7];
+    const double y1_dot = y[7]; /* y1' */
     qdot[1] = y1_dot; /* y1' */
-    const double y2_dot = y[8];
+    const double y2_dot = y[8]; /* y2' */
     qdot[2] = y2_dot; /* y2' */
-    const double y3_dot = y[9];
+    const double y3_dot = y[9]; /* y3' */
     qdot[3] = y3_dot; /* y3' */
     qdot[4] = z1_dot; /* z1' */
     qdot[5] = z2_dot; /* z2' */
@@ -279,19 +286,19 @@ int chaotic_accelerations(double t, const double *y, const double *p, double *qd
     (void)p;
 
     /* from the state */
-    const double y1_ = y[1];
+    const double y1_ = y[1]; /* y1 */
     const double z4 = 1.0 + y1_ * y1_;
     const double y2 = y[2];
     const double z5 = y2 * y2;
     const double y3 = y[3];
     const double z6 = y3 * y3;
     const double z7 = z4 + (z5 + z6);
-    const double y1_dot = y[7];
-    const double y2_dot = y[8];
-    const double y3_dot = y[9];
-    const double z1_dot = y[10];
-    const double z2_dot = y[11];
-    const double z3_dot = y[12];
+    const double y1_dot = y[7]; /* y1' */
+    const double y2_dot = y[8]; /* y2' */
+    const double y3_dot = y[9]; /* y3' */
+    const double z1_dot = y[10]; /* z1' */
+    const double z2_dot = y[11]; /* z2' */
+    const double z3_dot = y[12]; /* z3' */
     const double z8 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot);
     const double z1 = y[4];
     const double z9 = 1.0 + z1 * z1;
@@ -316,7 +323,7 @@ int chaotic_accelerations(double t, const double *y, const double *p, double *qd
     qddot[6] = -z17; /* z3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5] + qddot[6]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z7 is 0 */
         if (!(fabs(z7) > 0.0)) {
             return chaotic_refuse(fabs(z7), 0.0, CHAOTIC_SINGULAR_2);
         }
@@ -330,10 +337,10 @@ int chaotic_state(double t, const double *q, const double *qdot, const double *p
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0];
     y[0] = x;
-    const double y1_ = q[1];
+    const double y1_ = q[1]; /* y1 */
     y[1] = y1_;
     const double y2 = q[2];
     y[2] = y2;
@@ -345,17 +352,17 @@ int chaotic_state(double t, const double *q, const double *qdot, const double *p
     y[5] = z2;
     const double z3 = q[6];
     y[6] = z3;
-    const double y1_dot = qdot[1];
+    const double y1_dot = qdot[1]; /* y1' */
     y[7] = y1_dot;
-    const double y2_dot = qdot[2];
+    const double y2_dot = qdot[2]; /* y2' */
     y[8] = y2_dot;
-    const double y3_dot = qdot[3];
+    const double y3_dot = qdot[3]; /* y3' */
     y[9] = y3_dot;
-    const double z1_dot = qdot[4];
+    const double z1_dot = qdot[4]; /* z1' */
     y[10] = z1_dot;
-    const double z2_dot = qdot[5];
+    const double z2_dot = qdot[5]; /* z2' */
     y[11] = z2_dot;
-    const double z3_dot = qdot[6];
+    const double z3_dot = qdot[6]; /* z3' */
     y[12] = z3_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11] + y[12])
@@ -370,14 +377,14 @@ int chaotic_residuals(double t, const double *q, const double *qdot, const doubl
     (void)t;
     (void)p;
 
-    /* from the state */
-    const double y1_ = q[1];
+    /* from the coordinates and velocities */
+    const double y1_ = q[1]; /* y1 */
     const double y2 = q[2];
     const double y3 = q[3];
-    const double x_dot = qdot[0];
-    const double z1_dot = qdot[4];
-    const double z2_dot = qdot[5];
-    const double z3_dot = qdot[6];
+    const double x_dot = qdot[0]; /* x' */
+    const double z1_dot = qdot[4]; /* z1' */
+    const double z2_dot = qdot[5]; /* z2' */
+    const double z3_dot = qdot[6]; /* z3' */
     /* (I.1.1) 13:5 */
     r[0] = x_dot + y1_ * z1_dot + y2 * z2_dot + y3 * z3_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -393,7 +400,7 @@ int chaotic_reactions(double t, const double *y, const double *p, double *lambda
     (void)p;
 
     /* from the state */
-    const double y1_ = y[1];
+    const double y1_ = y[1]; /* y1 */
     const double z4 = 1.0 + y1_ * y1_;
     const double y2 = y[2];
     const double z5 = y2 * y2;
@@ -405,19 +412,19 @@ int chaotic_reactions(double t, const double *y, const double *p, double *lambda
     const double z2 = y[5];
     const double z8 = y2 * (z2 * (1.0 + (z5 + z1 * z1))) + (x + y1_ * (z1 * (z2 * z2 + z4)));
     const double z3 = y[6];
-    const double y1_dot = y[7];
-    const double y2_dot = y[8];
-    const double y3_dot = y[9];
-    const double z1_dot = y[10];
-    const double z2_dot = y[11];
-    const double z3_dot = y[12];
+    const double y1_dot = y[7]; /* y1' */
+    const double y2_dot = y[8]; /* y2' */
+    const double y3_dot = y[9]; /* y3' */
+    const double z1_dot = y[10]; /* z1' */
+    const double z2_dot = y[11]; /* z2' */
+    const double z3_dot = y[12]; /* z3' */
     const double z9 = (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * (z3 * (1.0 + z6)) + z8))
         / z7;
     /* (I.4.1) 13:5 */
     lambda[0] = -z9; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z7 is 0 */
         if (!(fabs(z7) > 0.0)) {
             return chaotic_refuse(fabs(z7), 0.0, CHAOTIC_SINGULAR_2);
         }
@@ -432,7 +439,7 @@ double chaotic_energy(double t, const double *y, const double *p)
     (void)p;
 
     /* from the state */
-    const double y1_ = y[1];
+    const double y1_ = y[1]; /* y1 */
     const double z4 = y1_ * y1_;
     const double y2 = y[2];
     const double z5 = y2 * y2;
@@ -446,13 +453,13 @@ double chaotic_energy(double t, const double *y, const double *p)
     const double z9 = z3 * z3;
     const double x = y[0];
     const double z10 = x * x + z4 + z5 + z6 + z7 + z8 + z9 + (z4 * z7 + z5 * z8 + z6 * z9 + z7 * z8);
-    const double z1_dot = y[10];
-    const double z2_dot = y[11];
-    const double z3_dot = y[12];
+    const double z1_dot = y[10]; /* z1' */
+    const double z2_dot = y[11]; /* z2' */
+    const double z3_dot = y[12]; /* z3' */
     const double z11 = y3 * z3_dot + (y1_ * z1_dot + y2 * z2_dot);
-    const double y1_dot = y[7];
-    const double y2_dot = y[8];
-    const double y3_dot = y[9];
+    const double y1_dot = y[7]; /* y1' */
+    const double y2_dot = y[8]; /* y2' */
+    const double y3_dot = y[9]; /* y3' */
     const double z12 = z2_dot * z2_dot + (z1_dot * z1_dot + (y3_dot * y3_dot + (y2_dot * y2_dot + (y1_dot *
         y1_dot + z11 * z11))));
     return 0.5 * (z10 + (z3_dot * z3_dot + z12));
@@ -466,7 +473,7 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     (void)p;
 
     /* from the state */
-    const double y1_ = y[1];
+    const double y1_ = y[1]; /* y1 */
     const double z4 = y1_ * y1_;
     const double z5 = 1.0 + z4;
     const double y2 = y[2];
@@ -486,12 +493,12 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
     const double z16 = z6 + z9;
     const double z17 = z2 * z16;
     const double x = y[0];
-    const double y1_dot = y[7];
-    const double y2_dot = y[8];
-    const double y3_dot = y[9];
-    const double z1_dot = y[10];
-    const double z2_dot = y[11];
-    const double z3_dot = y[12];
+    const double y1_dot = y[7]; /* y1' */
+    const double y2_dot = y[8]; /* y2' */
+    const double y3_dot = y[9]; /* y3' */
+    const double z1_dot = y[10]; /* z1' */
+    const double z2_dot = y[11]; /* z2' */
+    const double z3_dot = y[12]; /* z3' */
     const double z18 = x - (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot));
     const double z19 = z11 + z5;
     const double z20 = z1 * z19;
@@ -585,7 +592,7 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
         J[137] + J[138] + J[139] + J[140] + J[141] + J[142] + J[144] + J[145] + J[146] + J[147] + J[148] +
         J[149] + J[150] + J[151] + J[152] + J[153] + J[154] + J[155] + J[157] + J[158] + J[159] + J[160] +
         J[161] + J[162] + J[163] + J[164] + J[165] + J[166] + J[167] + J[168]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return chaotic_refuse(fabs(z8), 0.0, CHAOTIC_SINGULAR_2);
         }

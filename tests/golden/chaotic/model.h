@@ -1,5 +1,5 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:96471b3adbe6aef8)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:050c3d8f14847270)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -73,10 +73,12 @@ enum {
     CHAOTIC_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const chaotic_coordinate_names[];
-extern const char *const chaotic_state_names[];
-extern const char *const chaotic_parameter_names[];
-extern const double chaotic_parameter_defaults[];
+extern const char *const chaotic_coordinate_names[CHAOTIC_NQ];
+extern const char *const chaotic_state_names[CHAOTIC_NY];
+extern const char *const chaotic_parameter_names[1];
+extern const char *const chaotic_constraint_names[CHAOTIC_NC];
+extern const char *const chaotic_output_names[1];
+extern const double chaotic_parameter_defaults[1];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

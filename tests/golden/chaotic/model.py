@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:53faa181c7bc15e2).
+"""chaotic, emitted by nhc 0.1.0 (nhc:114c89baf635ee74).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -114,7 +114,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns dydt (13,).
@@ -126,19 +126,19 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     z1 = float(y[4])
     z2 = float(y[5])
     z3 = float(y[6])
-    y1_dot = float(y[7])
-    y2_dot = float(y[8])
-    y3_dot = float(y[9])
-    z1_dot = float(y[10])
-    z2_dot = float(y[11])
-    z3_dot = float(y[12])
+    y1_dot = float(y[7])  # y1'
+    y2_dot = float(y[8])  # y2'
+    y3_dot = float(y[9])  # y3'
+    z1_dot = float(y[10])  # z1'
+    z2_dot = float(y[11])  # z2'
+    z3_dot = float(y[12])  # z3'
     try:
         # from the state
         z4 = 1.0 + y1 * y1
         z5 = y2 * y2
         z6 = y3 * y3
         z7 = z4 + (z5 + z6)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z7 is 0
         if not abs(z7) > 0.0:
             raise _refuse(abs(z7), 0.0, 2, "rhs")
         z8 = 1.0 + z1 * z1
@@ -187,7 +187,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns qdot (7,).
@@ -195,12 +195,12 @@ def velocities(
     y1 = float(y[1])
     y2 = float(y[2])
     y3 = float(y[3])
-    y1_dot = float(y[7])
-    y2_dot = float(y[8])
-    y3_dot = float(y[9])
-    z1_dot = float(y[10])
-    z2_dot = float(y[11])
-    z3_dot = float(y[12])
+    y1_dot = float(y[7])  # y1'
+    y2_dot = float(y[8])  # y2'
+    y3_dot = float(y[9])  # y3'
+    z1_dot = float(y[10])  # z1'
+    z2_dot = float(y[11])  # z2'
+    z3_dot = float(y[12])  # z3'
     try:
         # from the state
         qdot: list[float] = [
@@ -229,7 +229,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns qddot (7,).
@@ -241,19 +241,19 @@ def accelerations(
     z1 = float(y[4])
     z2 = float(y[5])
     z3 = float(y[6])
-    y1_dot = float(y[7])
-    y2_dot = float(y[8])
-    y3_dot = float(y[9])
-    z1_dot = float(y[10])
-    z2_dot = float(y[11])
-    z3_dot = float(y[12])
+    y1_dot = float(y[7])  # y1'
+    y2_dot = float(y[8])  # y2'
+    y3_dot = float(y[9])  # y3'
+    z1_dot = float(y[10])  # z1'
+    z2_dot = float(y[11])  # z2'
+    z3_dot = float(y[12])  # z3'
     try:
         # from the state
         z4 = 1.0 + y1 * y1
         z5 = y2 * y2
         z6 = y3 * y3
         z7 = z4 + (z5 + z6)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z7 is 0
         if not abs(z7) > 0.0:
             raise _refuse(abs(z7), 0.0, 2, "accelerations")
         z8 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
@@ -293,7 +293,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (7,), qdot (7,), p (0,).
     Returns y (13,).
@@ -305,14 +305,14 @@ def state(
     z1 = float(q[4])
     z2 = float(q[5])
     z3 = float(q[6])
-    y1_dot = float(qdot[1])
-    y2_dot = float(qdot[2])
-    y3_dot = float(qdot[3])
-    z1_dot = float(qdot[4])
-    z2_dot = float(qdot[5])
-    z3_dot = float(qdot[6])
+    y1_dot = float(qdot[1])  # y1'
+    y2_dot = float(qdot[2])  # y2'
+    y3_dot = float(qdot[3])  # y3'
+    z1_dot = float(qdot[4])  # z1'
+    z2_dot = float(qdot[5])  # z2'
+    z3_dot = float(qdot[6])  # z3'
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [
             x,
             y1,
@@ -339,7 +339,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (7,), qdot (7,), p (0,).
     Returns r (1,).
@@ -347,12 +347,12 @@ def residuals(
     y1 = float(q[1])
     y2 = float(q[2])
     y3 = float(q[3])
-    x_dot = float(qdot[0])
-    z1_dot = float(qdot[4])
-    z2_dot = float(qdot[5])
-    z3_dot = float(qdot[6])
+    x_dot = float(qdot[0])  # x'
+    z1_dot = float(qdot[4])  # z1'
+    z2_dot = float(qdot[5])  # z2'
+    z3_dot = float(qdot[6])  # z3'
     try:
-        # from the state
+        # from the coordinates and velocities
         r: list[float] = [
             # contact = 0 (I.1.1) 13:5
             x_dot + y1 * z1_dot + y2 * z2_dot + y3 * z3_dot,
@@ -367,7 +367,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns lambda_ (1,).
@@ -380,19 +380,19 @@ def reactions(
     z1 = float(y[4])
     z2 = float(y[5])
     z3 = float(y[6])
-    y1_dot = float(y[7])
-    y2_dot = float(y[8])
-    y3_dot = float(y[9])
-    z1_dot = float(y[10])
-    z2_dot = float(y[11])
-    z3_dot = float(y[12])
+    y1_dot = float(y[7])  # y1'
+    y2_dot = float(y[8])  # y2'
+    y3_dot = float(y[9])  # y3'
+    z1_dot = float(y[10])  # z1'
+    z2_dot = float(y[11])  # z2'
+    z3_dot = float(y[12])  # z3'
     try:
         # from the state
         z4 = 1.0 + y1 * y1
         z5 = y2 * y2
         z6 = y3 * y3
         z7 = z4 + (z5 + z6)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z7 is 0
         if not abs(z7) > 0.0:
             raise _refuse(abs(z7), 0.0, 2, "reactions")
         s1 = y2 * (z2 * (1.0 + (z5 + z1 * z1)))
@@ -409,7 +409,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """Energy T + V.
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns a scalar.
@@ -421,12 +421,12 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     z1 = float(y[4])
     z2 = float(y[5])
     z3 = float(y[6])
-    y1_dot = float(y[7])
-    y2_dot = float(y[8])
-    y3_dot = float(y[9])
-    z1_dot = float(y[10])
-    z2_dot = float(y[11])
-    z3_dot = float(y[12])
+    y1_dot = float(y[7])  # y1'
+    y2_dot = float(y[8])  # y2'
+    y3_dot = float(y[9])  # y3'
+    z1_dot = float(y[10])  # z1'
+    z2_dot = float(y[11])  # z2'
+    z3_dot = float(y[12])  # z3'
     try:
         # from the state
         z4 = y1 * y1
@@ -451,7 +451,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns rows (13, 13): d rhs_i / d y_j stands at [i][j].
@@ -463,12 +463,12 @@ def jacobian(
     z1 = float(y[4])
     z2 = float(y[5])
     z3 = float(y[6])
-    y1_dot = float(y[7])
-    y2_dot = float(y[8])
-    y3_dot = float(y[9])
-    z1_dot = float(y[10])
-    z2_dot = float(y[11])
-    z3_dot = float(y[12])
+    y1_dot = float(y[7])  # y1'
+    y2_dot = float(y[8])  # y2'
+    y3_dot = float(y[9])  # y3'
+    z1_dot = float(y[10])  # z1'
+    z2_dot = float(y[11])  # z2'
+    z3_dot = float(y[12])  # z3'
     try:
         # from the state
         z4 = y1 * y1
@@ -476,7 +476,7 @@ def jacobian(
         z6 = y2 * y2
         z7 = y3 * y3
         z8 = z5 + (z6 + z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "jacobian")
         z9 = 1.0 + z1 * z1
@@ -752,7 +752,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns out (0,).

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:66d29e16083789e5)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:94cbb51b025d2be5)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -13,14 +13,14 @@
 #include <math.h>
 #include <string.h>
 
-const char *const chaplygin_ball_coordinate_names[] = {
+const char *const chaplygin_ball_coordinate_names[CHAPLYGIN_BALL_NQ] = {
     "x",
     "y",
     "phi",
     "theta",
     "psi"
 };
-const char *const chaplygin_ball_state_names[] = {
+const char *const chaplygin_ball_state_names[CHAPLYGIN_BALL_NY] = {
     "x",
     "y",
     "phi",
@@ -30,14 +30,23 @@ const char *const chaplygin_ball_state_names[] = {
     "w2",
     "w3"
 };
-const char *const chaplygin_ball_parameter_names[] = {
+const char *const chaplygin_ball_parameter_names[CHAPLYGIN_BALL_NP] = {
     "m",
     "a",
     "I1",
     "I2",
     "I3"
 };
-const double chaplygin_ball_parameter_defaults[] = {
+const char *const chaplygin_ball_constraint_names[CHAPLYGIN_BALL_NC] = {
+    "roll_x",
+    "roll_y"
+};
+const char *const chaplygin_ball_output_names[CHAPLYGIN_BALL_NOUT] = {
+    "K1",
+    "K2",
+    "K3"
+};
+const double chaplygin_ball_parameter_defaults[CHAPLYGIN_BALL_NP] = {
     1.0,
     1.0,
     0.4,
@@ -228,9 +237,9 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *restr
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double w1 = y[5];
-    const double w2 = y[6];
-    const double w3 = y[7];
+    const double w1 = y[5]; /* [rad/s] */
+    const double w2 = y[6]; /* [rad/s] */
+    const double w3 = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double I1 = p[2]; /* [kg*m^2] */
@@ -284,19 +293,19 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *restr
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(z8) > 1e-13 * z3
         && fabs(z16) > 1e-13 * z9)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z3)) {
             return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z16 is nearly 0 */
         if (!(fabs(z16) > 1e-13 * z9)) {
             return chaplygin_ball_refuse(fabs(z16), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
@@ -321,9 +330,9 @@ int chaplygin_ball_velocities(double t, const double *y, const double *p, double
     const double c_psi = cos(psi);
 
     /* what else is read */
-    const double w1 = y[5];
-    const double w2 = y[6];
-    const double w3 = y[7];
+    const double w1 = y[5]; /* [rad/s] */
+    const double w2 = y[6]; /* [rad/s] */
+    const double w3 = y[7]; /* [rad/s] */
     const double a = p[1]; /* radius [m] */
 
     /* from the state */
@@ -340,7 +349,7 @@ int chaplygin_ball_velocities(double t, const double *y, const double *p, double
     qdot[4] = z3; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[3]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
@@ -366,9 +375,9 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double w1 = y[5];
-    const double w2 = y[6];
-    const double w3 = y[7];
+    const double w1 = y[5]; /* [rad/s] */
+    const double w2 = y[6]; /* [rad/s] */
+    const double w3 = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double I1 = p[2]; /* [kg*m^2] */
@@ -432,19 +441,19 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(z8) > 1e-13 * z3
         && fabs(z16) > 1e-13 * z9)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z3)) {
             return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z16 is nearly 0 */
         if (!(fabs(z16) > 1e-13 * z9)) {
             return chaplygin_ball_refuse(fabs(z16), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
@@ -468,13 +477,13 @@ int chaplygin_ball_state(double t, const double *q, const double *qdot, const do
 
     /* what else is read */
     const double x = q[0]; /* centre [m] */
-    const double y_2 = q[1]; /* centre [m] */
+    const double y_2 = q[1]; /* y: centre [m] */
     const double phi = q[2]; /* precession [rad] */
-    const double phi_dot = qdot[2];
-    const double theta_dot = qdot[3];
-    const double psi_dot = qdot[4];
+    const double phi_dot = qdot[2]; /* phi' [rad/s] */
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
+    const double psi_dot = qdot[4]; /* psi' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = phi_dot * s_theta;
     y[0] = x;
     y[1] = y_2;
@@ -503,13 +512,13 @@ int chaplygin_ball_residuals(double t, const double *q, const double *qdot, cons
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[3];
-    const double psi_dot = qdot[4];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
+    const double psi_dot = qdot[4]; /* psi' [rad/s] */
     const double a = p[1]; /* radius [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = psi_dot * s_theta;
     /* (I.1.1) 27:5 */
     r[0] = x_dot - a * (theta_dot * s_phi - c_phi * z1); /* roll_x = 0 */
@@ -539,9 +548,9 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double w1 = y[5];
-    const double w2 = y[6];
-    const double w3 = y[7];
+    const double w1 = y[5]; /* [rad/s] */
+    const double w2 = y[6]; /* [rad/s] */
+    const double w3 = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double I1 = p[2]; /* [kg*m^2] */
@@ -594,19 +603,19 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(z8) > 1e-13 * z3
         && fabs(z18) > 1e-13 * z9)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z3)) {
             return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z18 is nearly 0 */
         if (!(fabs(z18) > 1e-13 * z9)) {
             return chaplygin_ball_refuse(fabs(z18), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
@@ -628,9 +637,9 @@ double chaplygin_ball_energy(double t, const double *y, const double *p)
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w1 = y[5];
-    const double w2 = y[6];
-    const double w3 = y[7];
+    const double w1 = y[5]; /* [rad/s] */
+    const double w2 = y[6]; /* [rad/s] */
+    const double w3 = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double I1 = p[2]; /* [kg*m^2] */
@@ -669,9 +678,9 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double w1 = y[5];
-    const double w2 = y[6];
-    const double w3 = y[7];
+    const double w1 = y[5]; /* [rad/s] */
+    const double w2 = y[6]; /* [rad/s] */
+    const double w3 = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double I1 = p[2]; /* [kg*m^2] */
@@ -817,19 +826,19 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(z11) > 1e-13 * z5
         && fabs(z21) > 1e-13 * z12)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z3 is 0 */
         if (!(fabs(z3) > 0.0)) {
             return chaplygin_ball_refuse(fabs(z3), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z11 is nearly 0 */
         if (!(fabs(z11) > 1e-13 * z5)) {
             return chaplygin_ball_refuse(fabs(z11), 1e-13 * z5, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z21 is nearly 0 */
         if (!(fabs(z21) > 1e-13 * z12)) {
             return chaplygin_ball_refuse(fabs(z21), 1e-13 * z12, CHAPLYGIN_BALL_SINGULAR_2);
         }
@@ -851,9 +860,9 @@ int chaplygin_ball_outputs(double t, const double *y, const double *p, double *o
     const double c_psi = cos(psi);
 
     /* what else is read */
-    const double w1 = y[5];
-    const double w2 = y[6];
-    const double w3 = y[7];
+    const double w1 = y[5]; /* [rad/s] */
+    const double w2 = y[6]; /* [rad/s] */
+    const double w3 = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
     const double I1 = p[2]; /* [kg*m^2] */
@@ -874,7 +883,7 @@ int chaplygin_ball_outputs(double t, const double *y, const double *p, double *o
     out[2] = I3 * w3 + k1 * (s_theta * (s_theta * w3 - c_theta * z1)); /* K3 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
@@ -908,7 +917,7 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     chaplygin_ball_lanes sine1, cosine1;
     chaplygin_ball_turn_lanes(CHAPLYGIN_BALL_SPREAD(theta), &far, &sine1, &cosine1);
     const chaplygin_ball_lanes s_theta = sine1;
-    /* the coframe is singular */
+    /* the coframe is singular, if s_theta is nearly 0 */
     bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(s_theta)),
         CHAPLYGIN_BALL_SPREAD(1e-12 * 4.0));
     chaplygin_ball_lanes sine2, cosine2;
@@ -923,7 +932,7 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     const chaplygin_ball_lanes z6 = 1.0 / z2;
     const chaplygin_ball_lanes z7 = z6 * z5;
     const chaplygin_ball_lanes z8 = z3 - z5 * z7;
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z8 is nearly 0 */
     bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z8)), 1e-13 * z3);
     const chaplygin_ball_lanes z9 = I3 + z4;
     const chaplygin_ball_lanes c_theta = cosine1;
@@ -934,7 +943,7 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     const chaplygin_ball_lanes z14 = 1.0 / z8;
     const chaplygin_ball_lanes z15 = z13 * z14;
     const chaplygin_ball_lanes z16 = z9 - z11 * z12 - z13 * z15;
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z16 is nearly 0 */
     bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z16)), 1e-13 * z9);
     chaplygin_ball_lanes sine3, cosine3;
     chaplygin_ball_turn_lanes(CHAPLYGIN_BALL_SPREAD(phi), &far, &sine3, &cosine3);

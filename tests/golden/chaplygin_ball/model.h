@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:634a0fed7b5d15bc)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:4c7d826ef4b64485)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -82,10 +82,12 @@ enum {
     CHAPLYGIN_BALL_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const chaplygin_ball_coordinate_names[];
-extern const char *const chaplygin_ball_state_names[];
-extern const char *const chaplygin_ball_parameter_names[];
-extern const double chaplygin_ball_parameter_defaults[];
+extern const char *const chaplygin_ball_coordinate_names[CHAPLYGIN_BALL_NQ];
+extern const char *const chaplygin_ball_state_names[CHAPLYGIN_BALL_NY];
+extern const char *const chaplygin_ball_parameter_names[CHAPLYGIN_BALL_NP];
+extern const char *const chaplygin_ball_constraint_names[CHAPLYGIN_BALL_NC];
+extern const char *const chaplygin_ball_output_names[CHAPLYGIN_BALL_NOUT];
+extern const double chaplygin_ball_parameter_defaults[CHAPLYGIN_BALL_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

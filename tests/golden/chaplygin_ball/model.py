@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:9766edd430fe885c).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:fdc068ec84395837).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -106,7 +106,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns dydt (8,).
@@ -114,9 +114,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
     psi = float(y[4])  # spin [rad]
-    w1 = float(y[5])
-    w2 = float(y[6])
-    w3 = float(y[7])
+    w1 = float(y[5])  # [rad/s]
+    w2 = float(y[6])  # [rad/s]
+    w3 = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -130,13 +130,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k4 = I1 - I2
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "rhs")
         c_psi = math.cos(psi)
@@ -146,7 +146,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = 1.0 / z2
         z7 = z6 * z5
         z8 = z3 - z5 * z7
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z8 is
+        # nearly 0
         if not abs(z8) > 1e-13 * z3:
             raise _refuse(abs(z8), 1e-13 * z3, 2, "rhs")
         z9 = I3 + z4
@@ -158,7 +159,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z14 = 1.0 / z8
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z16 is
+        # nearly 0
         if not abs(z16) > 1e-13 * z9:
             raise _refuse(abs(z16), 1e-13 * z9, 2, "rhs")
         s_phi = math.sin(phi)
@@ -200,7 +202,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns qdot (5,).
@@ -208,14 +210,14 @@ def velocities(
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
     psi = float(y[4])  # spin [rad]
-    w1 = float(y[5])
-    w2 = float(y[6])
-    w3 = float(y[7])
+    w1 = float(y[5])  # [rad/s]
+    w2 = float(y[6])  # [rad/s]
+    w3 = float(y[7])  # [rad/s]
     a = float(p[1])  # radius [m]
     try:
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         s_phi = math.sin(phi)
@@ -250,7 +252,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns qddot (5,).
@@ -258,9 +260,9 @@ def accelerations(
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
     psi = float(y[4])  # spin [rad]
-    w1 = float(y[5])
-    w2 = float(y[6])
-    w3 = float(y[7])
+    w1 = float(y[5])  # [rad/s]
+    w2 = float(y[6])  # [rad/s]
+    w3 = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -274,13 +276,13 @@ def accelerations(
         k4 = I1 - I2
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "accelerations")
         c_psi = math.cos(psi)
@@ -290,7 +292,8 @@ def accelerations(
         z6 = 1.0 / z2
         z7 = z6 * z5
         z8 = z3 - z5 * z7
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z8 is
+        # nearly 0
         if not abs(z8) > 1e-13 * z3:
             raise _refuse(abs(z8), 1e-13 * z3, 2, "accelerations")
         z9 = I3 + z4
@@ -302,7 +305,8 @@ def accelerations(
         z14 = 1.0 / z8
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z16 is
+        # nearly 0
         if not abs(z16) > 1e-13 * z9:
             raise _refuse(abs(z16), 1e-13 * z9, 2, "accelerations")
         z17 = s_psi * w2 - c_psi * w1
@@ -354,21 +358,21 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (5,).
     Returns y (8,).
     """
     x = float(q[0])  # centre [m]
-    y_2 = float(q[1])  # centre [m]
+    y_2 = float(q[1])  # y: centre [m]
     phi = float(q[2])  # precession [rad]
     theta = float(q[3])  # nutation [rad]
     psi = float(q[4])  # spin [rad]
-    phi_dot = float(qdot[2])
-    theta_dot = float(qdot[3])
-    psi_dot = float(qdot[4])
+    phi_dot = float(qdot[2])  # phi' [rad/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
+    psi_dot = float(qdot[4])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         s_theta = math.sin(theta)
@@ -395,20 +399,20 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (5,).
     Returns r (2,).
     """
     phi = float(q[2])  # precession [rad]
     theta = float(q[3])  # nutation [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[3])
-    psi_dot = float(qdot[4])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
+    psi_dot = float(qdot[4])  # psi' [rad/s]
     a = float(p[1])  # radius [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         s_theta = math.sin(theta)
@@ -429,7 +433,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns lambda_ (2,).
@@ -438,9 +442,9 @@ def reactions(
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
     psi = float(y[4])  # spin [rad]
-    w1 = float(y[5])
-    w2 = float(y[6])
-    w3 = float(y[7])
+    w1 = float(y[5])  # [rad/s]
+    w2 = float(y[6])  # [rad/s]
+    w3 = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -455,13 +459,13 @@ def reactions(
         k5 = I1 - I2
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "reactions")
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "reactions")
         c_psi = math.cos(psi)
@@ -471,7 +475,8 @@ def reactions(
         z6 = 1.0 / z2
         z7 = z6 * z5
         z8 = z3 - z5 * z7
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z8 is
+        # nearly 0
         if not abs(z8) > 1e-13 * z3:
             raise _refuse(abs(z8), 1e-13 * z3, 2, "reactions")
         z9 = I3 + z4
@@ -485,7 +490,8 @@ def reactions(
         z16 = 1.0 / z8
         z17 = z16 * z15
         z18 = z9 - z12 * z13 - z15 * z17
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z18 is
+        # nearly 0
         if not abs(z18) > 1e-13 * z9:
             raise _refuse(abs(z18), 1e-13 * z9, 2, "reactions")
         c_phi = math.cos(phi)
@@ -513,16 +519,16 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns a scalar.
     """
     theta = float(y[3])  # nutation [rad]
     psi = float(y[4])  # spin [rad]
-    w1 = float(y[5])
-    w2 = float(y[6])
-    w3 = float(y[7])
+    w1 = float(y[5])  # [rad/s]
+    w2 = float(y[6])  # [rad/s]
+    w3 = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -556,7 +562,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
@@ -564,9 +570,9 @@ def jacobian(
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
     psi = float(y[4])  # spin [rad]
-    w1 = float(y[5])
-    w2 = float(y[6])
-    w3 = float(y[7])
+    w1 = float(y[5])  # [rad/s]
+    w2 = float(y[6])  # [rad/s]
+    w3 = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -580,14 +586,14 @@ def jacobian(
         k4 = I1 - I2
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
         s_psi = math.sin(psi)
         z1 = s_psi * s_psi
         z2 = s_theta * s_theta
         z3 = I1 + k1 * (1.0 - z1 * z2)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z3 is 0
         if not abs(z3) > 0.0:
             raise _refuse(abs(z3), 0.0, 2, "jacobian")
         c_psi = math.cos(psi)
@@ -599,7 +605,8 @@ def jacobian(
         z9 = 1.0 / z3
         z10 = z8 * z9
         z11 = z5 - z8 * z10
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z11 is
+        # nearly 0
         if not abs(z11) > 1e-13 * z5:
             raise _refuse(abs(z11), 1e-13 * z5, 2, "jacobian")
         z12 = I3 + z6
@@ -613,7 +620,8 @@ def jacobian(
         z19 = 1.0 / z11
         z20 = z18 * z19
         z21 = z12 - z15 * z16 - z18 * z20
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z21 is
+        # nearly 0
         if not abs(z21) > 1e-13 * z12:
             raise _refuse(abs(z21), 1e-13 * z12, 2, "jacobian")
         c_phi = math.cos(phi)
@@ -797,16 +805,16 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns out (3,).
     """
     theta = float(y[3])  # nutation [rad]
     psi = float(y[4])  # spin [rad]
-    w1 = float(y[5])
-    w2 = float(y[6])
-    w3 = float(y[7])
+    w1 = float(y[5])  # [rad/s]
+    w2 = float(y[6])  # [rad/s]
+    w3 = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -817,7 +825,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         k1 = m * a * a
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "outputs")
         s_psi = math.sin(psi)

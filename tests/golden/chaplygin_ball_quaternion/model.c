@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:6641bba97f34c6b8)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:10a0eee0a6fa265e)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-const char *const chaplygin_ball_quaternion_coordinate_names[] = {
+const char *const chaplygin_ball_quaternion_coordinate_names[CHAPLYGIN_BALL_QUATERNION_NQ] = {
     "x",
     "y",
     "R_0",
@@ -21,7 +21,7 @@ const char *const chaplygin_ball_quaternion_coordinate_names[] = {
     "R_2",
     "R_3"
 };
-const char *const chaplygin_ball_quaternion_state_names[] = {
+const char *const chaplygin_ball_quaternion_state_names[CHAPLYGIN_BALL_QUATERNION_NY] = {
     "x",
     "y",
     "R_0",
@@ -32,14 +32,24 @@ const char *const chaplygin_ball_quaternion_state_names[] = {
     "w2",
     "w3"
 };
-const char *const chaplygin_ball_quaternion_parameter_names[] = {
+const char *const chaplygin_ball_quaternion_parameter_names[CHAPLYGIN_BALL_QUATERNION_NP] = {
     "m",
     "a",
     "I1",
     "I2",
     "I3"
 };
-const double chaplygin_ball_quaternion_parameter_defaults[] = {
+const char *const chaplygin_ball_quaternion_constraint_names[CHAPLYGIN_BALL_QUATERNION_NC] = {
+    "roll_x",
+    "roll_y",
+    "R_norm"
+};
+const char *const chaplygin_ball_quaternion_output_names[CHAPLYGIN_BALL_QUATERNION_NOUT] = {
+    "K_x",
+    "K_y",
+    "K_z"
+};
+const double chaplygin_ball_quaternion_parameter_defaults[CHAPLYGIN_BALL_QUATERNION_NP] = {
     1.0,
     1.0,
     0.4,
@@ -251,10 +261,10 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
     const double z29 = R_3 * z12;
     const double z30 = R_2 * z2;
     const double z31 = R_3 * z8;
-    const double w2 = y[7];
-    const double w3 = y[8];
+    const double w2 = y[7]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double z32 = w2 * w3 * k2;
-    const double w1 = y[6];
+    const double w1 = y[6]; /* [rad/s] */
     const double z33 = w1 * w3 * k3 - z32 * z20;
     const double z34 = (w1 * w2 * k4 + z32 * z24 - z27 * z33) / z28;
     const double z35 = z26 * z33 - z27 * z34;
@@ -273,16 +283,16 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(z21) > 1e-13 * z16
         && fabs(z28) > 1e-13 * z22)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z11 is 0 */
         if (!(fabs(z11) > 0.0)) {
             return chaplygin_ball_quaternion_refuse(fabs(z11), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z21 is nearly 0 */
         if (!(fabs(z21) > 1e-13 * z16)) {
             return chaplygin_ball_quaternion_refuse(fabs(z21), 1e-13 * z16,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z28 is nearly 0 */
         if (!(fabs(z28) > 1e-13 * z22)) {
             return chaplygin_ball_quaternion_refuse(fabs(z28), 1e-13 * z22,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
@@ -309,9 +319,9 @@ int chaplygin_ball_quaternion_velocities(double t, const double *y, const double
     const double z6 = R_3 * z5;
     const double z7 = R_2 * z4;
     const double z8 = R_3 * z3;
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
+    const double w1 = y[6]; /* [rad/s] */
+    const double w2 = y[7]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double omega_y = 2.0 * ((R_3 * z2 - R_1 * z3) * w3) + ((1.0 - 2.0 * (R_1 * z4 + z6)) * w2 + 2.0 *
         ((z7 + z8) * w1));
     const double omega_x = 2.0 * ((R_1 * z5 + R_2 * z3) * w3) + (2.0 * ((z7 - z8) * w2) + (1.0 - 2.0 * (R_2 *
@@ -389,10 +399,10 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
     const double z34 = R_3 * z13;
     const double R_y2 = 1.0 - 2.0 * (z3 + z34);
     const double z35 = z7 - z9;
-    const double w2 = y[7];
-    const double w3 = y[8];
+    const double w2 = y[7]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double z36 = w2 * w3 * k2;
-    const double w1 = y[6];
+    const double w1 = y[6]; /* [rad/s] */
     const double z37 = w1 * w3 * k3 - 4.0 * (z36 * z22);
     const double z38 = (w1 * w2 * k4 + 2.0 * (z36 * z26) - z29 * z37) / z30;
     const double z39 = z28 * z37 - z29 * z38;
@@ -429,16 +439,16 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(z23) > 1e-13 * z18
         && fabs(z30) > 1e-13 * z24)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z12 is 0 */
         if (!(fabs(z12) > 0.0)) {
             return chaplygin_ball_quaternion_refuse(fabs(z12), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z23 is nearly 0 */
         if (!(fabs(z23) > 1e-13 * z18)) {
             return chaplygin_ball_quaternion_refuse(fabs(z23), 1e-13 * z18,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z30 is nearly 0 */
         if (!(fabs(z30) > 1e-13 * z24)) {
             return chaplygin_ball_quaternion_refuse(fabs(z30), 1e-13 * z24,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
@@ -453,7 +463,7 @@ int chaplygin_ball_quaternion_state(double t, const double *q, const double *qdo
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double R_0 = q[2]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[3]; /* quaternion of R, along x [1] */
     const double R_2 = q[4]; /* quaternion of R, along y [1] */
@@ -465,16 +475,16 @@ int chaplygin_ball_quaternion_state(double t, const double *q, const double *qdo
     const double z5 = R_2 * z1;
     const double x = q[0]; /* centre [m] */
     y[0] = x;
-    const double y_2 = q[1]; /* centre [m] */
+    const double y_2 = q[1]; /* y: centre [m] */
     y[1] = y_2;
     y[2] = R_0;
     y[3] = R_1;
     y[4] = R_2;
     y[5] = R_3;
-    const double R_0_dot = qdot[2];
-    const double R_1_dot = qdot[3];
-    const double R_2_dot = qdot[4];
-    const double R_3_dot = qdot[5];
+    const double R_0_dot = qdot[2]; /* R_0' [1/s] */
+    const double R_1_dot = qdot[3]; /* R_1' [1/s] */
+    const double R_2_dot = qdot[4]; /* R_2' [1/s] */
+    const double R_3_dot = qdot[5]; /* R_3' [1/s] */
     y[6] = 2.0 * (R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5));
     y[7] = 2.0 * (R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4));
     y[8] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
@@ -490,7 +500,7 @@ int chaplygin_ball_quaternion_residuals(double t, const double *q, const double 
 {
     (void)t;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double R_0 = q[2]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[3]; /* quaternion of R, along x [1] */
     const double R_2 = q[4]; /* quaternion of R, along y [1] */
@@ -500,10 +510,10 @@ int chaplygin_ball_quaternion_residuals(double t, const double *q, const double 
     const double z3 = R_1 * z1;
     const double z4 = R_3 * z1;
     const double z5 = R_2 * z1;
-    const double R_0_dot = qdot[2];
-    const double R_1_dot = qdot[3];
-    const double R_2_dot = qdot[4];
-    const double R_3_dot = qdot[5];
+    const double R_0_dot = qdot[2]; /* R_0' [1/s] */
+    const double R_1_dot = qdot[3]; /* R_1' [1/s] */
+    const double R_2_dot = qdot[4]; /* R_2' [1/s] */
+    const double R_3_dot = qdot[5]; /* R_3' [1/s] */
     const double z6 = R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5);
     const double z7 = R_2 * z3;
     const double z8 = R_3 * z2;
@@ -514,11 +524,11 @@ int chaplygin_ball_quaternion_residuals(double t, const double *q, const double 
         * z5 - R_1 * z2) * z11);
     const double omega_x = 2.0 * (z6 * (1.0 - 2.0 * (R_2 * z5 + z10))) + 4.0 * (z9 * (z7 - z8)) + 4.0 * ((R_1
         * z4 + R_2 * z2) * z11);
-    const double x_dot = qdot[0];
+    const double x_dot = qdot[0]; /* x' [m/s] */
     const double a = p[1]; /* radius [m] */
     /* (I.1.1) 23:5 */
     r[0] = x_dot - a * omega_y; /* roll_x = 0 */
-    const double y_dot = qdot[1];
+    const double y_dot = qdot[1]; /* y' [m/s] */
     /* (I.1.1) 24:5 */
     r[1] = y_dot + a * omega_x; /* roll_y = 0 */
     /* (I.1.1) 10:3 */
@@ -535,7 +545,7 @@ int chaplygin_ball_quaternion_positions(double t, const double *q, const double 
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates */
     const double R_0 = q[2]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[3]; /* quaternion of R, along x [1] */
     const double R_2 = q[4]; /* quaternion of R, along y [1] */
@@ -599,10 +609,10 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     const double z25 = 1.0 / z20;
     const double z26 = z24 * z25;
     const double z27 = z21 - 4.0 * (z22 * z23) - z24 * z26;
-    const double w2 = y[7];
-    const double w3 = y[8];
+    const double w2 = y[7]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double z28 = w2 * w3 * k3;
-    const double w1 = y[6];
+    const double w1 = y[6]; /* [rad/s] */
     const double z29 = w1 * w3 * k4 - 4.0 * (z28 * z19);
     const double z30 = (w1 * w2 * k5 + 2.0 * (z28 * z23) - z26 * z29) / z27;
     const double z31 = k1 * z5;
@@ -622,16 +632,16 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     lambda[2] = 0.0; /* reaction of R_norm: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z20) > 1e-13 * z15 && fabs(z27) > 1e-13 * z21)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z11 is 0 */
         if (!(fabs(z11) > 0.0)) {
             return chaplygin_ball_quaternion_refuse(fabs(z11), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z20 is nearly 0 */
         if (!(fabs(z20) > 1e-13 * z15)) {
             return chaplygin_ball_quaternion_refuse(fabs(z20), 1e-13 * z15,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z27 is nearly 0 */
         if (!(fabs(z27) > 1e-13 * z21)) {
             return chaplygin_ball_quaternion_refuse(fabs(z27), 1e-13 * z21,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
@@ -654,15 +664,15 @@ double chaplygin_ball_quaternion_energy(double t, const double *y, const double 
     const double z2 = R_1 * z1;
     const double z3 = R_2 * z1;
     const double R_z3 = 1.0 - 2.0 * (R_1 * z2 + R_2 * z3);
-    const double w2 = y[7];
+    const double w2 = y[7]; /* [rad/s] */
     const double a = p[1]; /* radius [m] */
     const double z4 = a * w2;
     const double z5 = R_0 * z1;
     const double z6 = R_3 * z3 + R_1 * z5;
-    const double w3 = y[8];
+    const double w3 = y[8]; /* [rad/s] */
     const double z7 = a * w3;
     const double z8 = R_z3 * z4 - 2.0 * (z6 * z7);
-    const double w1 = y[6];
+    const double w1 = y[6]; /* [rad/s] */
     const double z9 = a * w1;
     const double z10 = R_2 * z5 - R_3 * z2;
     const double z11 = R_z3 * z9 + 2.0 * (z7 * z10);
@@ -730,14 +740,14 @@ int chaplygin_ball_quaternion_jacobian(double t, const double *y, const double *
     const double z29 = 1.0 / z24;
     const double z30 = z28 * z29;
     const double z31 = z25 - 4.0 * (z26 * z27) - z28 * z30;
-    const double w1 = y[6];
+    const double w1 = y[6]; /* [rad/s] */
     const double z32 = a * w1;
-    const double w3 = y[8];
+    const double w3 = y[8]; /* [rad/s] */
     const double z33 = a * w3;
     const double z34 = R_3 * z32 - R_1 * z33;
     const double z35 = z2 * z34;
     const double z36 = z2 * z2;
-    const double w2 = y[7];
+    const double w2 = y[7]; /* [rad/s] */
     const double z37 = a * w2;
     const double z38 = R_3 * z37;
     const double z39 = R_3 * z33;
@@ -899,16 +909,16 @@ int chaplygin_ball_quaternion_jacobian(double t, const double *y, const double *
         J[60] + J[61] + J[62] + J[65] + J[66] + J[67] + J[69] + J[71] + J[77]) <= DBL_MAX
         && fabs(z24) > 1e-13 * z19
         && fabs(z31) > 1e-13 * z25)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z13 is 0 */
         if (!(fabs(z13) > 0.0)) {
             return chaplygin_ball_quaternion_refuse(fabs(z13), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z24 is nearly 0 */
         if (!(fabs(z24) > 1e-13 * z19)) {
             return chaplygin_ball_quaternion_refuse(fabs(z24), 1e-13 * z19,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z31 is nearly 0 */
         if (!(fabs(z31) > 1e-13 * z25)) {
             return chaplygin_ball_quaternion_refuse(fabs(z31), 1e-13 * z25,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
@@ -937,12 +947,12 @@ int chaplygin_ball_quaternion_outputs(double t, const double *y, const double *p
     const double R_2 = y[4]; /* quaternion of R, along y [1] */
     const double R_3 = y[5]; /* quaternion of R, along z [1] */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
-    const double w1 = y[6];
+    const double w1 = y[6]; /* [rad/s] */
     const double z2 = I1 * w1;
-    const double w3 = y[8];
+    const double w3 = y[8]; /* [rad/s] */
     const double I3 = p[4]; /* [kg*m^2] */
     const double z3 = I3 * w3;
-    const double w2 = y[7];
+    const double w2 = y[7]; /* [rad/s] */
     const double z4 = I2 * w2;
     const double z5 = k1 * (R_2 * w1 - (R_0 * w3 + R_1 * w2)) + (R_2 * z2 - (R_0 * z3 + R_1 * z4));
     const double z6 = R_3 * z2 + (R_0 * z4 - R_1 * z3);
@@ -1009,7 +1019,7 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     const chaplygin_ball_quaternion_lanes z19 = 1.0 / z11;
     const chaplygin_ball_quaternion_lanes z20 = z19 * z18;
     const chaplygin_ball_quaternion_lanes z21 = z16 - z18 * z20;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z21 is nearly 0 */
     bad |=
         chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z21)),
         1e-13 * z16);
@@ -1020,7 +1030,7 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     const chaplygin_ball_quaternion_lanes z26 = 1.0 / z21;
     const chaplygin_ball_quaternion_lanes z27 = z25 * z26;
     const chaplygin_ball_quaternion_lanes z28 = z22 - z23 * z24 - z25 * z27;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z28 is nearly 0 */
     bad |=
         chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z28)),
         1e-13 * z22);

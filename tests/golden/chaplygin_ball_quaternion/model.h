@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b0e6f3383f252a9b)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:0b59d9a12b05023e)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -84,10 +84,12 @@ enum {
     CHAPLYGIN_BALL_QUATERNION_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const chaplygin_ball_quaternion_coordinate_names[];
-extern const char *const chaplygin_ball_quaternion_state_names[];
-extern const char *const chaplygin_ball_quaternion_parameter_names[];
-extern const double chaplygin_ball_quaternion_parameter_defaults[];
+extern const char *const chaplygin_ball_quaternion_coordinate_names[CHAPLYGIN_BALL_QUATERNION_NQ];
+extern const char *const chaplygin_ball_quaternion_state_names[CHAPLYGIN_BALL_QUATERNION_NY];
+extern const char *const chaplygin_ball_quaternion_parameter_names[CHAPLYGIN_BALL_QUATERNION_NP];
+extern const char *const chaplygin_ball_quaternion_constraint_names[CHAPLYGIN_BALL_QUATERNION_NC];
+extern const char *const chaplygin_ball_quaternion_output_names[CHAPLYGIN_BALL_QUATERNION_NOUT];
+extern const double chaplygin_ball_quaternion_parameter_defaults[CHAPLYGIN_BALL_QUATERNION_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b0a0304b0dfc5ac4).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:3ccc4535eb8d7d7d).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -109,7 +109,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns dydt (9,).
@@ -118,9 +118,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     R_1 = float(y[3])  # quaternion of R, along x [1]
     R_2 = float(y[4])  # quaternion of R, along y [1]
     R_3 = float(y[5])  # quaternion of R, along z [1]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -146,7 +146,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         R_z2 = z7 + z9
         z10 = R_z2 * R_z2
         z11 = I1 + z6 + k1 * z10
-        # the mass matrix is singular
+        # the mass matrix is singular, if z11 is 0
         if not abs(z11) > 0.0:
             raise _refuse(abs(z11), 0.0, 2, "rhs")
         z12 = R_3 * z1
@@ -160,7 +160,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z19 = 1.0 / z11
         z20 = z19 * z18
         z21 = z16 - z18 * z20
-        # the mass matrix is singular
+        # the mass matrix is singular, if z21 is nearly 0
         if not abs(z21) > 1e-13 * z16:
             raise _refuse(abs(z21), 1e-13 * z16, 2, "rhs")
         z22 = I3 + k1 * (z10 + z15)
@@ -170,7 +170,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z26 = 1.0 / z21
         z27 = z25 * z26
         z28 = z22 - z23 * z24 - z25 * z27
-        # the mass matrix is singular
+        # the mass matrix is singular, if z28 is nearly 0
         if not abs(z28) > 1e-13 * z22:
             raise _refuse(abs(z28), 1e-13 * z22, 2, "rhs")
         z29 = R_3 * z12
@@ -212,7 +212,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns qdot (6,).
@@ -221,9 +221,9 @@ def velocities(
     R_1 = float(y[3])  # quaternion of R, along x [1]
     R_2 = float(y[4])  # quaternion of R, along y [1]
     R_3 = float(y[5])  # quaternion of R, along z [1]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     a = float(p[1])  # radius [m]
     try:
         # from the state
@@ -263,7 +263,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns qddot (6,).
@@ -272,9 +272,9 @@ def accelerations(
     R_1 = float(y[3])  # quaternion of R, along x [1]
     R_2 = float(y[4])  # quaternion of R, along y [1]
     R_3 = float(y[5])  # quaternion of R, along z [1]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -300,7 +300,7 @@ def accelerations(
         z10 = z7 + z9
         z11 = z10 * z10
         z12 = I1 + z6 + 4.0 * (k1 * z11)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z12 is 0
         if not abs(z12) > 0.0:
             raise _refuse(abs(z12), 0.0, 2, "accelerations")
         z13 = R_3 * z1
@@ -314,7 +314,7 @@ def accelerations(
         z21 = 1.0 / z12
         z22 = z21 * z20
         z23 = z18 - 16.0 * (z20 * z22)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z23 is nearly 0
         if not abs(z23) > 1e-13 * z18:
             raise _refuse(abs(z23), 1e-13 * z18, 2, "accelerations")
         z24 = I3 + 4.0 * (k1 * (z11 + z17))
@@ -324,7 +324,7 @@ def accelerations(
         z28 = 1.0 / z23
         z29 = z27 * z28
         z30 = z24 - 4.0 * (z25 * z26) - z27 * z29
-        # the mass matrix is singular
+        # the mass matrix is singular, if z30 is nearly 0
         if not abs(z30) > 1e-13 * z24:
             raise _refuse(abs(z30), 1e-13 * z24, 2, "accelerations")
         z31 = R_2 * z2
@@ -386,23 +386,23 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (6,), qdot (6,), p (5,).
     Returns y (9,).
     """
     x = float(q[0])  # centre [m]
-    y_2 = float(q[1])  # centre [m]
+    y_2 = float(q[1])  # y: centre [m]
     R_0 = float(q[2])  # quaternion of R, scalar part [1]
     R_1 = float(q[3])  # quaternion of R, along x [1]
     R_2 = float(q[4])  # quaternion of R, along y [1]
     R_3 = float(q[5])  # quaternion of R, along z [1]
-    R_0_dot = float(qdot[2])
-    R_1_dot = float(qdot[3])
-    R_2_dot = float(qdot[4])
-    R_3_dot = float(qdot[5])
+    R_0_dot = float(qdot[2])  # R_0' [1/s]
+    R_1_dot = float(qdot[3])  # R_1' [1/s]
+    R_2_dot = float(qdot[4])  # R_2' [1/s]
+    R_3_dot = float(qdot[5])  # R_3' [1/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_0 * z1
         z3 = R_1 * z1
@@ -423,7 +423,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (6,), qdot (6,), p (5,).
     Returns r (3,).
@@ -432,15 +432,15 @@ def residuals(
     R_1 = float(q[3])  # quaternion of R, along x [1]
     R_2 = float(q[4])  # quaternion of R, along y [1]
     R_3 = float(q[5])  # quaternion of R, along z [1]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    R_0_dot = float(qdot[2])
-    R_1_dot = float(qdot[3])
-    R_2_dot = float(qdot[4])
-    R_3_dot = float(qdot[5])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    R_0_dot = float(qdot[2])  # R_0' [1/s]
+    R_1_dot = float(qdot[3])  # R_1' [1/s]
+    R_2_dot = float(qdot[4])  # R_2' [1/s]
+    R_3_dot = float(qdot[5])  # R_3' [1/s]
     a = float(p[1])  # radius [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_0 * z1
         z3 = R_1 * z1
@@ -477,7 +477,7 @@ def positions(
     q: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each holonomic constraint, zero on every motion
+    """Left minus right side of each holonomic constraint, zero on every motion.
 
     Arguments: t (scalar), q (6,), p (5,).
     Returns f (1,).
@@ -487,7 +487,7 @@ def positions(
     R_2 = float(q[4])  # quaternion of R, along y [1]
     R_3 = float(q[5])  # quaternion of R, along z [1]
     try:
-        # from the state
+        # from the coordinates
         f: list[float] = [
             # R_norm = 0 10:3
             R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0,
@@ -502,7 +502,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns lambda_ (3,).
@@ -512,9 +512,9 @@ def reactions(
     R_1 = float(y[3])  # quaternion of R, along x [1]
     R_2 = float(y[4])  # quaternion of R, along y [1]
     R_3 = float(y[5])  # quaternion of R, along z [1]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -540,7 +540,7 @@ def reactions(
         z9 = R_3 * z6 + R_1 * z8
         z10 = z9 * z9
         z11 = I1 + z7 + 4.0 * (k2 * z10)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z11 is 0
         if not abs(z11) > 0.0:
             raise _refuse(abs(z11), 0.0, 2, "reactions")
         z12 = R_1 * R_3
@@ -552,7 +552,7 @@ def reactions(
         z18 = 1.0 / z11
         z19 = z17 * z18
         z20 = z15 - 16.0 * (z17 * z19)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z20 is nearly 0
         if not abs(z20) > 1e-13 * z15:
             raise _refuse(abs(z20), 1e-13 * z15, 2, "reactions")
         z21 = I3 + 4.0 * (k2 * (z10 + z14))
@@ -562,7 +562,7 @@ def reactions(
         z25 = 1.0 / z20
         z26 = z24 * z25
         z27 = z21 - 4.0 * (z22 * z23) - z24 * z26
-        # the mass matrix is singular
+        # the mass matrix is singular, if z27 is nearly 0
         if not abs(z27) > 1e-13 * z21:
             raise _refuse(abs(z27), 1e-13 * z21, 2, "reactions")
         z28 = w2 * w3 * k3
@@ -593,7 +593,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns a scalar.
@@ -602,9 +602,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     R_1 = float(y[3])  # quaternion of R, along x [1]
     R_2 = float(y[4])  # quaternion of R, along y [1]
     R_3 = float(y[5])  # quaternion of R, along z [1]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -638,7 +638,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns rows (9, 9): d rhs_i / d y_j stands at [i][j].
@@ -647,9 +647,9 @@ def jacobian(
     R_1 = float(y[3])  # quaternion of R, along x [1]
     R_2 = float(y[4])  # quaternion of R, along y [1]
     R_3 = float(y[5])  # quaternion of R, along z [1]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]
@@ -676,7 +676,7 @@ def jacobian(
         z11 = z8 + z10
         z12 = z11 * z11
         z13 = I1 + z7 + 4.0 * (k1 * z12)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z13 is 0
         if not abs(z13) > 0.0:
             raise _refuse(abs(z13), 0.0, 2, "jacobian")
         z14 = R_3 * z2
@@ -690,7 +690,7 @@ def jacobian(
         z22 = 1.0 / z13
         z23 = z22 * z21
         z24 = z19 - 16.0 * (z21 * z23)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z24 is nearly 0
         if not abs(z24) > 1e-13 * z19:
             raise _refuse(abs(z24), 1e-13 * z19, 2, "jacobian")
         z25 = I3 + 4.0 * (k1 * (z12 + z18))
@@ -700,7 +700,7 @@ def jacobian(
         z29 = 1.0 / z24
         z30 = z28 * z29
         z31 = z25 - 4.0 * (z26 * z27) - z28 * z30
-        # the mass matrix is singular
+        # the mass matrix is singular, if z31 is nearly 0
         if not abs(z31) > 1e-13 * z25:
             raise _refuse(abs(z31), 1e-13 * z25, 2, "jacobian")
         z32 = a * w1
@@ -959,7 +959,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (9,), p (5,).
     Returns out (3,).
@@ -968,9 +968,9 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     R_1 = float(y[3])  # quaternion of R, along x [1]
     R_2 = float(y[4])  # quaternion of R, along y [1]
     R_3 = float(y[5])  # quaternion of R, along z [1]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     m = float(p[0])  # mass [kg]
     a = float(p[1])  # radius [m]
     I1 = float(p[2])  # [kg*m^2]

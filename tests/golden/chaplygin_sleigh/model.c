@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:2e66bf36a181814c)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:b7fa3c387d11d32c)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,24 +12,32 @@
 #include <math.h>
 #include <string.h>
 
-const char *const chaplygin_sleigh_coordinate_names[] = {
+const char *const chaplygin_sleigh_coordinate_names[CHAPLYGIN_SLEIGH_NQ] = {
     "x",
     "y",
     "theta"
 };
-const char *const chaplygin_sleigh_state_names[] = {
+const char *const chaplygin_sleigh_state_names[CHAPLYGIN_SLEIGH_NY] = {
     "x",
     "y",
     "theta",
     "v",
     "w"
 };
-const char *const chaplygin_sleigh_parameter_names[] = {
+const char *const chaplygin_sleigh_parameter_names[CHAPLYGIN_SLEIGH_NP] = {
     "m",
     "J",
     "a"
 };
-const double chaplygin_sleigh_parameter_defaults[] = {
+const char *const chaplygin_sleigh_constraint_names[CHAPLYGIN_SLEIGH_NC] = {
+    "slip"
+};
+const char *const chaplygin_sleigh_output_names[CHAPLYGIN_SLEIGH_NOUT] = {
+    "speed",
+    "X",
+    "Y"
+};
+const double chaplygin_sleigh_parameter_defaults[CHAPLYGIN_SLEIGH_NP] = {
     1.0,
     0.5,
     0.7
@@ -194,8 +202,8 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *res
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
@@ -214,13 +222,13 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *res
     dydt[3] = a * w * w; /* v' */
     dydt[4] = v * w * k3; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * (dydt[0] + dydt[3] + dydt[4]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(k2), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
@@ -240,8 +248,8 @@ int chaplygin_sleigh_velocities(double t, const double *y, const double *p, doub
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
 
     /* from the state */
     /* (I.2.4) */
@@ -265,8 +273,8 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
@@ -284,13 +292,13 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
     qddot[1] = s_theta * z1 + c_theta * z2; /* y'' */
     qddot[2] = z2 * k3; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * (qddot[0] + qddot[1] + qddot[2]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(k2), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
@@ -311,12 +319,12 @@ int chaplygin_sleigh_state(double t, const double *q, const double *qdot, const 
 
     /* what else is read */
     const double x = q[0]; /* point of the edge [m] */
-    const double y_2 = q[1]; /* point of the edge [m] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[2];
+    const double y_2 = q[1]; /* y: point of the edge [m] */
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[2]; /* theta' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -340,10 +348,10 @@ int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, co
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     /* (I.1.1) 19:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -366,19 +374,19 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
     const double k3 = k1 / k2;
 
     /* from the state */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
     const double z1 = v * w;
     /* (I.4.1) 19:5 */
     lambda[0] = m * (z1 - z1 * k3); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * lambda[0])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(k2), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
@@ -396,9 +404,9 @@ double chaplygin_sleigh_energy(double t, const double *y, const double *p)
     const double k1 = a * a;
 
     /* from the state */
-    const double w = y[4];
+    const double w = y[4]; /* [rad/s] */
     const double z1 = w * w;
-    const double v = y[3];
+    const double v = y[3]; /* [m/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     return 0.5 * (J * z1 + m * (z1 * k1 + v * v));
@@ -415,10 +423,10 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
-    const double J_2 = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
+    const double J_2 = p[1]; /* J: moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
     /* from the parameters alone */
@@ -437,13 +445,13 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     J[23] = w * k3;
     J[24] = v * k3;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * (J[2] + J[19] + J[23] + J[24]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(k2), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
@@ -463,8 +471,8 @@ int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double 
 
     /* what else is read */
     const double x = y[0]; /* point of the edge [m] */
-    const double y_2 = y[1]; /* point of the edge [m] */
-    const double v = y[3];
+    const double y_2 = y[1]; /* y: point of the edge [m] */
+    const double v = y[3]; /* [m/s] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
     /* from the state */
@@ -538,7 +546,7 @@ int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, c
     const double k1 = m * a;
     const double k2 = J + a * k1;
     const double k3 = -k1 / k2;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
         return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
     }

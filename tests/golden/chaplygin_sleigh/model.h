@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:0d0ccf0b73747e57)
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:18e1b2bc655f6f1f)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -74,10 +74,12 @@ enum {
     CHAPLYGIN_SLEIGH_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const chaplygin_sleigh_coordinate_names[];
-extern const char *const chaplygin_sleigh_state_names[];
-extern const char *const chaplygin_sleigh_parameter_names[];
-extern const double chaplygin_sleigh_parameter_defaults[];
+extern const char *const chaplygin_sleigh_coordinate_names[CHAPLYGIN_SLEIGH_NQ];
+extern const char *const chaplygin_sleigh_state_names[CHAPLYGIN_SLEIGH_NY];
+extern const char *const chaplygin_sleigh_parameter_names[CHAPLYGIN_SLEIGH_NP];
+extern const char *const chaplygin_sleigh_constraint_names[CHAPLYGIN_SLEIGH_NC];
+extern const char *const chaplygin_sleigh_output_names[CHAPLYGIN_SLEIGH_NOUT];
+extern const double chaplygin_sleigh_parameter_defaults[CHAPLYGIN_SLEIGH_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:03f6f16afaec57af).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:e34f4383b58fd9d9).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -99,25 +99,25 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns dydt (5,).
     """
     theta = float(y[2])  # heading [rad]
-    v = float(y[3])
-    w = float(y[4])
+    v = float(y[3])  # [m/s]
+    w = float(y[4])  # [rad/s]
     m = float(p[0])  # mass [kg]
     J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
         # from the parameters alone
         k1 = m * a
         k2 = J + a * k1
-        # the mass matrix is singular
+        # the mass matrix is singular, if k2 is 0
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "rhs")
         k3 = -k1 / k2
@@ -146,14 +146,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns qdot (3,).
     """
     theta = float(y[2])  # heading [rad]
-    v = float(y[3])
-    w = float(y[4])
+    v = float(y[3])  # [m/s]
+    w = float(y[4])  # [rad/s]
     try:
         # from the state
         c_theta = math.cos(theta)
@@ -176,25 +176,25 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns qddot (3,).
     """
     theta = float(y[2])  # heading [rad]
-    v = float(y[3])
-    w = float(y[4])
+    v = float(y[3])  # [m/s]
+    w = float(y[4])  # [rad/s]
     m = float(p[0])  # mass [kg]
     J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
         # from the parameters alone
         k1 = m * a
         k2 = J + a * k1
-        # the mass matrix is singular
+        # the mass matrix is singular, if k2 is 0
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "accelerations")
         k3 = -k1 / k2
@@ -222,19 +222,19 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns y (5,).
     """
     x = float(q[0])  # point of the edge [m]
-    y_2 = float(q[1])  # point of the edge [m]
+    y_2 = float(q[1])  # y: point of the edge [m]
     theta = float(q[2])  # heading [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[2])  # theta' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         y: list[float] = [x, y_2, theta, x_dot * c_theta + y_dot * s_theta, theta_dot]
@@ -249,16 +249,16 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (1,).
     """
     theta = float(q[2])  # heading [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         r: list[float] = [
@@ -275,25 +275,25 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
-    v = float(y[3])
-    w = float(y[4])
+    v = float(y[3])  # [m/s]
+    w = float(y[4])  # [rad/s]
     m = float(p[0])  # mass [kg]
     J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
         # from the parameters alone
         k1 = a * (m * a)
         k2 = J + k1
-        # the mass matrix is singular
+        # the mass matrix is singular, if k2 is 0
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "reactions")
         k3 = k1 / k2
@@ -309,13 +309,13 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns a scalar.
     """
-    v = float(y[3])
-    w = float(y[4])
+    v = float(y[3])  # [m/s]
+    w = float(y[4])  # [rad/s]
     m = float(p[0])  # mass [kg]
     J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
@@ -335,25 +335,25 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
     theta = float(y[2])  # heading [rad]
-    v = float(y[3])
-    w = float(y[4])
+    v = float(y[3])  # [m/s]
+    w = float(y[4])  # [rad/s]
     m = float(p[0])  # mass [kg]
-    J_2 = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
+    J_2 = float(p[1])  # J: moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
         # from the parameters alone
         k1 = m * a
         k2 = J_2 + a * k1
-        # the mass matrix is singular
+        # the mass matrix is singular, if k2 is 0
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "jacobian")
         k3 = -k1 / k2
@@ -402,15 +402,15 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns out (3,).
     """
     x = float(y[0])  # point of the edge [m]
-    y_2 = float(y[1])  # point of the edge [m]
+    y_2 = float(y[1])  # y: point of the edge [m]
     theta = float(y[2])  # heading [rad]
-    v = float(y[3])
+    v = float(y[3])  # [m/s]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
         # from the state

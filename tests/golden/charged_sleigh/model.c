@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:0b235026cb848afc)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:730319580d5f966d)
  * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,25 +12,31 @@
 #include <math.h>
 #include <string.h>
 
-const char *const charged_sleigh_coordinate_names[] = {
+const char *const charged_sleigh_coordinate_names[CHARGED_SLEIGH_NQ] = {
     "x",
     "y",
     "theta"
 };
-const char *const charged_sleigh_state_names[] = {
+const char *const charged_sleigh_state_names[CHARGED_SLEIGH_NY] = {
     "x",
     "y",
     "theta",
     "v",
     "w"
 };
-const char *const charged_sleigh_parameter_names[] = {
+const char *const charged_sleigh_parameter_names[CHARGED_SLEIGH_NP] = {
     "m",
     "J",
     "a",
     "B"
 };
-const double charged_sleigh_parameter_defaults[] = {
+const char *const charged_sleigh_constraint_names[CHARGED_SLEIGH_NC] = {
+    "slip"
+};
+const char *const charged_sleigh_output_names[CHARGED_SLEIGH_NOUT] = {
+    "speed"
+};
+const double charged_sleigh_parameter_defaults[CHARGED_SLEIGH_NP] = {
     1.0,
     0.5,
     0.7,
@@ -196,8 +202,8 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *restr
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
@@ -219,11 +225,11 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *restr
     dydt[4] = k3 * (v * z1); /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[3] + dydt[4]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 is 0 */
         if (!(fabs(k1) > 0.0)) {
             return charged_sleigh_refuse(fabs(k1), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
@@ -243,8 +249,8 @@ int charged_sleigh_velocities(double t, const double *y, const double *p, double
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
 
     /* from the state */
     /* (I.2.4) */
@@ -268,8 +274,8 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
@@ -290,11 +296,11 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
     qddot[2] = k3 * (v * z2); /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 is 0 */
         if (!(fabs(k1) > 0.0)) {
             return charged_sleigh_refuse(fabs(k1), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
@@ -315,12 +321,12 @@ int charged_sleigh_state(double t, const double *q, const double *qdot, const do
 
     /* what else is read */
     const double x = q[0]; /* point of the edge [m] */
-    const double y_2 = q[1]; /* point of the edge [m] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[2];
+    const double y_2 = q[1]; /* y: point of the edge [m] */
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[2]; /* theta' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -344,10 +350,10 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     /* (I.1.1) 20:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -370,19 +376,19 @@ int charged_sleigh_reactions(double t, const double *y, const double *p, double 
     const double k3 = k1 / k2;
 
     /* from the state */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
     const double B = p[3]; /* charge times field [kg/s] */
     /* (I.4.1) 20:5 */
     lambda[0] = v * (B + m * (w - (B + m * w) * k3)); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * lambda[0])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return charged_sleigh_refuse(fabs(k2), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
@@ -402,9 +408,9 @@ double charged_sleigh_energy(double t, const double *y, const double *p)
 
     /* what else is read */
     const double x = y[0]; /* point of the edge [m] */
-    const double y_2 = y[1]; /* point of the edge [m] */
-    const double v = y[3];
-    const double w = y[4];
+    const double y_2 = y[1]; /* y: point of the edge [m] */
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
@@ -430,10 +436,10 @@ int charged_sleigh_jacobian(double t, const double *y, const double *p, double *
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double v = y[3];
-    const double w = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double w = y[4]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
-    const double J_2 = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
+    const double J_2 = p[1]; /* J: moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double B = p[3]; /* charge times field [kg/s] */
 
@@ -457,11 +463,11 @@ int charged_sleigh_jacobian(double t, const double *y, const double *p, double *
     J[24] = v * k5;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[19] + J[23] + J[24]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return charged_sleigh_refuse(fabs(k2), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
@@ -476,7 +482,7 @@ int charged_sleigh_outputs(double t, const double *y, const double *p, double *o
     (void)p;
 
     /* from the state */
-    const double v = y[3];
+    const double v = y[3]; /* [m/s] */
     /* 25:10 */
     out[0] = v; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

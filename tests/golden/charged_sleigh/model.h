@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:fc9859ad28a79216)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:38b5920202c64fef)
  * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -73,10 +73,12 @@ enum {
     CHARGED_SLEIGH_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const charged_sleigh_coordinate_names[];
-extern const char *const charged_sleigh_state_names[];
-extern const char *const charged_sleigh_parameter_names[];
-extern const double charged_sleigh_parameter_defaults[];
+extern const char *const charged_sleigh_coordinate_names[CHARGED_SLEIGH_NQ];
+extern const char *const charged_sleigh_state_names[CHARGED_SLEIGH_NY];
+extern const char *const charged_sleigh_parameter_names[CHARGED_SLEIGH_NP];
+extern const char *const charged_sleigh_constraint_names[CHARGED_SLEIGH_NC];
+extern const char *const charged_sleigh_output_names[CHARGED_SLEIGH_NOUT];
+extern const double charged_sleigh_parameter_defaults[CHARGED_SLEIGH_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:e263a051ce4319e2)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:2e1a46902bfc719c)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -14,23 +14,30 @@
 #include <math.h>
 #include <string.h>
 
-const char *const contact_oscillator_coordinate_names[] = {
+const char *const contact_oscillator_coordinate_names[CONTACT_OSCILLATOR_NQ] = {
     "x",
     "y",
     "z"
 };
-const char *const contact_oscillator_state_names[] = {
+const char *const contact_oscillator_state_names[CONTACT_OSCILLATOR_NY] = {
     "x",
     "y",
     "z",
     "y'",
     "z'"
 };
-const char *const contact_oscillator_parameter_names[] = {
+const char *const contact_oscillator_parameter_names[1] = {
     /* no entry counts: C99 has no empty array */
     ""
 };
-const double contact_oscillator_parameter_defaults[] = {
+const char *const contact_oscillator_constraint_names[CONTACT_OSCILLATOR_NC] = {
+    "contact"
+};
+const char *const contact_oscillator_output_names[CONTACT_OSCILLATOR_NOUT] = {
+    "H_y",
+    "R"
+};
+const double contact_oscillator_parameter_defaults[1] = {
     /* no entry counts: C99 has no empty array */
     0.0
 };
@@ -173,12 +180,12 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *r
     (void)p;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
-    const double z_dot = y[4];
+    const double z_dot = y[4]; /* z' */
     /* (I.1.2) */
     dydt[0] = -y_2 * z_dot; /* x' */
-    const double y_dot = y[3];
+    const double y_dot = y[3]; /* y' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z_dot; /* z' */
     /* (III.3) 7:4 */
@@ -188,7 +195,7 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *r
     dydt[4] = (y_2 * (x - y_dot * z_dot) - z) / z1; /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[4]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return contact_oscillator_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_SINGULAR_2);
         }
@@ -203,11 +210,11 @@ int contact_oscillator_velocities(double t, const double *y, const double *p, do
     (void)p;
 
     /* from the state */
-    const double y_2 = y[1];
-    const double z_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double z_dot = y[4]; /* z' */
     /* (I.1.2) */
     qdot[0] = -y_2 * z_dot; /* x' */
-    const double y_dot = y[3];
+    const double y_dot = y[3]; /* y' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = z_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -223,10 +230,10 @@ int contact_oscillator_accelerations(double t, const double *y, const double *p,
     (void)p;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
-    const double y_dot = y[3];
-    const double z_dot = y[4];
+    const double y_dot = y[3]; /* y' */
+    const double z_dot = y[4]; /* z' */
     const double z2 = y_dot * z_dot;
     const double x = y[0];
     const double z = y[2];
@@ -237,7 +244,7 @@ int contact_oscillator_accelerations(double t, const double *y, const double *p,
     qddot[2] = -z3; /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[2]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return contact_oscillator_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_SINGULAR_2);
         }
@@ -251,16 +258,16 @@ int contact_oscillator_state(double t, const double *q, const double *qdot, cons
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0];
     y[0] = x;
-    const double y_2 = q[1];
+    const double y_2 = q[1]; /* y */
     y[1] = y_2;
     const double z = q[2];
     y[2] = z;
-    const double y_dot = qdot[1];
+    const double y_dot = qdot[1]; /* y' */
     y[3] = y_dot;
-    const double z_dot = qdot[2];
+    const double z_dot = qdot[2]; /* z' */
     y[4] = z_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -274,10 +281,10 @@ int contact_oscillator_residuals(double t, const double *q, const double *qdot, 
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double y = q[1];
-    const double x_dot = qdot[0];
-    const double z_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' */
+    const double z_dot = qdot[2]; /* z' */
     /* (I.1.1) 10:5 */
     r[0] = x_dot + y * z_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -293,18 +300,18 @@ int contact_oscillator_reactions(double t, const double *y, const double *p, dou
     (void)p;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
     const double x = y[0];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
+    const double y_dot = y[3]; /* y' */
+    const double z_dot = y[4]; /* z' */
     const double z2 = x - y_dot * z_dot;
     const double z = y[2];
     /* (I.4.1) 10:5 */
     lambda[0] = z2 + (z - y_2 * z2) * (y_2 / z1); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return contact_oscillator_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_SINGULAR_2);
         }
@@ -319,12 +326,12 @@ double contact_oscillator_energy(double t, const double *y, const double *p)
     (void)p;
 
     /* from the state */
-    const double z_dot = y[4];
+    const double z_dot = y[4]; /* z' */
     const double z1 = z_dot * z_dot;
     const double x = y[0];
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z = y[2];
-    const double y_dot = y[3];
+    const double y_dot = y[3]; /* y' */
     const double z2 = 0.5 * (y_2 * y_2 * (1.0 + z1) + (z1 + (y_dot * y_dot + (x * x + z * z))));
     return z2;
 }
@@ -336,13 +343,13 @@ int contact_oscillator_jacobian(double t, const double *y, const double *p, doub
     (void)p;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = 1.0 / z1;
     const double z3 = y_2 * z2;
     const double x = y[0];
-    const double y_dot = y[3];
-    const double z_dot = y[4];
+    const double y_dot = y[3]; /* y' */
+    const double z_dot = y[4]; /* z' */
     const double z4 = x - y_dot * z_dot;
     /* (III.3) */
     J[1] = -z_dot;
@@ -358,7 +365,7 @@ int contact_oscillator_jacobian(double t, const double *y, const double *p, doub
     J[24] = -y_dot * z3;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[21] + J[23] + J[24]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return contact_oscillator_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_SINGULAR_2);
         }
@@ -373,14 +380,14 @@ int contact_oscillator_outputs(double t, const double *y, const double *p, doubl
     (void)p;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = y_2 * y_2;
-    const double y_dot = y[3];
+    const double y_dot = y[3]; /* y' */
     /* 13:8 */
     out[0] = 0.5 * (y_dot * y_dot + z1); /* H_y */
     const double x = y[0];
     const double z = y[2];
-    const double z_dot = y[4];
+    const double z_dot = y[4]; /* z' */
     /* 14:6 */
     out[1] = 0.5 * (x * x + z * z + z_dot * z_dot * (1.0 + z1)); /* R */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

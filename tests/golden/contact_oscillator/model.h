@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:5f747250dfdd7043)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:6e0d4023e5507cb7)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -71,10 +71,12 @@ enum {
     CONTACT_OSCILLATOR_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const contact_oscillator_coordinate_names[];
-extern const char *const contact_oscillator_state_names[];
-extern const char *const contact_oscillator_parameter_names[];
-extern const double contact_oscillator_parameter_defaults[];
+extern const char *const contact_oscillator_coordinate_names[CONTACT_OSCILLATOR_NQ];
+extern const char *const contact_oscillator_state_names[CONTACT_OSCILLATOR_NY];
+extern const char *const contact_oscillator_parameter_names[1];
+extern const char *const contact_oscillator_constraint_names[CONTACT_OSCILLATOR_NC];
+extern const char *const contact_oscillator_output_names[CONTACT_OSCILLATOR_NOUT];
+extern const double contact_oscillator_parameter_defaults[1];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:459a553c4fcc5e9d).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:86bad4ac71da92cd).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -96,20 +96,20 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns dydt (5,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     try:
         # from the state
         z1 = 1.0 + y_2 * y_2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "rhs")
         dydt: list[float] = [
@@ -134,14 +134,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qdot (3,).
     """
-    y_2 = float(y[1])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_2 = float(y[1])  # y
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     try:
         # from the state
         qdot: list[float] = [
@@ -162,20 +162,20 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qddot (3,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     try:
         # from the state
         z1 = 1.0 + y_2 * y_2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "accelerations")
         z2 = y_dot * z_dot
@@ -199,18 +199,18 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns y (5,).
     """
     x = float(q[0])
-    y_2 = float(q[1])
+    y_2 = float(q[1])  # y
     z = float(q[2])
-    y_dot = float(qdot[1])
-    z_dot = float(qdot[2])
+    y_dot = float(qdot[1])  # y'
+    z_dot = float(qdot[2])  # z'
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, z, y_dot, z_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -223,16 +223,16 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns r (1,).
     """
     y = float(q[1])
-    x_dot = float(qdot[0])
-    z_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x'
+    z_dot = float(qdot[2])  # z'
     try:
-        # from the state
+        # from the coordinates and velocities
         r: list[float] = [
             # contact = 0 (I.1.1) 10:5
             x_dot + y * z_dot,
@@ -247,21 +247,21 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     try:
         # from the state
         z1 = 1.0 + y_2 * y_2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "reactions")
         z2 = x - y_dot * z_dot
@@ -275,16 +275,16 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """Energy T + V.
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     try:
         # from the state
         z1 = z_dot * z_dot
@@ -301,20 +301,20 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     try:
         # from the state
         z1 = 1.0 + y_2 * y_2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "jacobian")
         z2 = 1.0 / z1
@@ -364,16 +364,16 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns out (2,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     try:
         # from the state
         z1 = y_2 * y_2

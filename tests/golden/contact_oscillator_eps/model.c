@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:0eddb1ea91fb9a65)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:722c928616d36fa8)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -16,22 +16,29 @@
 #include <math.h>
 #include <string.h>
 
-const char *const contact_oscillator_eps_coordinate_names[] = {
+const char *const contact_oscillator_eps_coordinate_names[CONTACT_OSCILLATOR_EPS_NQ] = {
     "x",
     "y",
     "z"
 };
-const char *const contact_oscillator_eps_state_names[] = {
+const char *const contact_oscillator_eps_state_names[CONTACT_OSCILLATOR_EPS_NY] = {
     "x",
     "y",
     "z",
     "y'",
     "z'"
 };
-const char *const contact_oscillator_eps_parameter_names[] = {
+const char *const contact_oscillator_eps_parameter_names[CONTACT_OSCILLATOR_EPS_NP] = {
     "eps"
 };
-const double contact_oscillator_eps_parameter_defaults[] = {
+const char *const contact_oscillator_eps_constraint_names[CONTACT_OSCILLATOR_EPS_NC] = {
+    "contact"
+};
+const char *const contact_oscillator_eps_output_names[CONTACT_OSCILLATOR_EPS_NOUT] = {
+    "H_y",
+    "R"
+};
+const double contact_oscillator_eps_parameter_defaults[CONTACT_OSCILLATOR_EPS_NP] = {
     0.3
 };
 
@@ -172,13 +179,13 @@ int contact_oscillator_eps_rhs(double t, const double *y, const double *p, doubl
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
-    const double z_dot = y[4];
+    const double z_dot = y[4]; /* z' */
     const double z2 = y_2 * z_dot;
     const double x = y[0];
     const double z = y[2];
-    const double y_dot = y[3];
+    const double y_dot = y[3]; /* y' */
     const double eps = p[0]; /* strength of the coupling */
     const double z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_dot * z2);
     /* (I.1.2) */
@@ -190,7 +197,7 @@ int contact_oscillator_eps_rhs(double t, const double *y, const double *p, doubl
     dydt[4] = z3 / z1; /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[4]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return contact_oscillator_eps_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_EPS_SINGULAR_2);
         }
@@ -205,11 +212,11 @@ int contact_oscillator_eps_velocities(double t, const double *y, const double *p
     (void)p;
 
     /* from the state */
-    const double y_2 = y[1];
-    const double z_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double z_dot = y[4]; /* z' */
     /* (I.1.2) */
     qdot[0] = -y_2 * z_dot; /* x' */
-    const double y_dot = y[3];
+    const double y_dot = y[3]; /* y' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = z_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -224,10 +231,10 @@ int contact_oscillator_eps_accelerations(double t, const double *y, const double
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
-    const double y_dot = y[3];
-    const double z_dot = y[4];
+    const double y_dot = y[3]; /* y' */
+    const double z_dot = y[4]; /* z' */
     const double z2 = y_dot * z_dot;
     const double x = y[0];
     const double z = y[2];
@@ -240,7 +247,7 @@ int contact_oscillator_eps_accelerations(double t, const double *y, const double
     qddot[2] = z4; /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return contact_oscillator_eps_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_EPS_SINGULAR_2);
         }
@@ -254,16 +261,16 @@ int contact_oscillator_eps_state(double t, const double *q, const double *qdot, 
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0];
     y[0] = x;
-    const double y_2 = q[1];
+    const double y_2 = q[1]; /* y */
     y[1] = y_2;
     const double z = q[2];
     y[2] = z;
-    const double y_dot = qdot[1];
+    const double y_dot = qdot[1]; /* y' */
     y[3] = y_dot;
-    const double z_dot = qdot[2];
+    const double z_dot = qdot[2]; /* z' */
     y[4] = z_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -278,10 +285,10 @@ int contact_oscillator_eps_residuals(double t, const double *q, const double *qd
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double y = q[1];
-    const double x_dot = qdot[0];
-    const double z_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' */
+    const double z_dot = qdot[2]; /* z' */
     /* (I.1.1) 12:5 */
     r[0] = x_dot + y * z_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -296,13 +303,13 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
     const double z = y[2];
     const double eps = p[0]; /* strength of the coupling */
     const double z2 = 1.0 + eps * (z * z);
-    const double y_dot = y[3];
-    const double z_dot = y[4];
+    const double y_dot = y[3]; /* y' */
+    const double z_dot = y[4]; /* z' */
     const double z3 = y_dot * z_dot;
     const double x = y[0];
     const double z4 = y_2 * (x * (y_2 * z2 - eps * (x * z)) - (z + y_2 * z3)) / z1;
@@ -310,7 +317,7 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
     lambda[0] = x * z2 - (z3 + z4); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return contact_oscillator_eps_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_EPS_SINGULAR_2);
         }
@@ -326,11 +333,11 @@ double contact_oscillator_eps_energy(double t, const double *y, const double *p)
     /* from the state */
     const double z = y[2];
     const double z1 = z * z;
-    const double z_dot = y[4];
+    const double z_dot = y[4]; /* z' */
     const double z2 = z_dot * z_dot;
     const double x = y[0];
-    const double y_2 = y[1];
-    const double y_dot = y[3];
+    const double y_2 = y[1]; /* y */
+    const double y_dot = y[3]; /* y' */
     const double eps = p[0]; /* strength of the coupling */
     const double z3 = x * x * (1.0 + eps * z1) + (y_2 * y_2 * (1.0 + z2) + (z2 + (y_dot * y_dot + z1)));
     return 0.5 * z3;
@@ -342,7 +349,7 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
     const double z2 = 1.0 / z1;
     const double x = y[0];
@@ -352,9 +359,9 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
     const double z4 = z * z3;
     const double z5 = 1.0 + eps * (z * z);
     const double z6 = y_2 * z5;
-    const double y_dot = y[3];
+    const double y_dot = y[3]; /* y' */
     const double z7 = y_2 * y_dot;
-    const double z_dot = y[4];
+    const double z_dot = y[4]; /* z' */
     const double z8 = y_dot * z_dot - x * z5 - 2.0 * (z2 * (y_2 * (z + z_dot * z7 + x * (z4 - z6))));
     /* (III.3) */
     J[1] = -z_dot;
@@ -369,7 +376,7 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
     J[24] = -z7 * z2;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[20] + J[21] + J[22] + J[23] + J[24]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return contact_oscillator_eps_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_EPS_SINGULAR_2);
         }
@@ -383,15 +390,15 @@ int contact_oscillator_eps_outputs(double t, const double *y, const double *p, d
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = y_2 * y_2;
     const double x = y[0];
     const double z2 = x * x;
-    const double y_dot = y[3];
+    const double y_dot = y[3]; /* y' */
     /* 15:8 */
     out[0] = 0.5 * (y_dot * y_dot + z1); /* H_y */
     const double z = y[2];
-    const double z_dot = y[4];
+    const double z_dot = y[4]; /* z' */
     const double eps = p[0]; /* strength of the coupling */
     /* 16:6 */
     out[1] = 0.5 * (z2 + z * z * (1.0 + eps * z2) + z_dot * z_dot * (1.0 + z1)); /* R */

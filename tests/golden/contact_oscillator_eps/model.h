@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:1e39717e63a29e8c)
+ * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:09346e0cabefc719)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -74,10 +74,12 @@ enum {
     CONTACT_OSCILLATOR_EPS_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const contact_oscillator_eps_coordinate_names[];
-extern const char *const contact_oscillator_eps_state_names[];
-extern const char *const contact_oscillator_eps_parameter_names[];
-extern const double contact_oscillator_eps_parameter_defaults[];
+extern const char *const contact_oscillator_eps_coordinate_names[CONTACT_OSCILLATOR_EPS_NQ];
+extern const char *const contact_oscillator_eps_state_names[CONTACT_OSCILLATOR_EPS_NY];
+extern const char *const contact_oscillator_eps_parameter_names[CONTACT_OSCILLATOR_EPS_NP];
+extern const char *const contact_oscillator_eps_constraint_names[CONTACT_OSCILLATOR_EPS_NC];
+extern const char *const contact_oscillator_eps_output_names[CONTACT_OSCILLATOR_EPS_NOUT];
+extern const double contact_oscillator_eps_parameter_defaults[CONTACT_OSCILLATOR_EPS_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

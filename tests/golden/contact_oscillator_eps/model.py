@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:4863c8a5da07d91c).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:2c72a1d33c5a13f2).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -100,21 +100,21 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns dydt (5,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     eps = float(p[0])  # strength of the coupling
     try:
         # from the state
         z1 = 1.0 + y_2 * y_2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "rhs")
         z2 = y_2 * z_dot
@@ -142,14 +142,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns qdot (3,).
     """
-    y_2 = float(y[1])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_2 = float(y[1])  # y
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     try:
         # from the state
         qdot: list[float] = [
@@ -170,21 +170,21 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns qddot (3,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     eps = float(p[0])  # strength of the coupling
     try:
         # from the state
         z1 = 1.0 + y_2 * y_2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "accelerations")
         z2 = y_dot * z_dot
@@ -210,18 +210,18 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns y (5,).
     """
     x = float(q[0])
-    y_2 = float(q[1])
+    y_2 = float(q[1])  # y
     z = float(q[2])
-    y_dot = float(qdot[1])
-    z_dot = float(qdot[2])
+    y_dot = float(qdot[1])  # y'
+    z_dot = float(qdot[2])  # z'
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, z, y_dot, z_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -234,16 +234,16 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns r (1,).
     """
     y = float(q[1])
-    x_dot = float(qdot[0])
-    z_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x'
+    z_dot = float(qdot[2])  # z'
     try:
-        # from the state
+        # from the coordinates and velocities
         r: list[float] = [
             # contact = 0 (I.1.1) 12:5
             x_dot + y * z_dot,
@@ -258,22 +258,22 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     eps = float(p[0])  # strength of the coupling
     try:
         # from the state
         z1 = 1.0 + y_2 * y_2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "reactions")
         z2 = 1.0 + eps * (z * z)
@@ -289,16 +289,16 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """Energy T + V.
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns a scalar.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     eps = float(p[0])  # strength of the coupling
     try:
         # from the state
@@ -317,21 +317,21 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     eps = float(p[0])  # strength of the coupling
     try:
         # from the state
         z1 = 1.0 + y_2 * y_2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "jacobian")
         z2 = 1.0 / z1
@@ -386,16 +386,16 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns out (2,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    y_dot = float(y[3])
-    z_dot = float(y[4])
+    y_dot = float(y[3])  # y'
+    z_dot = float(y[4])  # z'
     eps = float(p[0])  # strength of the coupling
     try:
         # from the state

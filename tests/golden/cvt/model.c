@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:fb677ae8645fb05a)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:3f260f23c2823960)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -14,23 +14,30 @@
 #include <math.h>
 #include <string.h>
 
-const char *const cvt_coordinate_names[] = {
+const char *const cvt_coordinate_names[CVT_NQ] = {
     "x",
     "y",
     "xi"
 };
-const char *const cvt_state_names[] = {
+const char *const cvt_state_names[CVT_NY] = {
     "x",
     "y",
     "xi",
     "x'",
     "xi'"
 };
-const char *const cvt_parameter_names[] = {
+const char *const cvt_parameter_names[1] = {
     /* no entry counts: C99 has no empty array */
     ""
 };
-const double cvt_parameter_defaults[] = {
+const char *const cvt_constraint_names[CVT_NC] = {
+    "belt"
+};
+const char *const cvt_output_names[CVT_NOUT] = {
+    "E_xi",
+    "E_xy"
+};
+const double cvt_parameter_defaults[1] = {
     /* no entry counts: C99 has no empty array */
     0.0
 };
@@ -196,9 +203,9 @@ int cvt_rhs(double t, const double *y, const double *p, double *restrict dydt)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
 
     /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
@@ -211,7 +218,7 @@ int cvt_rhs(double t, const double *y, const double *p, double *restrict dydt)
     dydt[4] = s_xi; /* xi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return cvt_refuse(fabs(z1), 0.0, CVT_SINGULAR_2);
         }
@@ -230,8 +237,8 @@ int cvt_velocities(double t, const double *y, const double *p, double *qdot)
     const double s_xi = sin(xi);
 
     /* what else is read */
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
 
     /* from the state */
     /* (I.1.2) */
@@ -257,9 +264,9 @@ int cvt_accelerations(double t, const double *y, const double *p, double *qddot)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
 
     /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
@@ -271,7 +278,7 @@ int cvt_accelerations(double t, const double *y, const double *p, double *qddot)
     qddot[2] = s_xi; /* xi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return cvt_refuse(fabs(z1), 0.0, CVT_SINGULAR_2);
         }
@@ -285,16 +292,16 @@ int cvt_state(double t, const double *q, const double *qdot, const double *p, do
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0];
     y[0] = x;
-    const double y_2 = q[1];
+    const double y_2 = q[1]; /* y */
     y[1] = y_2;
     const double xi = q[2];
     y[2] = xi;
-    const double x_dot = qdot[0];
+    const double x_dot = qdot[0]; /* x' */
     y[3] = x_dot;
-    const double xi_dot = qdot[2];
+    const double xi_dot = qdot[2]; /* xi' */
     y[4] = xi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -313,10 +320,10 @@ int cvt_residuals(double t, const double *q, const double *qdot, const double *p
     const double s_xi = sin(xi);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
+    const double x_dot = qdot[0]; /* x' */
+    const double y_dot = qdot[1]; /* y' */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     /* (I.1.1) 10:5 */
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -338,9 +345,9 @@ int cvt_reactions(double t, const double *y, const double *p, double *lambda)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
 
     /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
@@ -349,7 +356,7 @@ int cvt_reactions(double t, const double *y, const double *p, double *lambda)
     lambda[0] = z2 + (x - s_xi * z2) * (s_xi / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return cvt_refuse(fabs(z1), 0.0, CVT_SINGULAR_2);
         }
@@ -370,9 +377,9 @@ double cvt_energy(double t, const double *y, const double *p)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
 
     /* from the state */
     const double z1 = x_dot * s_xi;
@@ -393,9 +400,9 @@ int cvt_jacobian(double t, const double *y, const double *p, double *J)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
 
     /* from the state */
     const double z1 = s_xi * s_xi;
@@ -418,7 +425,7 @@ int cvt_jacobian(double t, const double *y, const double *p, double *J)
     J[22] = c_xi;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[17] + J[18] + J[19]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return cvt_refuse(fabs(z2), 0.0, CVT_SINGULAR_2);
         }
@@ -439,9 +446,9 @@ int cvt_outputs(double t, const double *y, const double *p, double *out)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
 
     /* from the state */
     const double z1 = x_dot * s_xi;

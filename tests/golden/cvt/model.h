@@ -1,5 +1,5 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:ac34c3d6b5a68ee7)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:05c59f3566b81aab)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -69,10 +69,12 @@ enum {
     CVT_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const cvt_coordinate_names[];
-extern const char *const cvt_state_names[];
-extern const char *const cvt_parameter_names[];
-extern const double cvt_parameter_defaults[];
+extern const char *const cvt_coordinate_names[CVT_NQ];
+extern const char *const cvt_state_names[CVT_NY];
+extern const char *const cvt_parameter_names[1];
+extern const char *const cvt_constraint_names[CVT_NC];
+extern const char *const cvt_output_names[CVT_NOUT];
+extern const double cvt_parameter_defaults[1];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

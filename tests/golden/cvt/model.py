@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:cf3daded41a1287b).
+"""cvt, emitted by nhc 0.1.0 (nhc:a3577a1c855fa11c).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -97,21 +97,21 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns dydt (5,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     try:
         # from the state
         s_xi = math.sin(xi)
         z1 = 1.0 + s_xi * s_xi
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "rhs")
         c_xi = math.cos(xi)
@@ -137,14 +137,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qdot (3,).
     """
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     try:
         # from the state
         s_xi = math.sin(xi)
@@ -166,21 +166,21 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qddot (3,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     try:
         # from the state
         s_xi = math.sin(xi)
         z1 = 1.0 + s_xi * s_xi
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "accelerations")
         c_xi = math.cos(xi)
@@ -205,18 +205,18 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns y (5,).
     """
     x = float(q[0])
-    y_2 = float(q[1])
+    y_2 = float(q[1])  # y
     xi = float(q[2])
-    x_dot = float(qdot[0])
-    xi_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x'
+    xi_dot = float(qdot[2])  # xi'
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, xi, x_dot, xi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -229,16 +229,16 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns r (1,).
     """
     xi = float(q[2])
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
+    x_dot = float(qdot[0])  # x'
+    y_dot = float(qdot[1])  # y'
     try:
-        # from the state
+        # from the coordinates and velocities
         s_xi = math.sin(xi)
         r: list[float] = [
             # belt = 0 (I.1.1) 10:5
@@ -254,22 +254,22 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     try:
         # from the state
         s_xi = math.sin(xi)
         z1 = 1.0 + s_xi * s_xi
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "reactions")
         c_xi = math.cos(xi)
@@ -284,16 +284,16 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """Energy T + V.
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     try:
         # from the state
         c_xi = math.cos(xi)
@@ -312,22 +312,22 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     try:
         # from the state
         s_xi = math.sin(xi)
         z1 = s_xi * s_xi
         z2 = 1.0 + z1
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "jacobian")
         c_xi = math.cos(xi)
@@ -380,16 +380,16 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns out (2,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     try:
         # from the state
         c_xi = math.cos(xi)

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:b86fde2dba3a0cb4)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:f972c9805d5c9aaf)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -15,22 +15,29 @@
 #include <math.h>
 #include <string.h>
 
-const char *const cvt_eps_coordinate_names[] = {
+const char *const cvt_eps_coordinate_names[CVT_EPS_NQ] = {
     "x",
     "y",
     "xi"
 };
-const char *const cvt_eps_state_names[] = {
+const char *const cvt_eps_state_names[CVT_EPS_NY] = {
     "x",
     "y",
     "xi",
     "x'",
     "xi'"
 };
-const char *const cvt_eps_parameter_names[] = {
+const char *const cvt_eps_parameter_names[CVT_EPS_NP] = {
     "eps"
 };
-const double cvt_eps_parameter_defaults[] = {
+const char *const cvt_eps_constraint_names[CVT_EPS_NC] = {
+    "belt"
+};
+const char *const cvt_eps_output_names[CVT_EPS_NOUT] = {
+    "E_xi",
+    "E_xy"
+};
+const double cvt_eps_parameter_defaults[CVT_EPS_NP] = {
     0.3
 };
 
@@ -194,9 +201,9 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *restrict dyd
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* from the state */
@@ -211,7 +218,7 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *restrict dyd
     dydt[4] = s_xi - eps * (z1 - c_xi * c_xi); /* xi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return cvt_eps_refuse(fabs(z2), 0.0, CVT_EPS_SINGULAR_2);
         }
@@ -230,8 +237,8 @@ int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
     const double s_xi = sin(xi);
 
     /* what else is read */
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
 
     /* from the state */
     /* (I.1.2) */
@@ -256,9 +263,9 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* from the state */
@@ -272,7 +279,7 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
     qddot[2] = s_xi - eps * (z1 - c_xi * c_xi); /* xi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return cvt_eps_refuse(fabs(z2), 0.0, CVT_EPS_SINGULAR_2);
         }
@@ -286,16 +293,16 @@ int cvt_eps_state(double t, const double *q, const double *qdot, const double *p
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0];
     y[0] = x;
-    const double y_2 = q[1];
+    const double y_2 = q[1]; /* y */
     y[1] = y_2;
     const double xi = q[2];
     y[2] = xi;
-    const double x_dot = qdot[0];
+    const double x_dot = qdot[0]; /* x' */
     y[3] = x_dot;
-    const double xi_dot = qdot[2];
+    const double xi_dot = qdot[2]; /* xi' */
     y[4] = xi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -314,10 +321,10 @@ int cvt_eps_residuals(double t, const double *q, const double *qdot, const doubl
     const double s_xi = sin(xi);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
+    const double x_dot = qdot[0]; /* x' */
+    const double y_dot = qdot[1]; /* y' */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     /* (I.1.1) 12:5 */
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -339,9 +346,9 @@ int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
 
     /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
@@ -350,7 +357,7 @@ int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda
     lambda[0] = z2 + (x - s_xi * z2) * (s_xi / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return cvt_eps_refuse(fabs(z1), 0.0, CVT_EPS_SINGULAR_2);
         }
@@ -370,9 +377,9 @@ double cvt_eps_energy(double t, const double *y, const double *p)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* from the state */
@@ -392,9 +399,9 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* from the state */
@@ -419,7 +426,7 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
     J[22] = c_xi - 4.0 * (eps * z7);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[17] + J[18] + J[19] + J[22]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return cvt_eps_refuse(fabs(z2), 0.0, CVT_EPS_SINGULAR_2);
         }
@@ -439,9 +446,9 @@ int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double xi_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double xi_dot = y[4]; /* xi' */
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* from the state */

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:b3c3d5a3d9541cd0)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:e706a69c78c175aa)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -71,10 +71,12 @@ enum {
     CVT_EPS_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const cvt_eps_coordinate_names[];
-extern const char *const cvt_eps_state_names[];
-extern const char *const cvt_eps_parameter_names[];
-extern const double cvt_eps_parameter_defaults[];
+extern const char *const cvt_eps_coordinate_names[CVT_EPS_NQ];
+extern const char *const cvt_eps_state_names[CVT_EPS_NY];
+extern const char *const cvt_eps_parameter_names[CVT_EPS_NP];
+extern const char *const cvt_eps_constraint_names[CVT_EPS_NC];
+extern const char *const cvt_eps_output_names[CVT_EPS_NOUT];
+extern const double cvt_eps_parameter_defaults[CVT_EPS_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

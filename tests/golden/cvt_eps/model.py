@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:08ad8dd37edb2d81).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:b0d457f1c885716d).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -98,23 +98,23 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns dydt (5,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
         # from the state
         s_xi = math.sin(xi)
         z1 = s_xi * s_xi
         z2 = 1.0 + z1
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "rhs")
         c_xi = math.cos(xi)
@@ -140,14 +140,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns qdot (3,).
     """
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     try:
         # from the state
         s_xi = math.sin(xi)
@@ -169,23 +169,23 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns qddot (3,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
         # from the state
         s_xi = math.sin(xi)
         z1 = s_xi * s_xi
         z2 = 1.0 + z1
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "accelerations")
         c_xi = math.cos(xi)
@@ -210,18 +210,18 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns y (5,).
     """
     x = float(q[0])
-    y_2 = float(q[1])
+    y_2 = float(q[1])  # y
     xi = float(q[2])
-    x_dot = float(qdot[0])
-    xi_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x'
+    xi_dot = float(qdot[2])  # xi'
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, xi, x_dot, xi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -234,16 +234,16 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns r (1,).
     """
     xi = float(q[2])
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
+    x_dot = float(qdot[0])  # x'
+    y_dot = float(qdot[1])  # y'
     try:
-        # from the state
+        # from the coordinates and velocities
         s_xi = math.sin(xi)
         r: list[float] = [
             # belt = 0 (I.1.1) 12:5
@@ -259,22 +259,22 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     try:
         # from the state
         s_xi = math.sin(xi)
         z1 = 1.0 + s_xi * s_xi
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "reactions")
         c_xi = math.cos(xi)
@@ -289,16 +289,16 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """Energy T + V.
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns a scalar.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
         # from the state
@@ -317,23 +317,23 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
         # from the state
         s_xi = math.sin(xi)
         z1 = s_xi * s_xi
         z2 = 1.0 + z1
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "jacobian")
         c_xi = math.cos(xi)
@@ -387,16 +387,16 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns out (2,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     xi = float(y[2])
-    x_dot = float(y[3])
-    xi_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    xi_dot = float(y[4])  # xi'
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
         # from the state

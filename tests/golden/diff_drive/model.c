@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:e2c62caa645905cf)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:19e4d933f6ad101e)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -13,14 +13,14 @@
 #include <math.h>
 #include <string.h>
 
-const char *const diff_drive_coordinate_names[] = {
+const char *const diff_drive_coordinate_names[DIFF_DRIVE_NQ] = {
     "x",
     "y",
     "theta",
     "p_R",
     "p_L"
 };
-const char *const diff_drive_state_names[] = {
+const char *const diff_drive_state_names[DIFF_DRIVE_NY] = {
     "x",
     "y",
     "theta",
@@ -29,7 +29,7 @@ const char *const diff_drive_state_names[] = {
     "v",
     "w"
 };
-const char *const diff_drive_parameter_names[] = {
+const char *const diff_drive_parameter_names[DIFF_DRIVE_NP] = {
     "m",
     "I",
     "J_w",
@@ -39,7 +39,16 @@ const char *const diff_drive_parameter_names[] = {
     "tau_R",
     "tau_L"
 };
-const double diff_drive_parameter_defaults[] = {
+const char *const diff_drive_constraint_names[DIFF_DRIVE_NC] = {
+    "slip",
+    "roll_R",
+    "roll_L"
+};
+const char *const diff_drive_output_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const double diff_drive_parameter_defaults[DIFF_DRIVE_NP] = {
     10.0,
     0.6,
     0.02,
@@ -209,8 +218,8 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *restrict 
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double I = p[1]; /* of the whole about the vertical through the centre of mass [kg*m^2] */
     const double J_w = p[2]; /* of a wheel about its axle [kg*m^2] */
@@ -244,15 +253,15 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *restrict 
     dydt[6] = (v * w * k4 - k7) * k9; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[3] + dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if r is 0 */
         if (!(fabs(r) > 0.0)) {
             return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return diff_drive_refuse(fabs(k3), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k6 is 0 */
         if (!(fabs(k6) > 0.0)) {
             return diff_drive_refuse(fabs(k6), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
@@ -271,8 +280,8 @@ int diff_drive_velocities(double t, const double *y, const double *p, double *qd
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double r = p[3]; /* radius of the wheels [m] */
     const double b = p[4]; /* half the track [m] */
 
@@ -289,7 +298,7 @@ int diff_drive_velocities(double t, const double *y, const double *p, double *qd
     qdot[4] = k1 * (v - z1); /* p_L' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[3] + qdot[4]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if r is 0 */
         if (!(fabs(r) > 0.0)) {
             return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
@@ -308,8 +317,8 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double I = p[1]; /* of the whole about the vertical through the centre of mass [kg*m^2] */
     const double J_w = p[2]; /* of a wheel about its axle [kg*m^2] */
@@ -343,15 +352,15 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
     qddot[4] = k1 * (z1 + z4); /* p_L'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if r is 0 */
         if (!(fabs(r) > 0.0)) {
             return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return diff_drive_refuse(fabs(k3), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k6 is 0 */
         if (!(fabs(k6) > 0.0)) {
             return diff_drive_refuse(fabs(k6), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
@@ -372,14 +381,14 @@ int diff_drive_state(double t, const double *q, const double *qdot, const double
 
     /* what else is read */
     const double x = q[0]; /* midpoint of the axle [m] */
-    const double y_2 = q[1]; /* midpoint of the axle [m] */
+    const double y_2 = q[1]; /* y: midpoint of the axle [m] */
     const double p_R = q[3]; /* right wheel [rad] */
     const double p_L = q[4]; /* left wheel [rad] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[2]; /* theta' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -404,15 +413,15 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[2];
-    const double p_R_dot = qdot[3];
-    const double p_L_dot = qdot[4];
-    const double r_2 = p[3]; /* radius of the wheels [m] */
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[2]; /* theta' [rad/s] */
+    const double p_R_dot = qdot[3]; /* p_R' [rad/s] */
+    const double p_L_dot = qdot[4]; /* p_L' [rad/s] */
+    const double r_2 = p[3]; /* r: radius of the wheels [m] */
     const double b = p[4]; /* half the track [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double v = x_dot * c_theta + y_dot * s_theta;
     const double z1 = theta_dot * b;
     /* (I.1.1) 29:5 */
@@ -453,8 +462,8 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
     const double k10 = 1.0 / k7;
 
     /* from the state */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double z1 = v * w;
     const double z2 = (z1 * k5 - k8) * k10;
     const double z3 = (k5 * (w * w) + k6) * k9;
@@ -467,15 +476,15 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
     lambda[2] = k1 * (tau_L - k3 * (z3 + z4)); /* reaction of roll_L: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if r is 0 */
         if (!(fabs(r) > 0.0)) {
             return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k4 is 0 */
         if (!(fabs(k4) > 0.0)) {
             return diff_drive_refuse(fabs(k4), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k7 is 0 */
         if (!(fabs(k7) > 0.0)) {
             return diff_drive_refuse(fabs(k7), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
@@ -500,8 +509,8 @@ double diff_drive_energy(double t, const double *y, const double *p)
     const double k3 = 0.5 * m + J_w * k1;
 
     /* from the state */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     return w * w * k2 + v * v * k3;
 }
 
@@ -516,8 +525,8 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double I = p[1]; /* of the whole about the vertical through the centre of mass [kg*m^2] */
     const double J_w = p[2]; /* of a wheel about its axle [kg*m^2] */
@@ -552,15 +561,15 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
     J[48] = v * k8;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[34] + J[41] + J[47] + J[48]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if r is 0 */
         if (!(fabs(r) > 0.0)) {
             return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return diff_drive_refuse(fabs(k3), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k5 is 0 */
         if (!(fabs(k5) > 0.0)) {
             return diff_drive_refuse(fabs(k5), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
@@ -576,7 +585,7 @@ int diff_drive_outputs(double t, const double *y, const double *p, double *out)
 
     /* from the state */
     const double r = p[3]; /* radius of the wheels [m] */
-    /* the coframe is singular */
+    /* the coframe is singular, if r is 0 */
     if (!(fabs(r) > 0.0)) {
         return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
     }

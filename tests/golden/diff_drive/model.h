@@ -1,5 +1,5 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:b5ad170e5383a941)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:b85fd33e94310b50)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -78,10 +78,12 @@ enum {
     DIFF_DRIVE_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const diff_drive_coordinate_names[];
-extern const char *const diff_drive_state_names[];
-extern const char *const diff_drive_parameter_names[];
-extern const double diff_drive_parameter_defaults[];
+extern const char *const diff_drive_coordinate_names[DIFF_DRIVE_NQ];
+extern const char *const diff_drive_state_names[DIFF_DRIVE_NY];
+extern const char *const diff_drive_parameter_names[DIFF_DRIVE_NP];
+extern const char *const diff_drive_constraint_names[DIFF_DRIVE_NC];
+extern const char *const diff_drive_output_names[1];
+extern const double diff_drive_parameter_defaults[DIFF_DRIVE_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

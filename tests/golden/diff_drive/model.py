@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:7fbf446c839984fc).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:87e21db5404f2923).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -105,14 +105,14 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns dydt (7,).
     """
     theta = float(y[2])  # heading [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # mass [kg]
     # of the whole about the vertical through the centre of mass [kg*m^2]
     I = float(p[1])
@@ -123,20 +123,20 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     tau_R = float(p[6])  # torque on the right wheel [N*m]
     tau_L = float(p[7])  # torque on the left wheel [N*m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if r is 0
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "rhs")
         # from the parameters alone
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
-        # the mass matrix is singular
+        # the mass matrix is singular, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "rhs")
         k4 = m * d
         k5 = k1 * (tau_R + tau_L)
         k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
-        # the mass matrix is singular
+        # the mass matrix is singular, if k6 is 0
         if not abs(k6) > 0.0:
             raise _refuse(abs(k6), 0.0, 2, "rhs")
         k7 = k2 * (tau_R - tau_L)
@@ -172,18 +172,18 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns qdot (5,).
     """
     theta = float(y[2])  # heading [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     r = float(p[3])  # radius of the wheels [m]
     b = float(p[4])  # half the track [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if r is 0
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "velocities")
         # from the parameters alone
@@ -214,14 +214,14 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns qddot (5,).
     """
     theta = float(y[2])  # heading [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # mass [kg]
     # of the whole about the vertical through the centre of mass [kg*m^2]
     I = float(p[1])
@@ -232,20 +232,20 @@ def accelerations(
     tau_R = float(p[6])  # torque on the right wheel [N*m]
     tau_L = float(p[7])  # torque on the left wheel [N*m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if r is 0
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "accelerations")
         # from the parameters alone
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
-        # the mass matrix is singular
+        # the mass matrix is singular, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "accelerations")
         k4 = m * d
         k5 = k1 * (tau_R + tau_L)
         k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
-        # the mass matrix is singular
+        # the mass matrix is singular, if k6 is 0
         if not abs(k6) > 0.0:
             raise _refuse(abs(k6), 0.0, 2, "accelerations")
         k7 = k2 * (tau_R - tau_L)
@@ -281,21 +281,21 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (8,).
     Returns y (7,).
     """
     x = float(q[0])  # midpoint of the axle [m]
-    y_2 = float(q[1])  # midpoint of the axle [m]
+    y_2 = float(q[1])  # y: midpoint of the axle [m]
     theta = float(q[2])  # heading [rad]
     p_R = float(q[3])  # right wheel [rad]
     p_L = float(q[4])  # left wheel [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[2])  # theta' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         y: list[float] = [
@@ -318,21 +318,21 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (8,).
     Returns r (3,).
     """
     theta = float(q[2])  # heading [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[2])
-    p_R_dot = float(qdot[3])
-    p_L_dot = float(qdot[4])
-    r_2 = float(p[3])  # radius of the wheels [m]
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[2])  # theta' [rad/s]
+    p_R_dot = float(qdot[3])  # p_R' [rad/s]
+    p_L_dot = float(qdot[4])  # p_L' [rad/s]
+    r_2 = float(p[3])  # r: radius of the wheels [m]
     b = float(p[4])  # half the track [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         v = x_dot * c_theta + y_dot * s_theta
@@ -355,14 +355,14 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns lambda_ (3,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # mass [kg]
     # of the whole about the vertical through the centre of mass [kg*m^2]
     I = float(p[1])
@@ -373,7 +373,7 @@ def reactions(
     tau_R = float(p[6])  # torque on the right wheel [N*m]
     tau_L = float(p[7])  # torque on the left wheel [N*m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if r is 0
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "reactions")
         # from the parameters alone
@@ -381,13 +381,13 @@ def reactions(
         k2 = b * k1
         k3 = J_w * k1
         k4 = m + 2.0 * (k1 * k3)
-        # the mass matrix is singular
+        # the mass matrix is singular, if k4 is 0
         if not abs(k4) > 0.0:
             raise _refuse(abs(k4), 0.0, 2, "reactions")
         k5 = m * d
         k6 = k1 * (tau_R + tau_L)
         k7 = d * k5 + (I + 2.0 * (k2 * (J_w * k2)))
-        # the mass matrix is singular
+        # the mass matrix is singular, if k7 is 0
         if not abs(k7) > 0.0:
             raise _refuse(abs(k7), 0.0, 2, "reactions")
         k8 = k2 * (tau_R - tau_L)
@@ -412,13 +412,13 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns a scalar.
     """
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # mass [kg]
     # of the whole about the vertical through the centre of mass [kg*m^2]
     I = float(p[1])
@@ -443,14 +443,14 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns rows (7, 7): d rhs_i / d y_j stands at [i][j].
     """
     theta = float(y[2])  # heading [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # mass [kg]
     # of the whole about the vertical through the centre of mass [kg*m^2]
     I = float(p[1])
@@ -459,19 +459,19 @@ def jacobian(
     b = float(p[4])  # half the track [m]
     d = float(p[5])  # from the axle to the centre of mass [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if r is 0
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "jacobian")
         # from the parameters alone
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
-        # the mass matrix is singular
+        # the mass matrix is singular, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "jacobian")
         k4 = m * d
         k5 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
-        # the mass matrix is singular
+        # the mass matrix is singular, if k5 is 0
         if not abs(k5) > 0.0:
             raise _refuse(abs(k5), 0.0, 2, "jacobian")
         k6 = 1.0 / k3
@@ -551,14 +551,14 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns out (0,).
     """
     r = float(p[3])  # radius of the wheels [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if r is 0
         if not abs(r) > 0.0:
             raise _refuse(abs(r), 0.0, 1, "outputs")
         # from the state

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:2e0e0b4213387048)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:b9820a5ab87e99aa)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -23,7 +23,7 @@
 #include <math.h>
 #include <string.h>
 
-const char *const disk_chain2_coordinate_names[] = {
+const char *const disk_chain2_coordinate_names[DISK_CHAIN2_NQ] = {
     "x1",
     "y1",
     "phi1",
@@ -33,7 +33,7 @@ const char *const disk_chain2_coordinate_names[] = {
     "phi2",
     "theta2"
 };
-const char *const disk_chain2_state_names[] = {
+const char *const disk_chain2_state_names[DISK_CHAIN2_NY] = {
     "x1",
     "y1",
     "phi1",
@@ -47,14 +47,24 @@ const char *const disk_chain2_state_names[] = {
     "phi2'",
     "theta2'"
 };
-const char *const disk_chain2_parameter_names[] = {
+const char *const disk_chain2_parameter_names[DISK_CHAIN2_NP] = {
     "m",
     "R",
     "I",
     "J",
     "k"
 };
-const double disk_chain2_parameter_defaults[] = {
+const char *const disk_chain2_constraint_names[DISK_CHAIN2_NC] = {
+    "roll_x1",
+    "roll_y1",
+    "roll_x2",
+    "roll_y2"
+};
+const char *const disk_chain2_output_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const double disk_chain2_parameter_defaults[DISK_CHAIN2_NP] = {
     1.0,
     0.5,
     0.125,
@@ -232,13 +242,13 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *restrict
 
     /* what else is read */
     const double x1 = y[0]; /* first disk [m] */
-    const double y1_ = y[1]; /* first disk [m] */
+    const double y1_ = y[1]; /* y1: first disk [m] */
     const double x2 = y[4]; /* second disk [m] */
     const double y2 = y[5]; /* second disk [m] */
-    const double phi1_dot = y[8];
-    const double theta1_dot = y[9];
-    const double phi2_dot = y[10];
-    const double theta2_dot = y[11];
+    const double phi1_dot = y[8]; /* phi1' [rad/s] */
+    const double theta1_dot = y[9]; /* theta1' [rad/s] */
+    const double phi2_dot = y[10]; /* phi2' [rad/s] */
+    const double theta2_dot = y[11]; /* theta2' [rad/s] */
     const double m = p[0]; /* mass of each [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* about the axle [kg*m^2] */
@@ -269,13 +279,13 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *restrict
     dydt[10] = 0.0; /* phi2'' */
     dydt[11] = (z1 * c_phi2 + z2 * s_phi2) * k2; /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J) > 0.0 * (dydt[0] + dydt[2] + dydt[4] + dydt[6] + dydt[9] + dydt[11]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J is 0 */
         if (!(fabs(J) > 0.0)) {
             return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 is 0 */
         if (!(fabs(k1) > 0.0)) {
             return disk_chain2_refuse(fabs(k1), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
@@ -297,10 +307,10 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
     const double s_phi2 = sin(phi2);
 
     /* what else is read */
-    const double phi1_dot = y[8];
-    const double theta1_dot = y[9];
-    const double phi2_dot = y[10];
-    const double theta2_dot = y[11];
+    const double phi1_dot = y[8]; /* phi1' [rad/s] */
+    const double theta1_dot = y[9]; /* theta1' [rad/s] */
+    const double phi2_dot = y[10]; /* phi2' [rad/s] */
+    const double theta2_dot = y[11]; /* theta2' [rad/s] */
     const double R = p[1]; /* radius [m] */
 
     /* from the state */
@@ -336,13 +346,13 @@ int disk_chain2_accelerations(double t, const double *y, const double *p, double
 
     /* what else is read */
     const double x1 = y[0]; /* first disk [m] */
-    const double y1_ = y[1]; /* first disk [m] */
+    const double y1_ = y[1]; /* y1: first disk [m] */
     const double x2 = y[4]; /* second disk [m] */
     const double y2 = y[5]; /* second disk [m] */
-    const double phi1_dot = y[8];
-    const double theta1_dot = y[9];
-    const double phi2_dot = y[10];
-    const double theta2_dot = y[11];
+    const double phi1_dot = y[8]; /* phi1' [rad/s] */
+    const double theta1_dot = y[9]; /* theta1' [rad/s] */
+    const double phi2_dot = y[10]; /* phi2' [rad/s] */
+    const double theta2_dot = y[11]; /* theta2' [rad/s] */
     const double m = p[0]; /* mass of each [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* about the axle [kg*m^2] */
@@ -372,13 +382,13 @@ int disk_chain2_accelerations(double t, const double *y, const double *p, double
     qddot[6] = 0.0; /* phi2'' */
     qddot[7] = z7; /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J) > 0.0 * (qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J is 0 */
         if (!(fabs(J) > 0.0)) {
             return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 is 0 */
         if (!(fabs(k1) > 0.0)) {
             return disk_chain2_refuse(fabs(k1), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
@@ -392,10 +402,10 @@ int disk_chain2_state(double t, const double *q, const double *qdot, const doubl
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x1 = q[0]; /* first disk [m] */
     y[0] = x1;
-    const double y1_ = q[1]; /* first disk [m] */
+    const double y1_ = q[1]; /* y1: first disk [m] */
     y[1] = y1_;
     const double phi1 = q[2]; /* heading [rad] */
     y[2] = phi1;
@@ -409,13 +419,13 @@ int disk_chain2_state(double t, const double *q, const double *qdot, const doubl
     y[6] = phi2;
     const double theta2 = q[7]; /* angle rolled [rad] */
     y[7] = theta2;
-    const double phi1_dot = qdot[2];
+    const double phi1_dot = qdot[2]; /* phi1' [rad/s] */
     y[8] = phi1_dot;
-    const double theta1_dot = qdot[3];
+    const double theta1_dot = qdot[3]; /* theta1' [rad/s] */
     y[9] = theta1_dot;
-    const double phi2_dot = qdot[6];
+    const double phi2_dot = qdot[6]; /* phi2' [rad/s] */
     y[10] = phi2_dot;
-    const double theta2_dot = qdot[7];
+    const double theta2_dot = qdot[7]; /* theta2' [rad/s] */
     y[11] = theta2_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11]) <= DBL_MAX)) {
@@ -437,15 +447,15 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
     const double s_phi2 = sin(phi2);
 
     /* what else is read */
-    const double x1_dot = qdot[0];
-    const double y1_dot = qdot[1];
-    const double theta1_dot = qdot[3];
-    const double x2_dot = qdot[4];
-    const double y2_dot = qdot[5];
-    const double theta2_dot = qdot[7];
+    const double x1_dot = qdot[0]; /* x1' [m/s] */
+    const double y1_dot = qdot[1]; /* y1' [m/s] */
+    const double theta1_dot = qdot[3]; /* theta1' [rad/s] */
+    const double x2_dot = qdot[4]; /* x2' [m/s] */
+    const double y2_dot = qdot[5]; /* y2' [m/s] */
+    const double theta2_dot = qdot[7]; /* theta2' [rad/s] */
     const double R = p[1]; /* radius [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double v1_x1 = theta1_dot * R;
     const double v1_x2 = theta2_dot * R;
     /* (I.1.1) 27:5 */
@@ -477,13 +487,13 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
 
     /* what else is read */
     const double x1 = y[0]; /* first disk [m] */
-    const double y1_ = y[1]; /* first disk [m] */
+    const double y1_ = y[1]; /* y1: first disk [m] */
     const double x2 = y[4]; /* second disk [m] */
     const double y2 = y[5]; /* second disk [m] */
-    const double phi1_dot = y[8];
-    const double theta1_dot = y[9];
-    const double phi2_dot = y[10];
-    const double theta2_dot = y[11];
+    const double phi1_dot = y[8]; /* phi1' [rad/s] */
+    const double theta1_dot = y[9]; /* theta1' [rad/s] */
+    const double phi2_dot = y[10]; /* phi2' [rad/s] */
+    const double theta2_dot = y[11]; /* theta2' [rad/s] */
     const double m = p[0]; /* mass of each [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* about the axle [kg*m^2] */
@@ -512,13 +522,13 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
     /* (I.4.1) 30:5 */
     lambda[3] = c_phi2 * z5 - k * (z3 - s_phi2 * z6); /* reaction of roll_y2: Q_i gains lambda_4 a_4i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J) > 0.0 * (lambda[0] + lambda[1] + lambda[2] + lambda[3]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J is 0 */
         if (!(fabs(J) > 0.0)) {
             return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return disk_chain2_refuse(fabs(k3), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
@@ -535,16 +545,16 @@ double disk_chain2_energy(double t, const double *y, const double *p)
     const double x1 = y[0]; /* first disk [m] */
     const double x2 = y[4]; /* second disk [m] */
     const double z1 = x1 - x2;
-    const double y1_ = y[1]; /* first disk [m] */
+    const double y1_ = y[1]; /* y1: first disk [m] */
     const double y2 = y[5]; /* second disk [m] */
     const double z2 = y1_ - y2;
-    const double theta1_dot = y[9];
+    const double theta1_dot = y[9]; /* theta1' [rad/s] */
     const double R = p[1]; /* radius [m] */
     const double v1_x1 = theta1_dot * R;
-    const double theta2_dot = y[11];
+    const double theta2_dot = y[11]; /* theta2' [rad/s] */
     const double v1_x2 = theta2_dot * R;
-    const double phi1_dot = y[8];
-    const double phi2_dot = y[10];
+    const double phi1_dot = y[8]; /* phi1' [rad/s] */
+    const double phi2_dot = y[10]; /* phi2' [rad/s] */
     const double m = p[0]; /* mass of each [kg] */
     const double I = p[2]; /* about the axle [kg*m^2] */
     const double J = p[3]; /* about the vertical [kg*m^2] */
@@ -570,15 +580,15 @@ int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
 
     /* what else is read */
     const double x1 = y[0]; /* first disk [m] */
-    const double y1_ = y[1]; /* first disk [m] */
+    const double y1_ = y[1]; /* y1: first disk [m] */
     const double x2 = y[4]; /* second disk [m] */
     const double y2 = y[5]; /* second disk [m] */
-    const double theta1_dot = y[9];
-    const double theta2_dot = y[11];
+    const double theta1_dot = y[9]; /* theta1' [rad/s] */
+    const double theta2_dot = y[11]; /* theta2' [rad/s] */
     const double m = p[0]; /* mass of each [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* about the axle [kg*m^2] */
-    const double J_2 = p[3]; /* about the vertical [kg*m^2] */
+    const double J_2 = p[3]; /* J: about the vertical [kg*m^2] */
     const double k = p[4]; /* stiffness of the spring [N/m] */
 
     /* from the parameters alone */
@@ -620,13 +630,13 @@ int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
     J[137] = -z10;
     J[138] = k2 * (z7 * c_phi2 - z8 * s_phi2);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J_2) > 0.0 * (J[2] + J[14] + J[54] + J[66] + J[110] + J[138]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J_2 is 0 */
         if (!(fabs(J_2) > 0.0)) {
             return disk_chain2_refuse(fabs(J_2), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 is 0 */
         if (!(fabs(k1) > 0.0)) {
             return disk_chain2_refuse(fabs(k1), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
@@ -734,7 +744,7 @@ int disk_chain2_rhs_batch(size_t count, const double *t, const double *y, const 
     const double k = p[4]; /* stiffness of the spring [N/m] */
     const double k1 = I + m * (R * R);
     const double k2 = R * k / k1;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if J is 0 */
     if (!(fabs(J) > 0.0)) {
         return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
     }

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:dc189de233e803b0)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:a53252459ee05fb4)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -90,10 +90,12 @@ enum {
     DISK_CHAIN2_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const disk_chain2_coordinate_names[];
-extern const char *const disk_chain2_state_names[];
-extern const char *const disk_chain2_parameter_names[];
-extern const double disk_chain2_parameter_defaults[];
+extern const char *const disk_chain2_coordinate_names[DISK_CHAIN2_NQ];
+extern const char *const disk_chain2_state_names[DISK_CHAIN2_NY];
+extern const char *const disk_chain2_parameter_names[DISK_CHAIN2_NP];
+extern const char *const disk_chain2_constraint_names[DISK_CHAIN2_NC];
+extern const char *const disk_chain2_output_names[1];
+extern const double disk_chain2_parameter_defaults[DISK_CHAIN2_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:03c374c1ee649874).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:9a842a6b483c64bc).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -140,7 +140,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns dydt (12,).
@@ -151,22 +151,22 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     x2 = float(y[4])  # second disk [m]
     y2 = float(y[5])  # second disk [m]
     phi2 = float(y[6])  # heading [rad]
-    phi1_dot = float(y[8])
-    theta1_dot = float(y[9])
-    phi2_dot = float(y[10])
-    theta2_dot = float(y[11])
+    phi1_dot = float(y[8])  # phi1' [rad/s]
+    theta1_dot = float(y[9])  # theta1' [rad/s]
+    phi2_dot = float(y[10])  # phi2' [rad/s]
+    theta2_dot = float(y[11])  # theta2' [rad/s]
     m = float(p[0])  # mass of each [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # about the axle [kg*m^2]
     J = float(p[3])  # about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if J is 0
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "rhs")
         # from the parameters alone
         k1 = I + m * (R * R)
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 is 0
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "rhs")
         k2 = R * k / k1
@@ -215,17 +215,17 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns qdot (8,).
     """
     phi1 = float(y[2])  # heading [rad]
     phi2 = float(y[6])  # heading [rad]
-    phi1_dot = float(y[8])
-    theta1_dot = float(y[9])
-    phi2_dot = float(y[10])
-    theta2_dot = float(y[11])
+    phi1_dot = float(y[8])  # phi1' [rad/s]
+    theta1_dot = float(y[9])  # theta1' [rad/s]
+    phi2_dot = float(y[10])  # phi2' [rad/s]
+    theta2_dot = float(y[11])  # theta2' [rad/s]
     R = float(p[1])  # radius [m]
     try:
         # from the state
@@ -263,7 +263,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns qddot (8,).
@@ -274,22 +274,22 @@ def accelerations(
     x2 = float(y[4])  # second disk [m]
     y2 = float(y[5])  # second disk [m]
     phi2 = float(y[6])  # heading [rad]
-    phi1_dot = float(y[8])
-    theta1_dot = float(y[9])
-    phi2_dot = float(y[10])
-    theta2_dot = float(y[11])
+    phi1_dot = float(y[8])  # phi1' [rad/s]
+    theta1_dot = float(y[9])  # theta1' [rad/s]
+    phi2_dot = float(y[10])  # phi2' [rad/s]
+    theta2_dot = float(y[11])  # theta2' [rad/s]
     m = float(p[0])  # mass of each [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # about the axle [kg*m^2]
     J = float(p[3])  # about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if J is 0
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "accelerations")
         # from the parameters alone
         k1 = I + m * (R * R)
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 is 0
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "accelerations")
         k2 = R * k / k1
@@ -335,7 +335,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (8,), qdot (8,), p (5,).
     Returns y (12,).
@@ -348,12 +348,12 @@ def state(
     y2 = float(q[5])  # second disk [m]
     phi2 = float(q[6])  # heading [rad]
     theta2 = float(q[7])  # angle rolled [rad]
-    phi1_dot = float(qdot[2])
-    theta1_dot = float(qdot[3])
-    phi2_dot = float(qdot[6])
-    theta2_dot = float(qdot[7])
+    phi1_dot = float(qdot[2])  # phi1' [rad/s]
+    theta1_dot = float(qdot[3])  # theta1' [rad/s]
+    phi2_dot = float(qdot[6])  # phi2' [rad/s]
+    theta2_dot = float(qdot[7])  # theta2' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [
             x1,
             y1,
@@ -379,22 +379,22 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (8,), qdot (8,), p (5,).
     Returns r (4,).
     """
     phi1 = float(q[2])  # heading [rad]
     phi2 = float(q[6])  # heading [rad]
-    x1_dot = float(qdot[0])
-    y1_dot = float(qdot[1])
-    theta1_dot = float(qdot[3])
-    x2_dot = float(qdot[4])
-    y2_dot = float(qdot[5])
-    theta2_dot = float(qdot[7])
+    x1_dot = float(qdot[0])  # x1' [m/s]
+    y1_dot = float(qdot[1])  # y1' [m/s]
+    theta1_dot = float(qdot[3])  # theta1' [rad/s]
+    x2_dot = float(qdot[4])  # x2' [m/s]
+    y2_dot = float(qdot[5])  # y2' [m/s]
+    theta2_dot = float(qdot[7])  # theta2' [rad/s]
     R = float(p[1])  # radius [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_phi1 = math.cos(phi1)
         v1_x1 = theta1_dot * R
         s_phi1 = math.sin(phi1)
@@ -421,7 +421,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns lambda_ (4,).
@@ -433,24 +433,24 @@ def reactions(
     x2 = float(y[4])  # second disk [m]
     y2 = float(y[5])  # second disk [m]
     phi2 = float(y[6])  # heading [rad]
-    phi1_dot = float(y[8])
-    theta1_dot = float(y[9])
-    phi2_dot = float(y[10])
-    theta2_dot = float(y[11])
+    phi1_dot = float(y[8])  # phi1' [rad/s]
+    theta1_dot = float(y[9])  # theta1' [rad/s]
+    phi2_dot = float(y[10])  # phi2' [rad/s]
+    theta2_dot = float(y[11])  # theta2' [rad/s]
     m = float(p[0])  # mass of each [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # about the axle [kg*m^2]
     J = float(p[3])  # about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if J is 0
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "reactions")
         # from the parameters alone
         k1 = m * R
         k2 = m * R * R
         k3 = I + k2
-        # the mass matrix is singular
+        # the mass matrix is singular, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "reactions")
         k4 = k2 / k3
@@ -481,7 +481,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns a scalar.
@@ -490,10 +490,10 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     y1 = float(y[1])  # first disk [m]
     x2 = float(y[4])  # second disk [m]
     y2 = float(y[5])  # second disk [m]
-    phi1_dot = float(y[8])
-    theta1_dot = float(y[9])
-    phi2_dot = float(y[10])
-    theta2_dot = float(y[11])
+    phi1_dot = float(y[8])  # phi1' [rad/s]
+    theta1_dot = float(y[9])  # theta1' [rad/s]
+    phi2_dot = float(y[10])  # phi2' [rad/s]
+    theta2_dot = float(y[11])  # theta2' [rad/s]
     m = float(p[0])  # mass of each [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # about the axle [kg*m^2]
@@ -520,7 +520,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns rows (12, 12): d rhs_i / d y_j stands at [i][j].
@@ -531,20 +531,20 @@ def jacobian(
     x2 = float(y[4])  # second disk [m]
     y2 = float(y[5])  # second disk [m]
     phi2 = float(y[6])  # heading [rad]
-    theta1_dot = float(y[9])
-    theta2_dot = float(y[11])
+    theta1_dot = float(y[9])  # theta1' [rad/s]
+    theta2_dot = float(y[11])  # theta2' [rad/s]
     m = float(p[0])  # mass of each [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # about the axle [kg*m^2]
-    J_2 = float(p[3])  # about the vertical [kg*m^2]
+    J_2 = float(p[3])  # J: about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if J_2 is 0
         if not abs(J_2) > 0.0:
             raise _refuse(abs(J_2), 0.0, 2, "jacobian")
         # from the parameters alone
         k1 = I + m * (R * R)
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 is 0
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "jacobian")
         k2 = R * k / k1
@@ -738,7 +738,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (12,), p (5,).
     Returns out (0,).

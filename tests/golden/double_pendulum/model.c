@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:29d97021d56043f9)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:129da8ccb0f5c6d0)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -12,24 +12,32 @@
 #include <math.h>
 #include <string.h>
 
-const char *const double_pendulum_coordinate_names[] = {
+const char *const double_pendulum_coordinate_names[DOUBLE_PENDULUM_NQ] = {
     "theta1",
     "theta2"
 };
-const char *const double_pendulum_state_names[] = {
+const char *const double_pendulum_state_names[DOUBLE_PENDULUM_NY] = {
     "theta1",
     "theta2",
     "theta1'",
     "theta2'"
 };
-const char *const double_pendulum_parameter_names[] = {
+const char *const double_pendulum_parameter_names[DOUBLE_PENDULUM_NP] = {
     "m1",
     "m2",
     "l1",
     "l2",
     "g"
 };
-const double double_pendulum_parameter_defaults[] = {
+const char *const double_pendulum_constraint_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const char *const double_pendulum_output_names[DOUBLE_PENDULUM_NOUT] = {
+    "tip_x",
+    "tip_y"
+};
+const double double_pendulum_parameter_defaults[DOUBLE_PENDULUM_NP] = {
     1.0,
     1.0,
     1.0,
@@ -218,8 +226,8 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *rest
     const double c_theta1 = cos(theta1);
 
     /* what else is read */
-    const double theta1_dot = y[2];
-    const double theta2_dot = y[3];
+    const double theta1_dot = y[2]; /* theta1' [rad/s] */
+    const double theta2_dot = y[3]; /* theta2' [rad/s] */
     const double m1 = p[0]; /* [kg] */
     const double m2 = p[1]; /* [kg] */
     const double l1 = p[2]; /* [m] */
@@ -242,13 +250,13 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *rest
     dydt[2] = k1 * (g * s_theta1 + z5); /* theta1'' */
     dydt[3] = k2 * (z4 * s1 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m2) > 0.0 * (dydt[2] + dydt[3]) && fabs(z3) > 1e-13 * m1)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m2 is 0 */
         if (!(fabs(m2) > 0.0)) {
             return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z3 is nearly 0 */
         if (!(fabs(z3) > 1e-13 * m1)) {
             return double_pendulum_refuse(fabs(z3), 1e-13 * m1, DOUBLE_PENDULUM_SINGULAR_2);
         }
@@ -263,9 +271,9 @@ int double_pendulum_velocities(double t, const double *y, const double *p, doubl
     (void)p;
 
     /* from the state */
-    const double theta1_dot = y[2];
+    const double theta1_dot = y[2]; /* theta1' [rad/s] */
     qdot[0] = theta1_dot; /* theta1' */
-    const double theta2_dot = y[3];
+    const double theta2_dot = y[3]; /* theta2' [rad/s] */
     qdot[1] = theta2_dot; /* theta2' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
@@ -288,8 +296,8 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     const double c_theta1 = cos(theta1);
 
     /* what else is read */
-    const double theta1_dot = y[2];
-    const double theta2_dot = y[3];
+    const double theta1_dot = y[2]; /* theta1' [rad/s] */
+    const double theta2_dot = y[3]; /* theta2' [rad/s] */
     const double m1 = p[0]; /* [kg] */
     const double m2 = p[1]; /* [kg] */
     const double l1 = p[2]; /* [m] */
@@ -309,13 +317,13 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     qddot[0] = k1 * (g * s_theta1 + z5); /* theta1'' */
     qddot[1] = k2 * (z4 * s1 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m2) > 0.0 * (qddot[0] + qddot[1]) && fabs(z3) > 1e-13 * m1)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m2 is 0 */
         if (!(fabs(m2) > 0.0)) {
             return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z3 is nearly 0 */
         if (!(fabs(z3) > 1e-13 * m1)) {
             return double_pendulum_refuse(fabs(z3), 1e-13 * m1, DOUBLE_PENDULUM_SINGULAR_2);
         }
@@ -329,14 +337,14 @@ int double_pendulum_state(double t, const double *q, const double *qdot, const d
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double theta1 = q[0]; /* upper rod from the downward vertical [rad] */
     y[0] = theta1;
     const double theta2 = q[1]; /* lower rod from the downward vertical [rad] */
     y[1] = theta2;
-    const double theta1_dot = qdot[0];
+    const double theta1_dot = qdot[0]; /* theta1' [rad/s] */
     y[2] = theta1_dot;
-    const double theta2_dot = qdot[1];
+    const double theta2_dot = qdot[1]; /* theta2' [rad/s] */
     y[3] = theta2_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3]) <= DBL_MAX)) {
@@ -369,11 +377,11 @@ int double_pendulum_reactions(double t, const double *y, const double *p, double
     const double m2 = p[1]; /* [kg] */
 
     /* from the state */
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m2 is 0 */
     if (!(fabs(m2) > 0.0)) {
         return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m1 + s1 * (m2 * s1) is nearly 0 */
     if (!(fabs(m1 + s1 * (m2 * s1)) > 1e-13 * m1)) {
         return double_pendulum_refuse(fabs(m1 + s1 * (m2 * s1)), 1e-13 * m1, DOUBLE_PENDULUM_SINGULAR_2);
     }
@@ -394,8 +402,8 @@ double double_pendulum_energy(double t, const double *y, const double *p)
     const double s_theta2 = sin(theta2);
 
     /* what else is read */
-    const double theta1_dot = y[2];
-    const double theta2_dot = y[3];
+    const double theta1_dot = y[2]; /* theta1' [rad/s] */
+    const double theta2_dot = y[3]; /* theta2' [rad/s] */
     const double m1 = p[0]; /* [kg] */
     const double m2 = p[1]; /* [kg] */
     const double l1 = p[2]; /* [m] */
@@ -435,8 +443,8 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double s_theta1 = sin(theta1);
 
     /* what else is read */
-    const double theta1_dot = y[2];
-    const double theta2_dot = y[3];
+    const double theta1_dot = y[2]; /* theta1' [rad/s] */
+    const double theta2_dot = y[3]; /* theta2' [rad/s] */
     const double m1 = p[0]; /* [kg] */
     const double m2 = p[1]; /* [kg] */
     const double l1 = p[2]; /* [m] */
@@ -479,14 +487,14 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     J[14] = 2.0 * (k2 * (z17 * s1 + c1 * z18));
     J[15] = 2.0 * (k2 * (c1 * z19));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m2) > 0.0 * (J[8] + J[9] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15])
         && fabs(z3) > 1e-13 * m1)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m2 is 0 */
         if (!(fabs(m2) > 0.0)) {
             return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z3 is nearly 0 */
         if (!(fabs(z3) > 1e-13 * m1)) {
             return double_pendulum_refuse(fabs(z3), 1e-13 * m1, DOUBLE_PENDULUM_SINGULAR_2);
         }
@@ -548,7 +556,7 @@ static __attribute__((noinline)) void double_pendulum_rhs_lanes(const double *fi
     const double_pendulum_lanes s1 = sine1;
     const double_pendulum_lanes z2 = m2 * s1;
     const double_pendulum_lanes z3 = m1 + s1 * z2;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z3 is nearly 0 */
     bad |= double_pendulum_misses(double_pendulum_size(DOUBLE_PENDULUM_SPREAD(z3)),
         DOUBLE_PENDULUM_SPREAD(1e-13 * m1));
     double_pendulum_lanes sine2, cosine2;
@@ -596,7 +604,7 @@ int double_pendulum_rhs_batch(size_t count, const double *t, const double *y, co
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
     const double k1 = -1.0 / l1;
     const double k2 = 1.0 / l2;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m2 is 0 */
     if (!(fabs(m2) > 0.0)) {
         return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
     }

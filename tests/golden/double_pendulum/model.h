@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:27331dd27dbbe8aa)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:554cfb182f789fb1)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -71,10 +71,12 @@ enum {
     DOUBLE_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const double_pendulum_coordinate_names[];
-extern const char *const double_pendulum_state_names[];
-extern const char *const double_pendulum_parameter_names[];
-extern const double double_pendulum_parameter_defaults[];
+extern const char *const double_pendulum_coordinate_names[DOUBLE_PENDULUM_NQ];
+extern const char *const double_pendulum_state_names[DOUBLE_PENDULUM_NY];
+extern const char *const double_pendulum_parameter_names[DOUBLE_PENDULUM_NP];
+extern const char *const double_pendulum_constraint_names[1];
+extern const char *const double_pendulum_output_names[DOUBLE_PENDULUM_NOUT];
+extern const double double_pendulum_parameter_defaults[DOUBLE_PENDULUM_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (II.3)

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:86057e441f7614f5).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:a7aa95bc5be24f32).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -97,22 +97,22 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (II.3)
+    """Right-hand side dy/dt = f(t, y; p) (II.3).
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns dydt (4,).
     """
     theta1 = float(y[0])  # upper rod from the downward vertical [rad]
     theta2 = float(y[1])  # lower rod from the downward vertical [rad]
-    theta1_dot = float(y[2])
-    theta2_dot = float(y[3])
+    theta1_dot = float(y[2])  # theta1' [rad/s]
+    theta2_dot = float(y[3])  # theta2' [rad/s]
     m1 = float(p[0])  # [kg]
     m2 = float(p[1])  # [kg]
     l1 = float(p[2])  # [m]
     l2 = float(p[3])  # [m]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m2 is 0
         if not abs(m2) > 0.0:
             raise _refuse(abs(m2), 0.0, 2, "rhs")
         # from the parameters alone
@@ -123,7 +123,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s1 = math.sin(z1)
         z2 = m2 * s1
         z3 = m1 + s1 * z2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z3 is nearly 0
         if not abs(z3) > 1e-13 * m1:
             raise _refuse(abs(z3), 1e-13 * m1, 2, "rhs")
         s_theta1 = math.sin(theta1)
@@ -151,13 +151,13 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state
+    """All velocities q' from the state.
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns qdot (2,).
     """
-    theta1_dot = float(y[2])
-    theta2_dot = float(y[3])
+    theta1_dot = float(y[2])  # theta1' [rad/s]
+    theta2_dot = float(y[3])  # theta2' [rad/s]
     try:
         # from the state
         qdot: list[float] = [
@@ -176,22 +176,22 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (II.3)
+    """All accelerations q'' on the motion (II.3).
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns qddot (2,).
     """
     theta1 = float(y[0])  # upper rod from the downward vertical [rad]
     theta2 = float(y[1])  # lower rod from the downward vertical [rad]
-    theta1_dot = float(y[2])
-    theta2_dot = float(y[3])
+    theta1_dot = float(y[2])  # theta1' [rad/s]
+    theta2_dot = float(y[3])  # theta2' [rad/s]
     m1 = float(p[0])  # [kg]
     m2 = float(p[1])  # [kg]
     l1 = float(p[2])  # [m]
     l2 = float(p[3])  # [m]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m2 is 0
         if not abs(m2) > 0.0:
             raise _refuse(abs(m2), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -202,7 +202,7 @@ def accelerations(
         s1 = math.sin(z1)
         z2 = m2 * s1
         z3 = m1 + s1 * z2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z3 is nearly 0
         if not abs(z3) > 1e-13 * m1:
             raise _refuse(abs(z3), 1e-13 * m1, 2, "accelerations")
         s_theta1 = math.sin(theta1)
@@ -227,17 +227,17 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (2,), qdot (2,), p (5,).
     Returns y (4,).
     """
     theta1 = float(q[0])  # upper rod from the downward vertical [rad]
     theta2 = float(q[1])  # lower rod from the downward vertical [rad]
-    theta1_dot = float(qdot[0])
-    theta2_dot = float(qdot[1])
+    theta1_dot = float(qdot[0])  # theta1' [rad/s]
+    theta2_dot = float(qdot[1])  # theta2' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [theta1, theta2, theta1_dot, theta2_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -250,7 +250,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (2,), qdot (2,), p (5,).
     Returns r (0,).
@@ -267,7 +267,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns lambda_ (0,).
@@ -278,13 +278,13 @@ def reactions(
     m1 = float(p[0])  # [kg]
     m2 = float(p[1])  # [kg]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m2 is 0
         if not abs(m2) > 0.0:
             raise _refuse(abs(m2), 0.0, 2, "reactions")
         # from the state
         s1 = math.sin(theta1 - theta2)
         s2 = m1 + s1 * (m2 * s1)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s2 is nearly 0
         if not abs(s2) > 1e-13 * m1:
             raise _refuse(abs(s2), 1e-13 * m1, 2, "reactions")
         lambda_: list[float] = []
@@ -294,15 +294,15 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns a scalar.
     """
     theta1 = float(y[0])  # upper rod from the downward vertical [rad]
     theta2 = float(y[1])  # lower rod from the downward vertical [rad]
-    theta1_dot = float(y[2])
-    theta2_dot = float(y[3])
+    theta1_dot = float(y[2])  # theta1' [rad/s]
+    theta2_dot = float(y[3])  # theta2' [rad/s]
     m1 = float(p[0])  # [kg]
     m2 = float(p[1])  # [kg]
     l1 = float(p[2])  # [m]
@@ -333,22 +333,22 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3).
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns rows (4, 4): d rhs_i / d y_j stands at [i][j].
     """
     theta1 = float(y[0])  # upper rod from the downward vertical [rad]
     theta2 = float(y[1])  # lower rod from the downward vertical [rad]
-    theta1_dot = float(y[2])
-    theta2_dot = float(y[3])
+    theta1_dot = float(y[2])  # theta1' [rad/s]
+    theta2_dot = float(y[3])  # theta2' [rad/s]
     m1 = float(p[0])  # [kg]
     m2 = float(p[1])  # [kg]
     l1 = float(p[2])  # [m]
     l2 = float(p[3])  # [m]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m2 is 0
         if not abs(m2) > 0.0:
             raise _refuse(abs(m2), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -359,7 +359,7 @@ def jacobian(
         s1 = math.sin(z1)
         z2 = m2 * s1
         z3 = m1 + s1 * z2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z3 is nearly 0
         if not abs(z3) > 1e-13 * m1:
             raise _refuse(abs(z3), 1e-13 * m1, 2, "jacobian")
         c_theta1 = math.cos(theta1)
@@ -417,7 +417,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns out (2,).

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:a87dd7b3591720db)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:1970f17cddcdc9a0)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -12,12 +12,12 @@
 #include <math.h>
 #include <string.h>
 
-const char *const free_rigid_body_coordinate_names[] = {
+const char *const free_rigid_body_coordinate_names[FREE_RIGID_BODY_NQ] = {
     "phi",
     "theta",
     "psi"
 };
-const char *const free_rigid_body_state_names[] = {
+const char *const free_rigid_body_state_names[FREE_RIGID_BODY_NY] = {
     "phi",
     "theta",
     "psi",
@@ -25,12 +25,19 @@ const char *const free_rigid_body_state_names[] = {
     "w2",
     "w3"
 };
-const char *const free_rigid_body_parameter_names[] = {
+const char *const free_rigid_body_parameter_names[FREE_RIGID_BODY_NP] = {
     "I1",
     "I2",
     "I3"
 };
-const double free_rigid_body_parameter_defaults[] = {
+const char *const free_rigid_body_constraint_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const char *const free_rigid_body_output_names[FREE_RIGID_BODY_NOUT] = {
+    "L_squared"
+};
+const double free_rigid_body_parameter_defaults[FREE_RIGID_BODY_NP] = {
     1.0,
     2.0,
     3.0
@@ -209,9 +216,9 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *rest
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
-    const double w3 = y[5];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
+    const double w3 = y[5]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -233,19 +240,19 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *rest
     dydt[5] = w1 * w2 * k3; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
@@ -268,9 +275,9 @@ int free_rigid_body_velocities(double t, const double *y, const double *p, doubl
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
-    const double w3 = y[5];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
+    const double w3 = y[5]; /* [rad/s] */
 
     /* from the state */
     const double z1 = (c_psi * w2 + s_psi * w1) / s_theta;
@@ -280,7 +287,7 @@ int free_rigid_body_velocities(double t, const double *y, const double *p, doubl
     qdot[2] = w3 - c_theta * z1; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
@@ -302,9 +309,9 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     const double c_psi = cos(psi);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
-    const double w3 = y[5];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
+    const double w3 = y[5]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -330,19 +337,19 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     qddot[2] = w1 * w2 * k3 - (z3 * z2 + c_theta * z9); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
@@ -366,11 +373,11 @@ int free_rigid_body_state(double t, const double *q, const double *qdot, const d
 
     /* what else is read */
     const double phi = q[0]; /* precession [rad] */
-    const double phi_dot = qdot[0];
-    const double theta_dot = qdot[1];
-    const double psi_dot = qdot[2];
+    const double phi_dot = qdot[0]; /* phi' [rad/s] */
+    const double theta_dot = qdot[1]; /* theta' [rad/s] */
+    const double psi_dot = qdot[2]; /* psi' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = phi_dot * s_theta;
     y[0] = phi;
     y[1] = theta;
@@ -409,19 +416,19 @@ int free_rigid_body_reactions(double t, const double *y, const double *p, double
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* from the state */
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if I1 is 0 */
     if (!(fabs(I1) > 0.0)) {
         return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if I2 is 0 */
     if (!(fabs(I2) > 0.0)) {
         return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
         return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
-    /* the coframe is singular */
+    /* the coframe is singular, if s_theta is nearly 0 */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
     }
@@ -434,9 +441,9 @@ double free_rigid_body_energy(double t, const double *y, const double *p)
     (void)t;
 
     /* from the state */
-    const double w1 = y[3];
-    const double w2 = y[4];
-    const double w3 = y[5];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
+    const double w3 = y[5]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -457,9 +464,9 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
-    const double w3 = y[5];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
+    const double w3 = y[5]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -498,19 +505,19 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[13] + J[16] + J[22] + J[23] + J[27] + J[29] + J[33] + J[34]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
@@ -528,9 +535,9 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
-    const double w3 = y[5];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
+    const double w3 = y[5]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -545,7 +552,7 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
     out[0] = w3 * w3 * k3 + (w1 * w1 * k1 + w2 * w2 * k2); /* L_squared */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
@@ -573,7 +580,7 @@ static __attribute__((noinline)) void free_rigid_body_rhs_lanes(const double *fi
     free_rigid_body_lanes sine1, cosine1;
     free_rigid_body_turn_lanes(FREE_RIGID_BODY_SPREAD(theta), &far, &sine1, &cosine1);
     const free_rigid_body_lanes s_theta = sine1;
-    /* the coframe is singular */
+    /* the coframe is singular, if s_theta is nearly 0 */
     bad |= free_rigid_body_misses(free_rigid_body_size(FREE_RIGID_BODY_SPREAD(s_theta)),
         FREE_RIGID_BODY_SPREAD(1e-12 * 4.0));
     free_rigid_body_lanes sine2, cosine2;

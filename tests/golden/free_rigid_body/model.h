@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:377b519505cba65c)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:0e387cc7fdd559fa)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -71,10 +71,12 @@ enum {
     FREE_RIGID_BODY_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const free_rigid_body_coordinate_names[];
-extern const char *const free_rigid_body_state_names[];
-extern const char *const free_rigid_body_parameter_names[];
-extern const double free_rigid_body_parameter_defaults[];
+extern const char *const free_rigid_body_coordinate_names[FREE_RIGID_BODY_NQ];
+extern const char *const free_rigid_body_state_names[FREE_RIGID_BODY_NY];
+extern const char *const free_rigid_body_parameter_names[FREE_RIGID_BODY_NP];
+extern const char *const free_rigid_body_constraint_names[1];
+extern const char *const free_rigid_body_output_names[FREE_RIGID_BODY_NOUT];
+extern const double free_rigid_body_parameter_defaults[FREE_RIGID_BODY_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.14)

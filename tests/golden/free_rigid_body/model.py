@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:0f8b2d65b944a94c).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:c3611a2507c09fe2).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -96,27 +96,27 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.14)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.14).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns dydt (6,).
     """
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
-    w3 = float(y[5])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
+    w3 = float(y[5])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "rhs")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "rhs")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "rhs")
         # from the parameters alone
@@ -125,7 +125,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k3 = (I1 - I2) / I3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         c_psi = math.cos(psi)
@@ -156,20 +156,20 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns qdot (3,).
     """
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
-    w3 = float(y[5])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
+    w3 = float(y[5])  # [rad/s]
     try:
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         c_psi = math.cos(psi)
@@ -194,27 +194,27 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.14)
+    """All accelerations q'' on the motion (I.2.14).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns qddot (3,).
     """
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
-    w3 = float(y[5])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
+    w3 = float(y[5])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "accelerations")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "accelerations")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -223,7 +223,7 @@ def accelerations(
         k3 = (I1 - I2) / I3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
         z1 = 1.0 / s_theta
@@ -258,7 +258,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns y (6,).
@@ -266,11 +266,11 @@ def state(
     phi = float(q[0])  # precession [rad]
     theta = float(q[1])  # nutation [rad]
     psi = float(q[2])  # spin [rad]
-    phi_dot = float(qdot[0])
-    theta_dot = float(qdot[1])
-    psi_dot = float(qdot[2])
+    phi_dot = float(qdot[0])  # phi' [rad/s]
+    theta_dot = float(qdot[1])  # theta' [rad/s]
+    psi_dot = float(qdot[2])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_theta = math.sin(theta)
         z1 = phi_dot * s_theta
         s_psi = math.sin(psi)
@@ -295,7 +295,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (0,).
@@ -312,7 +312,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns lambda_ (0,).
@@ -323,18 +323,18 @@ def reactions(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "reactions")
         lambda_: list[float] = []
@@ -344,14 +344,14 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.
     """
-    w1 = float(y[3])
-    w2 = float(y[4])
-    w3 = float(y[5])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
+    w3 = float(y[5])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
@@ -368,27 +368,27 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.14)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.14).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
     """
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
-    w3 = float(y[5])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
+    w3 = float(y[5])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "jacobian")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "jacobian")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -397,7 +397,7 @@ def jacobian(
         k3 = (I1 - I2) / I3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
         z1 = 1.0 / s_theta
@@ -472,15 +472,15 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns out (1,).
     """
     theta = float(y[1])  # nutation [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
-    w3 = float(y[5])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
+    w3 = float(y[5])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
@@ -491,7 +491,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         k3 = I3 * I3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "outputs")
         out: list[float] = [

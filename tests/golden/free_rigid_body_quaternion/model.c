@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:a977668cef968a6d)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:4fa4978efb60b337)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,13 +12,13 @@
 #include <math.h>
 #include <string.h>
 
-const char *const free_rigid_body_quaternion_coordinate_names[] = {
+const char *const free_rigid_body_quaternion_coordinate_names[FREE_RIGID_BODY_QUATERNION_NQ] = {
     "R_0",
     "R_1",
     "R_2",
     "R_3"
 };
-const char *const free_rigid_body_quaternion_state_names[] = {
+const char *const free_rigid_body_quaternion_state_names[FREE_RIGID_BODY_QUATERNION_NY] = {
     "R_0",
     "R_1",
     "R_2",
@@ -27,12 +27,20 @@ const char *const free_rigid_body_quaternion_state_names[] = {
     "w2",
     "w3"
 };
-const char *const free_rigid_body_quaternion_parameter_names[] = {
+const char *const free_rigid_body_quaternion_parameter_names[FREE_RIGID_BODY_QUATERNION_NP] = {
     "I1",
     "I2",
     "I3"
 };
-const double free_rigid_body_quaternion_parameter_defaults[] = {
+const char *const free_rigid_body_quaternion_constraint_names[FREE_RIGID_BODY_QUATERNION_NC] = {
+    "R_norm"
+};
+const char *const free_rigid_body_quaternion_output_names[FREE_RIGID_BODY_QUATERNION_NOUT] = {
+    "L_x",
+    "L_y",
+    "L_z"
+};
+const double free_rigid_body_quaternion_parameter_defaults[FREE_RIGID_BODY_QUATERNION_NP] = {
     1.0,
     2.0,
     3.0
@@ -193,9 +201,9 @@ int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, d
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
+    const double w1 = y[4]; /* [rad/s] */
+    const double w2 = y[5]; /* [rad/s] */
+    const double w3 = y[6]; /* [rad/s] */
     /* (I.2.4) */
     dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
@@ -208,15 +216,15 @@ int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, d
     dydt[6] = w1 * w2 * k3; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
@@ -234,9 +242,9 @@ int free_rigid_body_quaternion_velocities(double t, const double *y, const doubl
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
+    const double w1 = y[4]; /* [rad/s] */
+    const double w2 = y[5]; /* [rad/s] */
+    const double w3 = y[6]; /* [rad/s] */
     /* (I.2.4) */
     qdot[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
@@ -265,9 +273,9 @@ int free_rigid_body_quaternion_accelerations(double t, const double *y, const do
     const double k5 = (I1 - I2) / I3;
 
     /* from the state */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
+    const double w1 = y[4]; /* [rad/s] */
+    const double w2 = y[5]; /* [rad/s] */
+    const double w3 = y[6]; /* [rad/s] */
     const double z1 = w3 * w3 + (w1 * w1 + w2 * w2);
     const double z2 = k4 * (w3 * k2);
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
@@ -286,15 +294,15 @@ int free_rigid_body_quaternion_accelerations(double t, const double *y, const do
     qddot[3] = (2.0 * (w1 * (z7 * k5 - R_1 * z2) - z6 * z5) - R_3 * z1) * 0.25; /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
@@ -309,7 +317,7 @@ int free_rigid_body_quaternion_state(double t, const double *q, const double *qd
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
@@ -323,10 +331,10 @@ int free_rigid_body_quaternion_state(double t, const double *q, const double *qd
     y[1] = R_1;
     y[2] = R_2;
     y[3] = R_3;
-    const double R_0_dot = qdot[0];
-    const double R_1_dot = qdot[1];
-    const double R_2_dot = qdot[2];
-    const double R_3_dot = qdot[3];
+    const double R_0_dot = qdot[0]; /* R_0' [1/s] */
+    const double R_1_dot = qdot[1]; /* R_1' [1/s] */
+    const double R_2_dot = qdot[2]; /* R_2' [1/s] */
+    const double R_3_dot = qdot[3]; /* R_3' [1/s] */
     y[4] = 2.0 * (R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5));
     y[5] = 2.0 * (R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4));
     y[6] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
@@ -343,15 +351,15 @@ int free_rigid_body_quaternion_residuals(double t, const double *q, const double
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
     const double R_3 = q[3]; /* quaternion of R, along z [1] */
-    const double R_0_dot = qdot[0];
-    const double R_1_dot = qdot[1];
-    const double R_2_dot = qdot[2];
-    const double R_3_dot = qdot[3];
+    const double R_0_dot = qdot[0]; /* R_0' [1/s] */
+    const double R_1_dot = qdot[1]; /* R_1' [1/s] */
+    const double R_2_dot = qdot[2]; /* R_2' [1/s] */
+    const double R_3_dot = qdot[3]; /* R_3' [1/s] */
     /* (I.1.1) 7:3 */
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -366,7 +374,7 @@ int free_rigid_body_quaternion_positions(double t, const double *q, const double
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
@@ -392,15 +400,15 @@ int free_rigid_body_quaternion_reactions(double t, const double *y, const double
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
     if (!(fabs(I1 * I2 * I3) > 0.0)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
@@ -414,9 +422,9 @@ double free_rigid_body_quaternion_energy(double t, const double *y, const double
     (void)t;
 
     /* from the state */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
+    const double w1 = y[4]; /* [rad/s] */
+    const double w2 = y[5]; /* [rad/s] */
+    const double w3 = y[6]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -438,11 +446,11 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
     const double k3 = (I1 - I2) / I3;
 
     /* from the state */
-    const double w1 = y[4];
+    const double w1 = y[4]; /* [rad/s] */
     const double z1 = 0.5 * w1;
-    const double w2 = y[5];
+    const double w2 = y[5]; /* [rad/s] */
     const double z2 = 0.5 * w2;
-    const double w3 = y[6];
+    const double w3 = y[6]; /* [rad/s] */
     const double z3 = 0.5 * w3;
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double z4 = 0.5 * R_1;
@@ -486,15 +494,15 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[10] + J[11] + J[12] + J[15] + J[20] + J[23] + J[25] + J[33] + J[34] + J[39] + J[41] + J[46]
         + J[47]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_quaternion_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
@@ -508,7 +516,7 @@ int free_rigid_body_quaternion_outputs(double t, const double *y, const double *
     (void)t;
 
     /* from the state */
-    const double w1 = y[4];
+    const double w1 = y[4]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double z1 = I1 * w1;
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
@@ -516,10 +524,10 @@ int free_rigid_body_quaternion_outputs(double t, const double *y, const double *
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double z2 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
-    const double w3 = y[6];
+    const double w3 = y[6]; /* [rad/s] */
     const double I3 = p[2]; /* [kg*m^2] */
     const double z3 = I3 * w3;
-    const double w2 = y[5];
+    const double w2 = y[5]; /* [rad/s] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double z4 = I2 * w2;
     const double z5 = R_2 * z1 - (R_0 * z3 + R_1 * z4);

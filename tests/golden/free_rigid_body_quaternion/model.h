@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:b76881a5a9690353)
+ * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:5c326819aa6fb8a0)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -77,10 +77,12 @@ enum {
     FREE_RIGID_BODY_QUATERNION_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const free_rigid_body_quaternion_coordinate_names[];
-extern const char *const free_rigid_body_quaternion_state_names[];
-extern const char *const free_rigid_body_quaternion_parameter_names[];
-extern const double free_rigid_body_quaternion_parameter_defaults[];
+extern const char *const free_rigid_body_quaternion_coordinate_names[FREE_RIGID_BODY_QUATERNION_NQ];
+extern const char *const free_rigid_body_quaternion_state_names[FREE_RIGID_BODY_QUATERNION_NY];
+extern const char *const free_rigid_body_quaternion_parameter_names[FREE_RIGID_BODY_QUATERNION_NP];
+extern const char *const free_rigid_body_quaternion_constraint_names[FREE_RIGID_BODY_QUATERNION_NC];
+extern const char *const free_rigid_body_quaternion_output_names[FREE_RIGID_BODY_QUATERNION_NOUT];
+extern const double free_rigid_body_quaternion_parameter_defaults[FREE_RIGID_BODY_QUATERNION_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

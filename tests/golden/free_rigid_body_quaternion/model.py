@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:f39aaeeceac28ebe).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:aa1fa567b55bdd1c).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -103,7 +103,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns dydt (7,).
@@ -112,20 +112,20 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     R_1 = float(y[1])  # quaternion of R, along x [1]
     R_2 = float(y[2])  # quaternion of R, along y [1]
     R_3 = float(y[3])  # quaternion of R, along z [1]
-    w1 = float(y[4])
-    w2 = float(y[5])
-    w3 = float(y[6])
+    w1 = float(y[4])  # [rad/s]
+    w2 = float(y[5])  # [rad/s]
+    w3 = float(y[6])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "rhs")
         # from the parameters alone
@@ -159,7 +159,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns qdot (4,).
@@ -168,9 +168,9 @@ def velocities(
     R_1 = float(y[1])  # quaternion of R, along x [1]
     R_2 = float(y[2])  # quaternion of R, along y [1]
     R_3 = float(y[3])  # quaternion of R, along z [1]
-    w1 = float(y[4])
-    w2 = float(y[5])
-    w3 = float(y[6])
+    w1 = float(y[4])  # [rad/s]
+    w2 = float(y[5])  # [rad/s]
+    w3 = float(y[6])  # [rad/s]
     try:
         # from the state
         qdot: list[float] = [
@@ -193,7 +193,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns qddot (4,).
@@ -202,20 +202,20 @@ def accelerations(
     R_1 = float(y[1])  # quaternion of R, along x [1]
     R_2 = float(y[2])  # quaternion of R, along y [1]
     R_3 = float(y[3])  # quaternion of R, along z [1]
-    w1 = float(y[4])
-    w2 = float(y[5])
-    w3 = float(y[6])
+    w1 = float(y[4])  # [rad/s]
+    w2 = float(y[5])  # [rad/s]
+    w3 = float(y[6])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -257,7 +257,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (4,), qdot (4,), p (3,).
     Returns y (7,).
@@ -266,12 +266,12 @@ def state(
     R_1 = float(q[1])  # quaternion of R, along x [1]
     R_2 = float(q[2])  # quaternion of R, along y [1]
     R_3 = float(q[3])  # quaternion of R, along z [1]
-    R_0_dot = float(qdot[0])
-    R_1_dot = float(qdot[1])
-    R_2_dot = float(qdot[2])
-    R_3_dot = float(qdot[3])
+    R_0_dot = float(qdot[0])  # R_0' [1/s]
+    R_1_dot = float(qdot[1])  # R_1' [1/s]
+    R_2_dot = float(qdot[2])  # R_2' [1/s]
+    R_3_dot = float(qdot[3])  # R_3' [1/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_0 * z1
         z3 = R_1 * z1
@@ -292,7 +292,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (4,), qdot (4,), p (3,).
     Returns r (1,).
@@ -301,12 +301,12 @@ def residuals(
     R_1 = float(q[1])  # quaternion of R, along x [1]
     R_2 = float(q[2])  # quaternion of R, along y [1]
     R_3 = float(q[3])  # quaternion of R, along z [1]
-    R_0_dot = float(qdot[0])
-    R_1_dot = float(qdot[1])
-    R_2_dot = float(qdot[2])
-    R_3_dot = float(qdot[3])
+    R_0_dot = float(qdot[0])  # R_0' [1/s]
+    R_1_dot = float(qdot[1])  # R_1' [1/s]
+    R_2_dot = float(qdot[2])  # R_2' [1/s]
+    R_3_dot = float(qdot[3])  # R_3' [1/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         s1 = R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot)
         r: list[float] = [
             # R_norm = 0 (I.1.1) 7:3
@@ -322,7 +322,7 @@ def positions(
     q: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each holonomic constraint, zero on every motion
+    """Left minus right side of each holonomic constraint, zero on every motion.
 
     Arguments: t (scalar), q (4,), p (3,).
     Returns f (1,).
@@ -332,7 +332,7 @@ def positions(
     R_2 = float(q[2])  # quaternion of R, along y [1]
     R_3 = float(q[3])  # quaternion of R, along z [1]
     try:
-        # from the state
+        # from the coordinates
         f: list[float] = [
             # R_norm = 0 7:3
             R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0,
@@ -347,7 +347,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns lambda_ (1,).
@@ -357,13 +357,13 @@ def reactions(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "reactions")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "reactions")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
         # from the state
@@ -377,14 +377,14 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns a scalar.
     """
-    w1 = float(y[4])
-    w2 = float(y[5])
-    w3 = float(y[6])
+    w1 = float(y[4])  # [rad/s]
+    w2 = float(y[5])  # [rad/s]
+    w3 = float(y[6])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
@@ -401,7 +401,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns rows (7, 7): d rhs_i / d y_j stands at [i][j].
@@ -410,20 +410,20 @@ def jacobian(
     R_1 = float(y[1])  # quaternion of R, along x [1]
     R_2 = float(y[2])  # quaternion of R, along y [1]
     R_3 = float(y[3])  # quaternion of R, along z [1]
-    w1 = float(y[4])
-    w2 = float(y[5])
-    w3 = float(y[6])
+    w1 = float(y[4])  # [rad/s]
+    w2 = float(y[5])  # [rad/s]
+    w3 = float(y[6])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -526,7 +526,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns out (3,).
@@ -535,9 +535,9 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     R_1 = float(y[1])  # quaternion of R, along x [1]
     R_2 = float(y[2])  # quaternion of R, along y [1]
     R_3 = float(y[3])  # quaternion of R, along z [1]
-    w1 = float(y[4])
-    w2 = float(y[5])
-    w3 = float(y[6])
+    w1 = float(y[4])  # [rad/s]
+    w2 = float(y[5])  # [rad/s]
+    w3 = float(y[6])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]

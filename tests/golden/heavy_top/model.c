@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:8335b2a73d040a75)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:41b15b243dbb977f)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -12,12 +12,12 @@
 #include <math.h>
 #include <string.h>
 
-const char *const heavy_top_coordinate_names[] = {
+const char *const heavy_top_coordinate_names[HEAVY_TOP_NQ] = {
     "phi",
     "theta",
     "psi"
 };
-const char *const heavy_top_state_names[] = {
+const char *const heavy_top_state_names[HEAVY_TOP_NY] = {
     "phi",
     "theta",
     "psi",
@@ -25,12 +25,20 @@ const char *const heavy_top_state_names[] = {
     "theta'",
     "psi'"
 };
-const char *const heavy_top_parameter_names[] = {
+const char *const heavy_top_parameter_names[HEAVY_TOP_NP] = {
     "I1",
     "I3",
     "mgl"
 };
-const double heavy_top_parameter_defaults[] = {
+const char *const heavy_top_constraint_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const char *const heavy_top_output_names[HEAVY_TOP_NOUT] = {
+    "p_phi",
+    "p_psi"
+};
+const double heavy_top_parameter_defaults[HEAVY_TOP_NP] = {
     1.0,
     1.5,
     2.0
@@ -206,9 +214,9 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *restrict d
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double phi_dot = y[3];
-    const double theta_dot = y[4];
-    const double psi_dot = y[5];
+    const double phi_dot = y[3]; /* phi' [rad/s] */
+    const double theta_dot = y[4]; /* theta' [rad/s] */
+    const double psi_dot = y[5]; /* psi' [rad/s] */
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
@@ -231,17 +239,17 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *restrict d
     dydt[4] = s_theta * (k3 + phi_dot * (z1 - z2)); /* theta'' */
     dydt[5] = s_theta * (phi_dot * theta_dot) + c_theta * z3; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(I3) > 0.0 * (dydt[4] + dydt[5]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 * (s_theta * s_theta) is 0 */
         if (!(fabs(I1 * (s_theta * s_theta)) > 0.0)) {
             return heavy_top_refuse(fabs(I1 * (s_theta * s_theta)), 0.0, HEAVY_TOP_SINGULAR_2);
         }
@@ -256,11 +264,11 @@ int heavy_top_velocities(double t, const double *y, const double *p, double *qdo
     (void)p;
 
     /* from the state */
-    const double phi_dot = y[3];
+    const double phi_dot = y[3]; /* phi' [rad/s] */
     qdot[0] = phi_dot; /* phi' */
-    const double theta_dot = y[4];
+    const double theta_dot = y[4]; /* theta' [rad/s] */
     qdot[1] = theta_dot; /* theta' */
-    const double psi_dot = y[5];
+    const double psi_dot = y[5]; /* psi' [rad/s] */
     qdot[2] = psi_dot; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
@@ -279,9 +287,9 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double phi_dot = y[3];
-    const double theta_dot = y[4];
-    const double psi_dot = y[5];
+    const double phi_dot = y[3]; /* phi' [rad/s] */
+    const double theta_dot = y[4]; /* theta' [rad/s] */
+    const double psi_dot = y[5]; /* psi' [rad/s] */
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
@@ -300,17 +308,17 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     qddot[1] = s_theta * (k3 + phi_dot * (z1 - z2)); /* theta'' */
     qddot[2] = s_theta * (phi_dot * theta_dot) + c_theta * z3; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(I3) > 0.0 * (qddot[1] + qddot[2]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 * (s_theta * s_theta) is 0 */
         if (!(fabs(I1 * (s_theta * s_theta)) > 0.0)) {
             return heavy_top_refuse(fabs(I1 * (s_theta * s_theta)), 0.0, HEAVY_TOP_SINGULAR_2);
         }
@@ -324,18 +332,18 @@ int heavy_top_state(double t, const double *q, const double *qdot, const double 
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double phi = q[0]; /* precession [rad] */
     y[0] = phi;
     const double theta = q[1]; /* nutation [rad] */
     y[1] = theta;
     const double psi = q[2]; /* spin [rad] */
     y[2] = psi;
-    const double phi_dot = qdot[0];
+    const double phi_dot = qdot[0]; /* phi' [rad/s] */
     y[3] = phi_dot;
-    const double theta_dot = qdot[1];
+    const double theta_dot = qdot[1]; /* theta' [rad/s] */
     y[4] = theta_dot;
-    const double psi_dot = qdot[2];
+    const double psi_dot = qdot[2]; /* psi' [rad/s] */
     y[5] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
@@ -367,15 +375,15 @@ int heavy_top_reactions(double t, const double *y, const double *p, double *lamb
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
     /* from the state */
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I1 is 0 */
     if (!(fabs(I1) > 0.0)) {
         return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
         return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I1 * (s_theta * s_theta) is 0 */
     if (!(fabs(I1 * (s_theta * s_theta)) > 0.0)) {
         return heavy_top_refuse(fabs(I1 * (s_theta * s_theta)), 0.0, HEAVY_TOP_SINGULAR_2);
     }
@@ -393,9 +401,9 @@ double heavy_top_energy(double t, const double *y, const double *p)
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double phi_dot = y[3];
-    const double theta_dot = y[4];
-    const double psi_dot = y[5];
+    const double phi_dot = y[3]; /* phi' [rad/s] */
+    const double theta_dot = y[4]; /* theta' [rad/s] */
+    const double psi_dot = y[5]; /* psi' [rad/s] */
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
@@ -418,9 +426,9 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double phi_dot = y[3];
-    const double theta_dot = y[4];
-    const double psi_dot = y[5];
+    const double phi_dot = y[3]; /* phi' [rad/s] */
+    const double theta_dot = y[4]; /* theta' [rad/s] */
+    const double psi_dot = y[5]; /* psi' [rad/s] */
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
@@ -460,17 +468,17 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     J[34] = z6 + c_theta * z9;
     J[35] = -c_theta * z10;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(I3) > 0.0 * (J[25] + J[27] + J[29] + J[31] + J[33] + J[34] + J[35]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 * (s_theta * s_theta) is 0 */
         if (!(fabs(I1 * (s_theta * s_theta)) > 0.0)) {
             return heavy_top_refuse(fabs(I1 * (s_theta * s_theta)), 0.0, HEAVY_TOP_SINGULAR_2);
         }
@@ -489,8 +497,8 @@ int heavy_top_outputs(double t, const double *y, const double *p, double *out)
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double phi_dot = y[3];
-    const double psi_dot = y[5];
+    const double phi_dot = y[3]; /* phi' [rad/s] */
+    const double psi_dot = y[5]; /* psi' [rad/s] */
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
@@ -525,7 +533,7 @@ static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, s
     heavy_top_lanes sine1, cosine1;
     heavy_top_turn_lanes(HEAVY_TOP_SPREAD(theta), &far, &sine1, &cosine1);
     const heavy_top_lanes s_theta = sine1;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I1 * (s_theta * s_theta) is 0 */
     bad |= heavy_top_misses(heavy_top_size(HEAVY_TOP_SPREAD(I1 * (s_theta * s_theta))),
         HEAVY_TOP_SPREAD(0.0));
     const heavy_top_lanes c_theta = cosine1;
@@ -573,7 +581,7 @@ int heavy_top_rhs_batch(size_t count, const double *t, const double *y, const do
     const double k1 = 1.0 / I1;
     const double k2 = I3 * k1;
     const double k3 = mgl * k1;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
         return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
     }

@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:9af9eeaa37e2be02)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:25ba373590f2bac5)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -69,10 +69,12 @@ enum {
     HEAVY_TOP_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const heavy_top_coordinate_names[];
-extern const char *const heavy_top_state_names[];
-extern const char *const heavy_top_parameter_names[];
-extern const double heavy_top_parameter_defaults[];
+extern const char *const heavy_top_coordinate_names[HEAVY_TOP_NQ];
+extern const char *const heavy_top_state_names[HEAVY_TOP_NY];
+extern const char *const heavy_top_parameter_names[HEAVY_TOP_NP];
+extern const char *const heavy_top_constraint_names[1];
+extern const char *const heavy_top_output_names[HEAVY_TOP_NOUT];
+extern const double heavy_top_parameter_defaults[HEAVY_TOP_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (II.3)

@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:8c7fe42bdfe2e307).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:815624d5b39786d9).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -96,23 +96,23 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (II.3)
+    """Right-hand side dy/dt = f(t, y; p) (II.3).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns dydt (6,).
     """
     theta = float(y[1])  # nutation [rad]
-    phi_dot = float(y[3])
-    theta_dot = float(y[4])
-    psi_dot = float(y[5])
+    phi_dot = float(y[3])  # phi' [rad/s]
+    theta_dot = float(y[4])  # theta' [rad/s]
+    psi_dot = float(y[5])  # psi' [rad/s]
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "rhs")
         # from the parameters alone
@@ -122,7 +122,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 * s1 is 0
         if not abs(I1 * s1) > 0.0:
             raise _refuse(abs(I1 * s1), 0.0, 2, "rhs")
         c_theta = math.cos(theta)
@@ -153,14 +153,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state
+    """All velocities q' from the state.
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns qdot (3,).
     """
-    phi_dot = float(y[3])
-    theta_dot = float(y[4])
-    psi_dot = float(y[5])
+    phi_dot = float(y[3])  # phi' [rad/s]
+    theta_dot = float(y[4])  # theta' [rad/s]
+    psi_dot = float(y[5])  # psi' [rad/s]
     try:
         # from the state
         qdot: list[float] = [
@@ -181,23 +181,23 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (II.3)
+    """All accelerations q'' on the motion (II.3).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns qddot (3,).
     """
     theta = float(y[1])  # nutation [rad]
-    phi_dot = float(y[3])
-    theta_dot = float(y[4])
-    psi_dot = float(y[5])
+    phi_dot = float(y[3])  # phi' [rad/s]
+    theta_dot = float(y[4])  # theta' [rad/s]
+    psi_dot = float(y[5])  # psi' [rad/s]
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -207,7 +207,7 @@ def accelerations(
         # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 * s1 is 0
         if not abs(I1 * s1) > 0.0:
             raise _refuse(abs(I1 * s1), 0.0, 2, "accelerations")
         c_theta = math.cos(theta)
@@ -233,7 +233,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns y (6,).
@@ -241,11 +241,11 @@ def state(
     phi = float(q[0])  # precession [rad]
     theta = float(q[1])  # nutation [rad]
     psi = float(q[2])  # spin [rad]
-    phi_dot = float(qdot[0])
-    theta_dot = float(qdot[1])
-    psi_dot = float(qdot[2])
+    phi_dot = float(qdot[0])  # phi' [rad/s]
+    theta_dot = float(qdot[1])  # theta' [rad/s]
+    psi_dot = float(qdot[2])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [phi, theta, psi, phi_dot, theta_dot, psi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -258,7 +258,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (0,).
@@ -275,7 +275,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns lambda_ (0,).
@@ -285,16 +285,16 @@ def reactions(
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "reactions")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
         # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 * s1 is 0
         if not abs(I1 * s1) > 0.0:
             raise _refuse(abs(I1 * s1), 0.0, 2, "reactions")
         lambda_: list[float] = []
@@ -304,15 +304,15 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.
     """
     theta = float(y[1])  # nutation [rad]
-    phi_dot = float(y[3])
-    theta_dot = float(y[4])
-    psi_dot = float(y[5])
+    phi_dot = float(y[3])  # phi' [rad/s]
+    theta_dot = float(y[4])  # theta' [rad/s]
+    psi_dot = float(y[5])  # psi' [rad/s]
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
@@ -335,23 +335,23 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
     """
     theta = float(y[1])  # nutation [rad]
-    phi_dot = float(y[3])
-    theta_dot = float(y[4])
-    psi_dot = float(y[5])
+    phi_dot = float(y[3])  # phi' [rad/s]
+    theta_dot = float(y[4])  # theta' [rad/s]
+    psi_dot = float(y[5])  # psi' [rad/s]
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -362,7 +362,7 @@ def jacobian(
         # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 * s1 is 0
         if not abs(I1 * s1) > 0.0:
             raise _refuse(abs(I1 * s1), 0.0, 2, "jacobian")
         z1 = 1.0 / s_theta
@@ -437,14 +437,14 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns out (2,).
     """
     theta = float(y[1])  # nutation [rad]
-    phi_dot = float(y[3])
-    psi_dot = float(y[5])
+    phi_dot = float(y[3])  # phi' [rad/s]
+    psi_dot = float(y[5])  # psi' [rad/s]
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     try:

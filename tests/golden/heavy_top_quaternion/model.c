@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:e6dbecb844035f89)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:be51c7d48a62e9ae)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -13,13 +13,13 @@
 #include <math.h>
 #include <string.h>
 
-const char *const heavy_top_quaternion_coordinate_names[] = {
+const char *const heavy_top_quaternion_coordinate_names[HEAVY_TOP_QUATERNION_NQ] = {
     "R_0",
     "R_1",
     "R_2",
     "R_3"
 };
-const char *const heavy_top_quaternion_state_names[] = {
+const char *const heavy_top_quaternion_state_names[HEAVY_TOP_QUATERNION_NY] = {
     "R_0",
     "R_1",
     "R_2",
@@ -28,12 +28,19 @@ const char *const heavy_top_quaternion_state_names[] = {
     "w2",
     "w3"
 };
-const char *const heavy_top_quaternion_parameter_names[] = {
+const char *const heavy_top_quaternion_parameter_names[HEAVY_TOP_QUATERNION_NP] = {
     "I1",
     "I3",
     "mgl"
 };
-const double heavy_top_quaternion_parameter_defaults[] = {
+const char *const heavy_top_quaternion_constraint_names[HEAVY_TOP_QUATERNION_NC] = {
+    "R_norm"
+};
+const char *const heavy_top_quaternion_output_names[HEAVY_TOP_QUATERNION_NOUT] = {
+    "height",
+    "L_z"
+};
+const double heavy_top_quaternion_parameter_defaults[HEAVY_TOP_QUATERNION_NP] = {
     1.0,
     1.5,
     2.0
@@ -195,10 +202,10 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
     const double z1 = mgl * (2.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1))));
-    const double w3 = y[6];
+    const double w3 = y[6]; /* [rad/s] */
     const double z2 = w3 * k1;
-    const double w1 = y[4];
-    const double w2 = y[5];
+    const double w1 = y[4]; /* [rad/s] */
+    const double w2 = y[5]; /* [rad/s] */
     /* (I.2.4) */
     dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     dydt[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
@@ -209,13 +216,13 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     dydt[5] = k2 * (z1 * (R_0 * R_2 - R_1 * R_3) - w1 * z2); /* w2' */
     dydt[6] = 0.0; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(I3) > 0.0 * (dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
@@ -233,9 +240,9 @@ int heavy_top_quaternion_velocities(double t, const double *y, const double *p, 
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
+    const double w1 = y[4]; /* [rad/s] */
+    const double w2 = y[5]; /* [rad/s] */
+    const double w3 = y[6]; /* [rad/s] */
     /* (I.2.4) */
     qdot[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
@@ -262,9 +269,9 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
     const double k3 = mgl * k1;
 
     /* from the state */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
+    const double w1 = y[4]; /* [rad/s] */
+    const double w2 = y[5]; /* [rad/s] */
+    const double w3 = y[6]; /* [rad/s] */
     const double z1 = 0.25 * (w3 * w3 + (w1 * w1 + w2 * w2));
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double R_2 = y[2]; /* quaternion of R, along y [1] */
@@ -282,13 +289,13 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
     qddot[2] = -(R_2 * z7 + 0.5 * ((R_0 * w1 - R_3 * w2) * z6)); /* R_2'' */
     qddot[3] = -(R_3 * z5 + 0.5 * ((R_1 * w1 + R_2 * w2) * z6)); /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(I3) > 0.0 * (qddot[0] + qddot[1] + qddot[2] + qddot[3]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
@@ -302,7 +309,7 @@ int heavy_top_quaternion_state(double t, const double *q, const double *qdot, co
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
@@ -316,10 +323,10 @@ int heavy_top_quaternion_state(double t, const double *q, const double *qdot, co
     y[1] = R_1;
     y[2] = R_2;
     y[3] = R_3;
-    const double R_0_dot = qdot[0];
-    const double R_1_dot = qdot[1];
-    const double R_2_dot = qdot[2];
-    const double R_3_dot = qdot[3];
+    const double R_0_dot = qdot[0]; /* R_0' [1/s] */
+    const double R_1_dot = qdot[1]; /* R_1' [1/s] */
+    const double R_2_dot = qdot[2]; /* R_2' [1/s] */
+    const double R_3_dot = qdot[3]; /* R_3' [1/s] */
     y[4] = 2.0 * (R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5));
     y[5] = 2.0 * (R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4));
     y[6] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
@@ -335,15 +342,15 @@ int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
     const double R_3 = q[3]; /* quaternion of R, along z [1] */
-    const double R_0_dot = qdot[0];
-    const double R_1_dot = qdot[1];
-    const double R_2_dot = qdot[2];
-    const double R_3_dot = qdot[3];
+    const double R_0_dot = qdot[0]; /* R_0' [1/s] */
+    const double R_1_dot = qdot[1]; /* R_1' [1/s] */
+    const double R_2_dot = qdot[2]; /* R_2' [1/s] */
+    const double R_3_dot = qdot[3]; /* R_3' [1/s] */
     /* (I.1.1) 7:3 */
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -358,7 +365,7 @@ int heavy_top_quaternion_positions(double t, const double *q, const double *p, d
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates */
     const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = q[1]; /* quaternion of R, along x [1] */
     const double R_2 = q[2]; /* quaternion of R, along y [1] */
@@ -383,11 +390,11 @@ int heavy_top_quaternion_reactions(double t, const double *y, const double *p, d
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     if (!(fabs(I1 * I3) > 0.0)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
@@ -406,9 +413,9 @@ double heavy_top_quaternion_energy(double t, const double *y, const double *p)
     const double z1 = R_1 * R_1 + R_2 * R_2;
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
-    const double w1 = y[4];
-    const double w2 = y[5];
-    const double w3 = y[6];
+    const double w1 = y[4]; /* [rad/s] */
+    const double w2 = y[5]; /* [rad/s] */
+    const double w3 = y[6]; /* [rad/s] */
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
@@ -430,11 +437,11 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
     const double k2 = (I1 - I3) * k1;
 
     /* from the state */
-    const double w1 = y[4];
+    const double w1 = y[4]; /* [rad/s] */
     const double z1 = 0.5 * w1;
-    const double w2 = y[5];
+    const double w2 = y[5]; /* [rad/s] */
     const double z2 = 0.5 * w2;
-    const double w3 = y[6];
+    const double w3 = y[6]; /* [rad/s] */
     const double z3 = 0.5 * w3;
     const double R_1 = y[1]; /* quaternion of R, along x [1] */
     const double z4 = 0.5 * R_1;
@@ -493,14 +500,14 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
     J[39] = -z16;
     J[41] = -w1 * k2;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(I3) > 0.0 * (J[10] + J[11] + J[12] + J[15] + J[20] + J[23] + J[25] + J[28] + J[29] + J[30] +
         J[31] + J[34] + J[35] + J[36] + J[37] + J[38] + J[39] + J[41]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
@@ -520,11 +527,11 @@ int heavy_top_quaternion_outputs(double t, const double *y, const double *p, dou
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     const double R_3 = y[3]; /* quaternion of R, along z [1] */
     const double z2 = 1.0 / (z1 + (R_0 * R_0 + R_3 * R_3));
-    const double w3 = y[6];
+    const double w3 = y[6]; /* [rad/s] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double z3 = I3 * w3;
-    const double w1 = y[4];
-    const double w2 = y[5];
+    const double w1 = y[4]; /* [rad/s] */
+    const double w2 = y[5]; /* [rad/s] */
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double z4 = I1 * (R_0 * (R_2 * w1 - R_1 * w2) - R_3 * (R_1 * w1 + R_2 * w2)) + z3 * z1;
     /* 15:11 */
@@ -604,7 +611,7 @@ int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
     const double k1 = I1 - I3;
     const double k2 = 1.0 / I1;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
         return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
     }

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:c16c675975cfa003)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:870e77224de5ac23)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -77,10 +77,12 @@ enum {
     HEAVY_TOP_QUATERNION_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const heavy_top_quaternion_coordinate_names[];
-extern const char *const heavy_top_quaternion_state_names[];
-extern const char *const heavy_top_quaternion_parameter_names[];
-extern const double heavy_top_quaternion_parameter_defaults[];
+extern const char *const heavy_top_quaternion_coordinate_names[HEAVY_TOP_QUATERNION_NQ];
+extern const char *const heavy_top_quaternion_state_names[HEAVY_TOP_QUATERNION_NY];
+extern const char *const heavy_top_quaternion_parameter_names[HEAVY_TOP_QUATERNION_NP];
+extern const char *const heavy_top_quaternion_constraint_names[HEAVY_TOP_QUATERNION_NC];
+extern const char *const heavy_top_quaternion_output_names[HEAVY_TOP_QUATERNION_NOUT];
+extern const double heavy_top_quaternion_parameter_defaults[HEAVY_TOP_QUATERNION_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:46821f67a47dc142)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:1e8d92c16568ea37)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -13,21 +13,28 @@
 #include <math.h>
 #include <string.h>
 
-const char *const holonomic_pendulum_coordinate_names[] = {
+const char *const holonomic_pendulum_coordinate_names[HOLONOMIC_PENDULUM_NQ] = {
     "x",
     "y"
 };
-const char *const holonomic_pendulum_state_names[] = {
+const char *const holonomic_pendulum_state_names[HOLONOMIC_PENDULUM_NY] = {
     "x",
     "y",
     "v"
 };
-const char *const holonomic_pendulum_parameter_names[] = {
+const char *const holonomic_pendulum_parameter_names[HOLONOMIC_PENDULUM_NP] = {
     "m",
     "g",
     "l"
 };
-const double holonomic_pendulum_parameter_defaults[] = {
+const char *const holonomic_pendulum_constraint_names[HOLONOMIC_PENDULUM_NC] = {
+    "rod"
+};
+const char *const holonomic_pendulum_output_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const double holonomic_pendulum_parameter_defaults[HOLONOMIC_PENDULUM_NP] = {
     1.0,
     9.81,
     1.0
@@ -176,10 +183,10 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *r
 
     /* from the state */
     const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
+    const double y_2 = y[1]; /* y: up [m] */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = m * z1;
-    const double v = y[2];
+    const double v = y[2]; /* [1/s] */
     /* (I.2.4) */
     dydt[0] = y_2 * v; /* x' */
     dydt[1] = -x * v; /* y' */
@@ -187,11 +194,11 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *r
     dydt[2] = x * k1 / z2; /* v' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[2]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z1), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -206,16 +213,16 @@ int holonomic_pendulum_velocities(double t, const double *y, const double *p, do
     (void)p;
 
     /* from the state */
-    const double y_2 = y[1]; /* up [m] */
-    const double v = y[2];
+    const double y_2 = y[1]; /* y: up [m] */
+    const double v = y[2]; /* [1/s] */
     /* (I.2.4) */
     qdot[0] = y_2 * v; /* x' */
     const double x = y[0]; /* across [m] */
     qdot[1] = -x * v; /* y' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(x * x + y_2 * y_2) > 0.0 * (qdot[0] + qdot[1]))) {
-        /* the coframe is singular */
+        /* the coframe is singular, if x * x + y_2 * y_2 is 0 */
         if (!(fabs(x * x + y_2 * y_2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(x * x + y_2 * y_2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
@@ -235,10 +242,10 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
 
     /* from the state */
     const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
+    const double y_2 = y[1]; /* y: up [m] */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = m * z1;
-    const double v = y[2];
+    const double v = y[2]; /* [1/s] */
     const double z3 = v * v;
     const double z4 = k1 * (x / z2);
     /* (I.2.15) */
@@ -246,11 +253,11 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
     qddot[1] = -(y_2 * z3 + x * z4); /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z1), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -264,13 +271,13 @@ int holonomic_pendulum_state(double t, const double *q, const double *qdot, cons
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0]; /* across [m] */
     y[0] = x;
-    const double y_2 = q[1]; /* up [m] */
+    const double y_2 = q[1]; /* y: up [m] */
     y[1] = y_2;
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
     y[2] = (y_2 * x_dot - x * y_dot) / (x * x + y_2 * y_2);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[2]) <= DBL_MAX)) {
@@ -284,11 +291,11 @@ int holonomic_pendulum_residuals(double t, const double *q, const double *qdot, 
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0]; /* across [m] */
     const double y = q[1]; /* up [m] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
     /* (I.1.1) 16:5 */
     r[0] = x * x_dot + y * y_dot; /* rod = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -306,7 +313,7 @@ int holonomic_pendulum_positions(double t, const double *q, const double *p, dou
     const double l = p[2]; /* length of the rod [m] */
     const double k1 = l * l;
 
-    /* from the state */
+    /* from the coordinates */
     const double x = q[0]; /* across [m] */
     const double y = q[1]; /* up [m] */
     /* 16:5 */
@@ -325,22 +332,22 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
     /* from the state */
     const double x = y[0]; /* across [m] */
     const double z1 = x * x;
-    const double y_2 = y[1]; /* up [m] */
+    const double y_2 = y[1]; /* y: up [m] */
     const double z2 = z1 + y_2 * y_2;
-    const double v = y[2];
+    const double v = y[2]; /* [1/s] */
     const double z3 = v * v;
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
     /* (I.4.1) 16:5 */
     lambda[0] = m / z2 * (y_2 * (g - y_2 * z3) - z1 * z3); /* reaction of rod: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * lambda[0])) {
-        /* the coframe is singular */
+        /* the coframe is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if m * z2 is 0 */
         if (!(fabs(m * z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(m * z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -359,8 +366,8 @@ double holonomic_pendulum_energy(double t, const double *y, const double *p)
     const double k1 = m * g;
 
     /* from the state */
-    const double y_2 = y[1]; /* up [m] */
-    const double v = y[2];
+    const double y_2 = y[1]; /* y: up [m] */
+    const double v = y[2]; /* [1/s] */
     const double z1 = y_2 * v;
     const double x = y[0]; /* across [m] */
     const double z2 = x * v;
@@ -382,12 +389,12 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
 
     /* from the state */
     const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
+    const double y_2 = y[1]; /* y: up [m] */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = m * z1;
     const double z3 = 1.0 / z2;
     const double z4 = x * z3 * k2;
-    const double v = y[2];
+    const double v = y[2]; /* [1/s] */
     /* (I.2.15) */
     J[1] = v;
     J[2] = y_2;
@@ -397,11 +404,11 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
     J[7] = -2.0 * (z3 * (y_2 * z4));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[3] + J[6] + J[7]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z1), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -417,8 +424,8 @@ int holonomic_pendulum_outputs(double t, const double *y, const double *p, doubl
 
     /* from the state */
     const double x = y[0]; /* across [m] */
-    const double y_2 = y[1]; /* up [m] */
-    /* the coframe is singular */
+    const double y_2 = y[1]; /* y: up [m] */
+    /* the coframe is singular, if x * x + y_2 * y_2 is 0 */
     if (!(fabs(x * x + y_2 * y_2) > 0.0)) {
         return holonomic_pendulum_refuse(fabs(x * x + y_2 * y_2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
     }

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:e4f498d4b10190a1)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:b7594775182556ec)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -70,10 +70,12 @@ enum {
     HOLONOMIC_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const holonomic_pendulum_coordinate_names[];
-extern const char *const holonomic_pendulum_state_names[];
-extern const char *const holonomic_pendulum_parameter_names[];
-extern const double holonomic_pendulum_parameter_defaults[];
+extern const char *const holonomic_pendulum_coordinate_names[HOLONOMIC_PENDULUM_NQ];
+extern const char *const holonomic_pendulum_state_names[HOLONOMIC_PENDULUM_NY];
+extern const char *const holonomic_pendulum_parameter_names[HOLONOMIC_PENDULUM_NP];
+extern const char *const holonomic_pendulum_constraint_names[HOLONOMIC_PENDULUM_NC];
+extern const char *const holonomic_pendulum_output_names[1];
+extern const double holonomic_pendulum_parameter_defaults[HOLONOMIC_PENDULUM_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

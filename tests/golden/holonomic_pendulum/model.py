@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:aa80f4b31e18495a).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:9c6c4e95f55da4c7).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -96,14 +96,14 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns dydt (3,).
     """
     x = float(y[0])  # across [m]
-    y_2 = float(y[1])  # up [m]
-    v = float(y[2])
+    y_2 = float(y[1])  # y: up [m]
+    v = float(y[2])  # [1/s]
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
@@ -111,11 +111,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k1 = m * g
         # from the state
         z1 = x * x + y_2 * y_2
-        # the coframe is singular
+        # the coframe is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 1, "rhs")
         z2 = m * z1
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "rhs")
         dydt: list[float] = [
@@ -136,17 +136,17 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns qdot (2,).
     """
     x = float(y[0])  # across [m]
-    y_2 = float(y[1])  # up [m]
-    v = float(y[2])
+    y_2 = float(y[1])  # y: up [m]
+    v = float(y[2])  # [1/s]
     try:
         s1 = x * x + y_2 * y_2
-        # the coframe is singular
+        # the coframe is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 1, "velocities")
         # from the state
@@ -166,14 +166,14 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns qddot (2,).
     """
     x = float(y[0])  # across [m]
-    y_2 = float(y[1])  # up [m]
-    v = float(y[2])
+    y_2 = float(y[1])  # y: up [m]
+    v = float(y[2])  # [1/s]
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
@@ -181,11 +181,11 @@ def accelerations(
         k1 = m * g
         # from the state
         z1 = x * x + y_2 * y_2
-        # the coframe is singular
+        # the coframe is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 1, "accelerations")
         z2 = m * z1
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "accelerations")
         z3 = v * v
@@ -207,17 +207,17 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (2,), qdot (2,), p (3,).
     Returns y (3,).
     """
     x = float(q[0])  # across [m]
-    y_2 = float(q[1])  # up [m]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
+    y_2 = float(q[1])  # y: up [m]
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, (y_2 * x_dot - x * y_dot) / (x * x + y_2 * y_2)]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -230,17 +230,17 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (2,), qdot (2,), p (3,).
     Returns r (1,).
     """
     x = float(q[0])  # across [m]
     y = float(q[1])  # up [m]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         r: list[float] = [
             # rod = 0 (I.1.1) 16:5
             x * x_dot + y * y_dot,
@@ -255,7 +255,7 @@ def positions(
     q: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each holonomic constraint, zero on every motion
+    """Left minus right side of each holonomic constraint, zero on every motion.
 
     Arguments: t (scalar), q (2,), p (3,).
     Returns f (1,).
@@ -266,7 +266,7 @@ def positions(
     try:
         # from the parameters alone
         k1 = l * l
-        # from the state
+        # from the coordinates
         f: list[float] = [
             # rod = 0 16:5
             0.5 * (x * x + y * y - k1),
@@ -281,25 +281,26 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])  # across [m]
-    y_2 = float(y[1])  # up [m]
-    v = float(y[2])
+    y_2 = float(y[1])  # y: up [m]
+    v = float(y[2])  # [1/s]
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
         # from the state
         z1 = x * x
         z2 = z1 + y_2 * y_2
-        # the coframe is singular
+        # the coframe is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 1, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if m * z2 is
+        # 0
         if not abs(m * z2) > 0.0:
             raise _refuse(abs(m * z2), 0.0, 2, "reactions")
         z3 = v * v
@@ -313,14 +314,14 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns a scalar.
     """
     x = float(y[0])  # across [m]
-    y_2 = float(y[1])  # up [m]
-    v = float(y[2])
+    y_2 = float(y[1])  # y: up [m]
+    v = float(y[2])  # [1/s]
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
@@ -340,14 +341,14 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns rows (3, 3): d rhs_i / d y_j stands at [i][j].
     """
     x = float(y[0])  # across [m]
-    y_2 = float(y[1])  # up [m]
-    v = float(y[2])
+    y_2 = float(y[1])  # y: up [m]
+    v = float(y[2])  # [1/s]
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
@@ -356,11 +357,11 @@ def jacobian(
         k2 = m * k1
         # from the state
         z1 = x * x + y_2 * y_2
-        # the coframe is singular
+        # the coframe is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 1, "jacobian")
         z2 = m * z1
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "jacobian")
         z3 = 1.0 / z2
@@ -389,16 +390,16 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns out (0,).
     """
     x = float(y[0])  # across [m]
-    y_2 = float(y[1])  # up [m]
+    y_2 = float(y[1])  # y: up [m]
     try:
         s1 = x * x + y_2 * y_2
-        # the coframe is singular
+        # the coframe is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 1, "outputs")
         # from the state

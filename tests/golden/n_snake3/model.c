@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:eac3ac03489fcd90)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:531fcd4fe44b3a06)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,14 +12,14 @@
 #include <math.h>
 #include <string.h>
 
-const char *const n_snake3_coordinate_names[] = {
+const char *const n_snake3_coordinate_names[N_SNAKE3_NQ] = {
     "x",
     "y",
     "theta1",
     "theta2",
     "theta3"
 };
-const char *const n_snake3_state_names[] = {
+const char *const n_snake3_state_names[N_SNAKE3_NY] = {
     "x",
     "y",
     "theta1",
@@ -28,13 +28,22 @@ const char *const n_snake3_state_names[] = {
     "v",
     "w"
 };
-const char *const n_snake3_parameter_names[] = {
+const char *const n_snake3_parameter_names[N_SNAKE3_NP] = {
     "m",
     "J",
     "a",
     "k"
 };
-const double n_snake3_parameter_defaults[] = {
+const char *const n_snake3_constraint_names[N_SNAKE3_NC] = {
+    "wheel1",
+    "wheel2",
+    "wheel3"
+};
+const char *const n_snake3_output_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const double n_snake3_parameter_defaults[N_SNAKE3_NP] = {
     1.0,
     0.1,
     0.5,
@@ -226,8 +235,8 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *restrict dy
     const double s_theta1 = sin(theta1);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double m = p[0]; /* each link [kg] */
     const double J = p[1]; /* each link [kg*m^2] */
     const double a = p[2]; /* half the length of a link [m] */
@@ -286,15 +295,15 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *restrict dy
     dydt[6] = z33; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[4] + dydt[5]) <= DBL_MAX && fabs(z16) > 1e-13 * z9)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if a is 0 */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return n_snake3_refuse(fabs(z8), 0.0, N_SNAKE3_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z16 is nearly 0 */
         if (!(fabs(z16) > 1e-13 * z9)) {
             return n_snake3_refuse(fabs(z16), 1e-13 * z9, N_SNAKE3_SINGULAR_2);
         }
@@ -321,8 +330,8 @@ int n_snake3_velocities(double t, const double *y, const double *p, double *qdot
     const double c2 = cos(z4);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double a = p[2]; /* half the length of a link [m] */
 
     /* from the parameters alone */
@@ -339,7 +348,7 @@ int n_snake3_velocities(double t, const double *y, const double *p, double *qdot
     qdot[4] = k1 * (s2 * (v * c1 + s1 * z2) - c2 * z3); /* theta3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[3] + qdot[4]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if a is 0 */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
@@ -367,8 +376,8 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double c_theta1 = cos(theta1);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double m = p[0]; /* each link [kg] */
     const double J = p[1]; /* each link [kg*m^2] */
     const double a = p[2]; /* half the length of a link [m] */
@@ -428,15 +437,15 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     qddot[4] = k1 * (z31 - (s2 * (z25 - (c1 * z36 - s1 * z37)) + c2 * z38)); /* theta3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z18) > 1e-13 * z12)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if a is 0 */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z7 is 0 */
         if (!(fabs(z7) > 0.0)) {
             return n_snake3_refuse(fabs(z7), 0.0, N_SNAKE3_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z18 is nearly 0 */
         if (!(fabs(z18) > 1e-13 * z12)) {
             return n_snake3_refuse(fabs(z18), 1e-13 * z12, N_SNAKE3_SINGULAR_2);
         }
@@ -457,14 +466,14 @@ int n_snake3_state(double t, const double *q, const double *qdot, const double *
 
     /* what else is read */
     const double x = q[0]; /* middle of the first link [m] */
-    const double y_2 = q[1]; /* middle of the first link [m] */
+    const double y_2 = q[1]; /* y: middle of the first link [m] */
     const double theta2 = q[3]; /* second link [rad] */
     const double theta3 = q[4]; /* third link [rad] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta1_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta1_dot = qdot[2]; /* theta1' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta1;
@@ -495,14 +504,14 @@ int n_snake3_residuals(double t, const double *q, const double *qdot, const doub
     const double c_theta3 = cos(theta3);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta1_dot = qdot[2];
-    const double theta2_dot = qdot[3];
-    const double theta3_dot = qdot[4];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta1_dot = qdot[2]; /* theta1' [rad/s] */
+    const double theta2_dot = qdot[3]; /* theta2' [rad/s] */
+    const double theta3_dot = qdot[4]; /* theta3' [rad/s] */
     const double a = p[2]; /* half the length of a link [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = theta1_dot * a;
     const double z2 = theta2_dot * a;
     const double z3 = s_theta2 * z2;
@@ -541,8 +550,8 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double s2 = sin(z2);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double m = p[0]; /* each link [kg] */
     const double J = p[1]; /* each link [kg*m^2] */
     const double a = p[2]; /* half the length of a link [m] */
@@ -609,15 +618,15 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     lambda[2] = k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z41; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z18) > 1e-13 * z12)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if a is 0 */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z7 is 0 */
         if (!(fabs(z7) > 0.0)) {
             return n_snake3_refuse(fabs(z7), 0.0, N_SNAKE3_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z18 is nearly 0 */
         if (!(fabs(z18) > 1e-13 * z12)) {
             return n_snake3_refuse(fabs(z18), 1e-13 * z12, N_SNAKE3_SINGULAR_2);
         }
@@ -642,8 +651,8 @@ double n_snake3_energy(double t, const double *y, const double *p)
     const double c2 = cos(z2);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double m = p[0]; /* each link [kg] */
     const double J = p[1]; /* each link [kg*m^2] */
     const double a = p[2]; /* half the length of a link [m] */
@@ -683,10 +692,10 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double c_theta1 = cos(theta1);
 
     /* what else is read */
-    const double v = y[5];
-    const double w = y[6];
+    const double v = y[5]; /* [m/s] */
+    const double w = y[6]; /* [rad/s] */
     const double m = p[0]; /* each link [kg] */
-    const double J_2 = p[1]; /* each link [kg*m^2] */
+    const double J_2 = p[1]; /* J: each link [kg*m^2] */
     const double a = p[2]; /* half the length of a link [m] */
     const double k = p[3]; /* stiffness of the hinges [N*m] */
 
@@ -841,15 +850,15 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[24] + J[31] + J[32] + J[33] + J[37] + J[38] + J[39] + J[40] + J[41] + J[44] + J[46] + J[48])
         <= DBL_MAX
         && fabs(z18) > 1e-13 * z12)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if a is 0 */
         if (!(fabs(a) > 0.0)) {
             return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z7 is 0 */
         if (!(fabs(z7) > 0.0)) {
             return n_snake3_refuse(fabs(z7), 0.0, N_SNAKE3_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z18 is nearly 0 */
         if (!(fabs(z18) > 1e-13 * z12)) {
             return n_snake3_refuse(fabs(z18), 1e-13 * z12, N_SNAKE3_SINGULAR_2);
         }
@@ -865,7 +874,7 @@ int n_snake3_outputs(double t, const double *y, const double *p, double *out)
 
     /* from the state */
     const double a = p[2]; /* half the length of a link [m] */
-    /* the coframe is singular */
+    /* the coframe is singular, if a is 0 */
     if (!(fabs(a) > 0.0)) {
         return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
     }
@@ -920,7 +929,7 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const n_snake3_lanes z14 = 1.0 / z8;
     const n_snake3_lanes z15 = z14 * z13;
     const n_snake3_lanes z16 = z9 - z13 * z15;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z16 is nearly 0 */
     bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(z16)), 1e-13 * z9);
     n_snake3_lanes sine3, cosine3;
     n_snake3_turn_lanes(N_SNAKE3_SPREAD(theta1), &far, &sine3, &cosine3);

@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:e52514524cd082c7)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:746ef40e14089e45)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -73,10 +73,12 @@ enum {
     N_SNAKE3_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const n_snake3_coordinate_names[];
-extern const char *const n_snake3_state_names[];
-extern const char *const n_snake3_parameter_names[];
-extern const double n_snake3_parameter_defaults[];
+extern const char *const n_snake3_coordinate_names[N_SNAKE3_NQ];
+extern const char *const n_snake3_state_names[N_SNAKE3_NY];
+extern const char *const n_snake3_parameter_names[N_SNAKE3_NP];
+extern const char *const n_snake3_constraint_names[N_SNAKE3_NC];
+extern const char *const n_snake3_output_names[1];
+extern const double n_snake3_parameter_defaults[N_SNAKE3_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

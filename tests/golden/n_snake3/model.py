@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:e1f1016784f48269).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:7b84115265e6d228).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -100,7 +100,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns dydt (7,).
@@ -108,14 +108,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     theta1 = float(y[2])  # first link [rad]
     theta2 = float(y[3])  # second link [rad]
     theta3 = float(y[4])  # third link [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # each link [kg]
     J = float(p[1])  # each link [kg*m^2]
     a = float(p[2])  # half the length of a link [m]
     k = float(p[3])  # stiffness of the hinges [N*m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if a is 0
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "rhs")
         # from the parameters alone
@@ -138,7 +138,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = c1 * s2 - s1 * c2
         z7 = z6 * z6
         z8 = m * z4 + k3 * (z5 + z7)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "rhs")
         z9 = z5 * k5 + J * z4 + z7 * k5
@@ -149,7 +149,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z14 = 1.0 / z8
         z15 = z14 * z13
         z16 = z9 - z13 * z15
-        # the mass matrix is singular
+        # the mass matrix is singular, if z16 is nearly 0
         if not abs(z16) > 1e-13 * z9:
             raise _refuse(abs(z16), 1e-13 * z9, 2, "rhs")
         c_theta1 = math.cos(theta1)
@@ -201,7 +201,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns qdot (5,).
@@ -209,11 +209,11 @@ def velocities(
     theta1 = float(y[2])  # first link [rad]
     theta2 = float(y[3])  # second link [rad]
     theta3 = float(y[4])  # third link [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     a = float(p[2])  # half the length of a link [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if a is 0
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "velocities")
         # from the parameters alone
@@ -251,7 +251,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns qddot (5,).
@@ -259,14 +259,14 @@ def accelerations(
     theta1 = float(y[2])  # first link [rad]
     theta2 = float(y[3])  # second link [rad]
     theta3 = float(y[4])  # third link [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # each link [kg]
     J = float(p[1])  # each link [kg*m^2]
     a = float(p[2])  # half the length of a link [m]
     k = float(p[3])  # stiffness of the hinges [N*m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if a is 0
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "accelerations")
         # from the parameters alone
@@ -287,7 +287,7 @@ def accelerations(
         z5 = s1 * s1
         z6 = c1 * s2 - s1 * c2
         z7 = m * (z3 * z3 + z4) + k3 * (z5 + z6 * z6)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z7 is 0
         if not abs(z7) > 0.0:
             raise _refuse(abs(z7), 0.0, 2, "accelerations")
         z8 = a * s1
@@ -301,7 +301,7 @@ def accelerations(
         z16 = 1.0 / z7
         z17 = z16 * z15
         z18 = z12 - z15 * z17
-        # the mass matrix is singular
+        # the mass matrix is singular, if z18 is nearly 0
         if not abs(z18) > 1e-13 * z12:
             raise _refuse(abs(z18), 1e-13 * z12, 2, "accelerations")
         s_theta1 = math.sin(theta1)
@@ -353,21 +353,21 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (4,).
     Returns y (7,).
     """
     x = float(q[0])  # middle of the first link [m]
-    y_2 = float(q[1])  # middle of the first link [m]
+    y_2 = float(q[1])  # y: middle of the first link [m]
     theta1 = float(q[2])  # first link [rad]
     theta2 = float(q[3])  # second link [rad]
     theta3 = float(q[4])  # third link [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta1_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta1_dot = float(qdot[2])  # theta1' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_theta1 = math.cos(theta1)
         s_theta1 = math.sin(theta1)
         y: list[float] = [
@@ -390,7 +390,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (4,).
     Returns r (3,).
@@ -398,14 +398,14 @@ def residuals(
     theta1 = float(q[2])  # first link [rad]
     theta2 = float(q[3])  # second link [rad]
     theta3 = float(q[4])  # third link [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta1_dot = float(qdot[2])
-    theta2_dot = float(qdot[3])
-    theta3_dot = float(qdot[4])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta1_dot = float(qdot[2])  # theta1' [rad/s]
+    theta2_dot = float(qdot[3])  # theta2' [rad/s]
+    theta3_dot = float(qdot[4])  # theta3' [rad/s]
     a = float(p[2])  # half the length of a link [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_theta1 = math.sin(theta1)
         c_theta1 = math.cos(theta1)
         s_theta2 = math.sin(theta2)
@@ -438,7 +438,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns lambda_ (3,).
@@ -447,14 +447,14 @@ def reactions(
     theta1 = float(y[2])  # first link [rad]
     theta2 = float(y[3])  # second link [rad]
     theta3 = float(y[4])  # third link [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # each link [kg]
     J = float(p[1])  # each link [kg*m^2]
     a = float(p[2])  # half the length of a link [m]
     k = float(p[3])  # stiffness of the hinges [N*m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if a is 0
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "reactions")
         # from the parameters alone
@@ -476,7 +476,7 @@ def reactions(
         z5 = s1 * s1
         z6 = c1 * s2 - s1 * c2
         z7 = m * (z3 * z3 + z4) + k3 * (z5 + z6 * z6)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z7 is 0
         if not abs(z7) > 0.0:
             raise _refuse(abs(z7), 0.0, 2, "reactions")
         z8 = a * s1
@@ -490,7 +490,7 @@ def reactions(
         z16 = 1.0 / z7
         z17 = z16 * z15
         z18 = z12 - z15 * z17
-        # the mass matrix is singular
+        # the mass matrix is singular, if z18 is nearly 0
         if not abs(z18) > 1e-13 * z12:
             raise _refuse(abs(z18), 1e-13 * z12, 2, "reactions")
         z19 = a * w
@@ -538,7 +538,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns a scalar.
@@ -546,8 +546,8 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     theta1 = float(y[2])  # first link [rad]
     theta2 = float(y[3])  # second link [rad]
     theta3 = float(y[4])  # third link [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # each link [kg]
     J = float(p[1])  # each link [kg*m^2]
     a = float(p[2])  # half the length of a link [m]
@@ -581,7 +581,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns rows (7, 7): d rhs_i / d y_j stands at [i][j].
@@ -589,14 +589,14 @@ def jacobian(
     theta1 = float(y[2])  # first link [rad]
     theta2 = float(y[3])  # second link [rad]
     theta3 = float(y[4])  # third link [rad]
-    v = float(y[5])
-    w = float(y[6])
+    v = float(y[5])  # [m/s]
+    w = float(y[6])  # [rad/s]
     m = float(p[0])  # each link [kg]
-    J_2 = float(p[1])  # each link [kg*m^2]
+    J_2 = float(p[1])  # J: each link [kg*m^2]
     a = float(p[2])  # half the length of a link [m]
     k = float(p[3])  # stiffness of the hinges [N*m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if a is 0
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "jacobian")
         # from the parameters alone
@@ -619,7 +619,7 @@ def jacobian(
         z5 = s1 * s1
         z6 = c1 * s2 - s1 * c2
         z7 = m * (z3 * z3 + z4) + k3 * (z5 + z6 * z6)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z7 is 0
         if not abs(z7) > 0.0:
             raise _refuse(abs(z7), 0.0, 2, "jacobian")
         z8 = a * s1
@@ -633,7 +633,7 @@ def jacobian(
         z16 = 1.0 / z7
         z17 = z16 * z15
         z18 = z12 - z15 * z17
-        # the mass matrix is singular
+        # the mass matrix is singular, if z18 is nearly 0
         if not abs(z18) > 1e-13 * z12:
             raise _refuse(abs(z18), 1e-13 * z12, 2, "jacobian")
         s_theta1 = math.sin(theta1)
@@ -833,14 +833,14 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (7,), p (4,).
     Returns out (0,).
     """
     a = float(p[2])  # half the length of a link [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if a is 0
         if not abs(a) > 0.0:
             raise _refuse(abs(a), 0.0, 1, "outputs")
         # from the state

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:502e143ba8638b77)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:e8150dda56fb0a64)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-const char *const n_trailer3_coordinate_names[] = {
+const char *const n_trailer3_coordinate_names[N_TRAILER3_NQ] = {
     "x",
     "y",
     "theta0",
@@ -20,7 +20,7 @@ const char *const n_trailer3_coordinate_names[] = {
     "theta2",
     "theta3"
 };
-const char *const n_trailer3_state_names[] = {
+const char *const n_trailer3_state_names[N_TRAILER3_NY] = {
     "x",
     "y",
     "theta0",
@@ -30,14 +30,24 @@ const char *const n_trailer3_state_names[] = {
     "v",
     "w"
 };
-const char *const n_trailer3_parameter_names[] = {
+const char *const n_trailer3_parameter_names[N_TRAILER3_NP] = {
     "m0",
     "J0",
     "m",
     "J",
     "L"
 };
-const double n_trailer3_parameter_defaults[] = {
+const char *const n_trailer3_constraint_names[N_TRAILER3_NC] = {
+    "axle0",
+    "axle1",
+    "axle2",
+    "axle3"
+};
+const char *const n_trailer3_output_names[N_TRAILER3_NOUT] = {
+    "tail_x",
+    "tail_y"
+};
+const double n_trailer3_parameter_defaults[N_TRAILER3_NP] = {
     1.0,
     0.1,
     0.5,
@@ -223,8 +233,8 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *restrict 
     const double s_theta0 = sin(theta0);
 
     /* what else is read */
-    const double v = y[6];
-    const double w = y[7];
+    const double v = y[6]; /* [m/s] */
+    const double w = y[7]; /* [rad/s] */
     const double m0 = p[0]; /* tractor [kg] */
     const double J0 = p[1]; /* tractor [kg*m^2] */
     const double m = p[2]; /* each trailer [kg] */
@@ -259,17 +269,17 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *restrict 
     dydt[6] = (m * (z15 + (c1 * z13 + z4 * z14)) - k2 * z15) * (v / z8); /* v' */
     dydt[7] = 0.0; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J0) > 0.0 * dydt[6])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J0 is 0 */
         if (!(fabs(J0) > 0.0)) {
             return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if L is 0 */
         if (!(fabs(L) > 0.0)) {
             return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return n_trailer3_refuse(fabs(z8), 0.0, N_TRAILER3_SINGULAR_2);
         }
@@ -298,8 +308,8 @@ int n_trailer3_velocities(double t, const double *y, const double *p, double *qd
     const double s3 = sin(theta2 - theta3);
 
     /* what else is read */
-    const double v = y[6];
-    const double w = y[7];
+    const double v = y[6]; /* [m/s] */
+    const double w = y[7]; /* [rad/s] */
     const double L = p[4]; /* from axle to axle [m] */
 
     /* from the parameters alone */
@@ -317,7 +327,7 @@ int n_trailer3_velocities(double t, const double *y, const double *p, double *qd
     qdot[5] = s3 * (c2 * z4); /* theta3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[2] + qdot[5]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if L is 0 */
         if (!(fabs(L) > 0.0)) {
             return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
@@ -349,8 +359,8 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
     const double c_theta0 = cos(theta0);
 
     /* what else is read */
-    const double v = y[6];
-    const double w = y[7];
+    const double v = y[6]; /* [m/s] */
+    const double w = y[7]; /* [rad/s] */
     const double m0 = p[0]; /* tractor [kg] */
     const double J0 = p[1]; /* tractor [kg*m^2] */
     const double m = p[2]; /* each trailer [kg] */
@@ -387,17 +397,17 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
     qddot[4] = -(z10 * (s3 * z14 - z4 * z15) + z6 * z20); /* theta2'' */
     qddot[5] = z10 * (z7 * z11 - s1 * z16) - z5 * z20; /* theta3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J0) > 0.0 * (qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J0 is 0 */
         if (!(fabs(J0) > 0.0)) {
             return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if L is 0 */
         if (!(fabs(L) > 0.0)) {
             return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return n_trailer3_refuse(fabs(z8), 0.0, N_TRAILER3_SINGULAR_2);
         }
@@ -418,15 +428,15 @@ int n_trailer3_state(double t, const double *q, const double *qdot, const double
 
     /* what else is read */
     const double x = q[0]; /* axle of the tractor [m] */
-    const double y_2 = q[1]; /* axle of the tractor [m] */
+    const double y_2 = q[1]; /* y: axle of the tractor [m] */
     const double theta1 = q[3]; /* first trailer [rad] */
     const double theta2 = q[4]; /* second trailer [rad] */
     const double theta3 = q[5]; /* third trailer [rad] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta0_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta0_dot = qdot[2]; /* theta0' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta0;
@@ -461,14 +471,14 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
     const double c_theta3 = cos(theta3);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta1_dot = qdot[3];
-    const double theta2_dot = qdot[4];
-    const double theta3_dot = qdot[5];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta1_dot = qdot[3]; /* theta1' [rad/s] */
+    const double theta2_dot = qdot[4]; /* theta2' [rad/s] */
+    const double theta3_dot = qdot[5]; /* theta3' [rad/s] */
     const double L = p[4]; /* from axle to axle [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = theta1_dot * L;
     const double x1_dot = x_dot + s_theta1 * z1;
     const double y1_dot = y_dot - c_theta1 * z1;
@@ -512,8 +522,8 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     const double s3 = sin(z3);
 
     /* what else is read */
-    const double v = y[6];
-    const double w = y[7];
+    const double v = y[6]; /* [m/s] */
+    const double w = y[7]; /* [rad/s] */
     const double m0 = p[0]; /* tractor [kg] */
     const double J0 = p[1]; /* tractor [kg*m^2] */
     const double m = p[2]; /* each trailer [kg] */
@@ -562,17 +572,17 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     /* (I.4.1) 35:5 */
     lambda[3] = z7 * (z24 * z30) - z25; /* reaction of axle3: Q_i gains lambda_4 a_4i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J0) > 0.0 * (lambda[0] + lambda[1] + lambda[2] + lambda[3]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J0 is 0 */
         if (!(fabs(J0) > 0.0)) {
             return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if L is 0 */
         if (!(fabs(L) > 0.0)) {
             return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return n_trailer3_refuse(fabs(z8), 0.0, N_TRAILER3_SINGULAR_2);
         }
@@ -595,8 +605,8 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     const double c3 = cos(theta2 - theta3);
 
     /* what else is read */
-    const double v = y[6];
-    const double w = y[7];
+    const double v = y[6]; /* [m/s] */
+    const double w = y[7]; /* [rad/s] */
     const double m0 = p[0]; /* tractor [kg] */
     const double J0 = p[1]; /* tractor [kg*m^2] */
     const double m = p[2]; /* each trailer [kg] */
@@ -638,12 +648,12 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     const double c_theta0 = cos(theta0);
 
     /* what else is read */
-    const double v = y[6];
-    const double w = y[7];
+    const double v = y[6]; /* [m/s] */
+    const double w = y[7]; /* [rad/s] */
     const double m0 = p[0]; /* tractor [kg] */
     const double J0 = p[1]; /* tractor [kg*m^2] */
     const double m = p[2]; /* each trailer [kg] */
-    const double J_2 = p[3]; /* each trailer [kg*m^2] */
+    const double J_2 = p[3]; /* J: each trailer [kg*m^2] */
     const double L = p[4]; /* from axle to axle [m] */
 
     /* from the parameters alone */
@@ -734,18 +744,18 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     J[54] = z17 * (z11 * z26 - (z37 * z30 + (z43 + z33 * z52)));
     J[55] = -z17 * z26;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J0) > 0.0 * (J[34] + J[35] + J[38] + J[42] + J[43] + J[44] + J[46] + J[50] + J[51] + J[52] +
         J[53] + J[54] + J[55]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J0 is 0 */
         if (!(fabs(J0) > 0.0)) {
             return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if L is 0 */
         if (!(fabs(L) > 0.0)) {
             return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return n_trailer3_refuse(fabs(z8), 0.0, N_TRAILER3_SINGULAR_2);
         }
@@ -771,7 +781,7 @@ int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
 
     /* what else is read */
     const double x = y[0]; /* axle of the tractor [m] */
-    const double y_2 = y[1]; /* axle of the tractor [m] */
+    const double y_2 = y[1]; /* y: axle of the tractor [m] */
     const double L = p[4]; /* from axle to axle [m] */
 
     /* from the state */
@@ -780,9 +790,9 @@ int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
     /* 41:11 */
     out[1] = y_2 - L * (s_theta3 + (s_theta1 + s_theta2)); /* tail_y */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(L) > 0.0 * (out[0] + out[1]))) {
-        /* the coframe is singular */
+        /* the coframe is singular, if L is 0 */
         if (!(fabs(L) > 0.0)) {
             return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
@@ -886,7 +896,7 @@ int n_trailer3_rhs_batch(size_t count, const double *t, const double *y, const d
     const double L = p[4]; /* from axle to axle [m] */
     const double k1 = 1.0 / L;
     const double k2 = k1 * (J * k1);
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if J0 is 0 */
     if (!(fabs(J0) > 0.0)) {
         return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
     }

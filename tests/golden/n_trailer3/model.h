@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:17229a686a049ae0)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:1978f6406f25af5d)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -80,10 +80,12 @@ enum {
     N_TRAILER3_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const n_trailer3_coordinate_names[];
-extern const char *const n_trailer3_state_names[];
-extern const char *const n_trailer3_parameter_names[];
-extern const double n_trailer3_parameter_defaults[];
+extern const char *const n_trailer3_coordinate_names[N_TRAILER3_NQ];
+extern const char *const n_trailer3_state_names[N_TRAILER3_NY];
+extern const char *const n_trailer3_parameter_names[N_TRAILER3_NP];
+extern const char *const n_trailer3_constraint_names[N_TRAILER3_NC];
+extern const char *const n_trailer3_output_names[N_TRAILER3_NOUT];
+extern const double n_trailer3_parameter_defaults[N_TRAILER3_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

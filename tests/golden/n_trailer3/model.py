@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:15009e81d0366f4b).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:0520261d9c6e212a).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -107,7 +107,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns dydt (8,).
@@ -116,18 +116,18 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     theta1 = float(y[3])  # first trailer [rad]
     theta2 = float(y[4])  # second trailer [rad]
     theta3 = float(y[5])  # third trailer [rad]
-    v = float(y[6])
-    w = float(y[7])
+    v = float(y[6])  # [m/s]
+    w = float(y[7])  # [rad/s]
     m0 = float(p[0])  # tractor [kg]
     J0 = float(p[1])  # tractor [kg*m^2]
     m = float(p[2])  # each trailer [kg]
     J = float(p[3])  # each trailer [kg*m^2]
     L = float(p[4])  # from axle to axle [m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if J0 is 0
         if not abs(J0) > 0.0:
             raise _refuse(abs(J0), 0.0, 2, "rhs")
-        # the coframe is singular
+        # the coframe is singular, if L is 0
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "rhs")
         # from the parameters alone
@@ -149,7 +149,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z7 = c3 * z4
         s4 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6))
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "rhs")
         c_theta0 = math.cos(theta0)
@@ -189,7 +189,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns qdot (6,).
@@ -198,11 +198,11 @@ def velocities(
     theta1 = float(y[3])  # first trailer [rad]
     theta2 = float(y[4])  # second trailer [rad]
     theta3 = float(y[5])  # third trailer [rad]
-    v = float(y[6])
-    w = float(y[7])
+    v = float(y[6])  # [m/s]
+    w = float(y[7])  # [rad/s]
     L = float(p[4])  # from axle to axle [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if L is 0
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "velocities")
         # from the parameters alone
@@ -243,7 +243,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns qddot (6,).
@@ -252,18 +252,18 @@ def accelerations(
     theta1 = float(y[3])  # first trailer [rad]
     theta2 = float(y[4])  # second trailer [rad]
     theta3 = float(y[5])  # third trailer [rad]
-    v = float(y[6])
-    w = float(y[7])
+    v = float(y[6])  # [m/s]
+    w = float(y[7])  # [rad/s]
     m0 = float(p[0])  # tractor [kg]
     J0 = float(p[1])  # tractor [kg*m^2]
     m = float(p[2])  # each trailer [kg]
     J = float(p[3])  # each trailer [kg*m^2]
     L = float(p[4])  # from axle to axle [m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if J0 is 0
         if not abs(J0) > 0.0:
             raise _refuse(abs(J0), 0.0, 2, "accelerations")
-        # the coframe is singular
+        # the coframe is singular, if L is 0
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "accelerations")
         # from the parameters alone
@@ -285,7 +285,7 @@ def accelerations(
         z7 = c3 * z4
         s4 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6))
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "accelerations")
         s_theta0 = math.sin(theta0)
@@ -327,22 +327,22 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (6,), qdot (6,), p (5,).
     Returns y (8,).
     """
     x = float(q[0])  # axle of the tractor [m]
-    y_2 = float(q[1])  # axle of the tractor [m]
+    y_2 = float(q[1])  # y: axle of the tractor [m]
     theta0 = float(q[2])  # heading of the tractor [rad]
     theta1 = float(q[3])  # first trailer [rad]
     theta2 = float(q[4])  # second trailer [rad]
     theta3 = float(q[5])  # third trailer [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta0_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta0_dot = float(qdot[2])  # theta0' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_theta0 = math.cos(theta0)
         s_theta0 = math.sin(theta0)
         y: list[float] = [
@@ -366,7 +366,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (6,), qdot (6,), p (5,).
     Returns r (4,).
@@ -375,14 +375,14 @@ def residuals(
     theta1 = float(q[3])  # first trailer [rad]
     theta2 = float(q[4])  # second trailer [rad]
     theta3 = float(q[5])  # third trailer [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta1_dot = float(qdot[3])
-    theta2_dot = float(qdot[4])
-    theta3_dot = float(qdot[5])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta1_dot = float(qdot[3])  # theta1' [rad/s]
+    theta2_dot = float(qdot[4])  # theta2' [rad/s]
+    theta3_dot = float(qdot[5])  # theta3' [rad/s]
     L = float(p[4])  # from axle to axle [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_theta0 = math.sin(theta0)
         c_theta0 = math.cos(theta0)
         s_theta1 = math.sin(theta1)
@@ -419,7 +419,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns lambda_ (4,).
@@ -429,18 +429,18 @@ def reactions(
     theta1 = float(y[3])  # first trailer [rad]
     theta2 = float(y[4])  # second trailer [rad]
     theta3 = float(y[5])  # third trailer [rad]
-    v = float(y[6])
-    w = float(y[7])
+    v = float(y[6])  # [m/s]
+    w = float(y[7])  # [rad/s]
     m0 = float(p[0])  # tractor [kg]
     J0 = float(p[1])  # tractor [kg*m^2]
     m = float(p[2])  # each trailer [kg]
     J = float(p[3])  # each trailer [kg*m^2]
     L = float(p[4])  # from axle to axle [m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if J0 is 0
         if not abs(J0) > 0.0:
             raise _refuse(abs(J0), 0.0, 2, "reactions")
-        # the coframe is singular
+        # the coframe is singular, if L is 0
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "reactions")
         # from the parameters alone
@@ -463,7 +463,7 @@ def reactions(
         z7 = c3 * z4
         s4 = m0 + k3 * (z5 * z5 + (s2 * s2 + z6 * z6))
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "reactions")
         z9 = s2 * k1
@@ -505,7 +505,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns a scalar.
@@ -514,8 +514,8 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     theta1 = float(y[3])  # first trailer [rad]
     theta2 = float(y[4])  # second trailer [rad]
     theta3 = float(y[5])  # third trailer [rad]
-    v = float(y[6])
-    w = float(y[7])
+    v = float(y[6])  # [m/s]
+    w = float(y[7])  # [rad/s]
     m0 = float(p[0])  # tractor [kg]
     J0 = float(p[1])  # tractor [kg*m^2]
     m = float(p[2])  # each trailer [kg]
@@ -544,7 +544,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
@@ -553,18 +553,18 @@ def jacobian(
     theta1 = float(y[3])  # first trailer [rad]
     theta2 = float(y[4])  # second trailer [rad]
     theta3 = float(y[5])  # third trailer [rad]
-    v = float(y[6])
-    w = float(y[7])
+    v = float(y[6])  # [m/s]
+    w = float(y[7])  # [rad/s]
     m0 = float(p[0])  # tractor [kg]
     J0 = float(p[1])  # tractor [kg*m^2]
     m = float(p[2])  # each trailer [kg]
-    J_2 = float(p[3])  # each trailer [kg*m^2]
+    J_2 = float(p[3])  # J: each trailer [kg*m^2]
     L = float(p[4])  # from axle to axle [m]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if J0 is 0
         if not abs(J0) > 0.0:
             raise _refuse(abs(J0), 0.0, 2, "jacobian")
-        # the coframe is singular
+        # the coframe is singular, if L is 0
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "jacobian")
         # from the parameters alone
@@ -586,7 +586,7 @@ def jacobian(
         z7 = c3 * z4
         s4 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6))
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
-        # the mass matrix is singular
+        # the mass matrix is singular, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "jacobian")
         s_theta0 = math.sin(theta0)
@@ -744,19 +744,19 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns out (2,).
     """
     x = float(y[0])  # axle of the tractor [m]
-    y_2 = float(y[1])  # axle of the tractor [m]
+    y_2 = float(y[1])  # y: axle of the tractor [m]
     theta1 = float(y[3])  # first trailer [rad]
     theta2 = float(y[4])  # second trailer [rad]
     theta3 = float(y[5])  # third trailer [rad]
     L = float(p[4])  # from axle to axle [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if L is 0
         if not abs(L) > 0.0:
             raise _refuse(abs(L), 0.0, 1, "outputs")
         # from the state

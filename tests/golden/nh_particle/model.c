@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:e368e72fa8adc84f)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:ffb0ba582d818810)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -12,22 +12,28 @@
 #include <math.h>
 #include <string.h>
 
-const char *const nh_particle_coordinate_names[] = {
+const char *const nh_particle_coordinate_names[NH_PARTICLE_NQ] = {
     "x",
     "y",
     "z"
 };
-const char *const nh_particle_state_names[] = {
+const char *const nh_particle_state_names[NH_PARTICLE_NY] = {
     "x",
     "y",
     "z",
     "x'",
     "y'"
 };
-const char *const nh_particle_parameter_names[] = {
+const char *const nh_particle_parameter_names[NH_PARTICLE_NP] = {
     "m"
 };
-const double nh_particle_parameter_defaults[] = {
+const char *const nh_particle_constraint_names[NH_PARTICLE_NC] = {
+    "contact"
+};
+const char *const nh_particle_output_names[NH_PARTICLE_NOUT] = {
+    "p_x"
+};
+const double nh_particle_parameter_defaults[NH_PARTICLE_NP] = {
     1.0
 };
 
@@ -168,14 +174,14 @@ int nh_particle_rhs(double t, const double *y, const double *p, double *restrict
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double m = p[0];
     const double z1 = m * (1.0 + y_2 * y_2);
-    const double x_dot = y[3];
+    const double x_dot = y[3]; /* x' */
     const double z2 = y_2 * x_dot;
     /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z2; /* z' */
     /* (III.3) 9:4 */
@@ -183,11 +189,11 @@ int nh_particle_rhs(double t, const double *y, const double *p, double *restrict
     dydt[4] = 0.0; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return nh_particle_refuse(fabs(m), 0.0, NH_PARTICLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return nh_particle_refuse(fabs(z1), 0.0, NH_PARTICLE_SINGULAR_2);
         }
@@ -202,12 +208,12 @@ int nh_particle_velocities(double t, const double *y, const double *p, double *q
     (void)p;
 
     /* from the state */
-    const double x_dot = y[3];
+    const double x_dot = y[3]; /* x' */
     /* (I.1.2) */
     qdot[0] = x_dot; /* x' */
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' */
     qdot[1] = y_dot; /* y' */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     qdot[2] = y_2 * x_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
@@ -221,11 +227,11 @@ int nh_particle_accelerations(double t, const double *y, const double *p, double
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double m = p[0];
     const double z1 = m * (1.0 + y_2 * y_2);
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
     const double z2 = x_dot * y_dot;
     const double z3 = m * (y_2 * z2 / z1);
     /* (III.3) */
@@ -234,11 +240,11 @@ int nh_particle_accelerations(double t, const double *y, const double *p, double
     qddot[2] = z2 - y_2 * z3; /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[2]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return nh_particle_refuse(fabs(m), 0.0, NH_PARTICLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return nh_particle_refuse(fabs(z1), 0.0, NH_PARTICLE_SINGULAR_2);
         }
@@ -252,16 +258,16 @@ int nh_particle_state(double t, const double *q, const double *qdot, const doubl
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0];
     y[0] = x;
-    const double y_2 = q[1];
+    const double y_2 = q[1]; /* y */
     y[1] = y_2;
     const double z = q[2];
     y[2] = z;
-    const double x_dot = qdot[0];
+    const double x_dot = qdot[0]; /* x' */
     y[3] = x_dot;
-    const double y_dot = qdot[1];
+    const double y_dot = qdot[1]; /* y' */
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -275,10 +281,10 @@ int nh_particle_residuals(double t, const double *q, const double *qdot, const d
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double y = q[1];
-    const double x_dot = qdot[0];
-    const double z_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' */
+    const double z_dot = qdot[2]; /* z' */
     /* (I.1.1) 11:5 */
     r[0] = z_dot - y * x_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -293,21 +299,21 @@ int nh_particle_reactions(double t, const double *y, const double *p, double *la
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = y_2 * y_2;
     const double m = p[0];
     const double z2 = m * (1.0 + z1);
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
     /* (I.4.1) 11:5 */
     lambda[0] = m * (x_dot * y_dot) * (1.0 - m * z1 / z2); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return nh_particle_refuse(fabs(m), 0.0, NH_PARTICLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return nh_particle_refuse(fabs(z2), 0.0, NH_PARTICLE_SINGULAR_2);
         }
@@ -321,10 +327,10 @@ double nh_particle_energy(double t, const double *y, const double *p)
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
-    const double x_dot = y[3];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
     const double z1 = y_2 * x_dot;
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' */
     const double m = p[0];
     return 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z1 * z1));
 }
@@ -335,7 +341,7 @@ int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = y_2 * y_2;
     const double m = p[0];
     const double z2 = m * (1.0 + z1);
@@ -344,20 +350,20 @@ int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
     /* (III.3) */
     J[3] = 1.0;
     J[9] = 1.0;
-    const double x_dot = y[3];
+    const double x_dot = y[3]; /* x' */
     J[11] = x_dot;
     J[13] = y_2;
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' */
     J[16] = (2.0 * (z1 * z3) - 1.0) * (y_dot * (x_dot * z3));
     J[18] = -y_dot * z4;
     J[19] = -x_dot * z4;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[16] + J[18] + J[19]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return nh_particle_refuse(fabs(m), 0.0, NH_PARTICLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return nh_particle_refuse(fabs(z2), 0.0, NH_PARTICLE_SINGULAR_2);
         }
@@ -371,8 +377,8 @@ int nh_particle_outputs(double t, const double *y, const double *p, double *out)
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
-    const double x_dot = y[3];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
     const double m = p[0];
     /* 14:8 */
     out[0] = m * (x_dot + y_2 * (y_2 * x_dot)); /* p_x */

@@ -1,5 +1,5 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:6ee45a8d91720673)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:ddf6194c3d097724)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -67,10 +67,12 @@ enum {
     NH_PARTICLE_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const nh_particle_coordinate_names[];
-extern const char *const nh_particle_state_names[];
-extern const char *const nh_particle_parameter_names[];
-extern const double nh_particle_parameter_defaults[];
+extern const char *const nh_particle_coordinate_names[NH_PARTICLE_NQ];
+extern const char *const nh_particle_state_names[NH_PARTICLE_NY];
+extern const char *const nh_particle_parameter_names[NH_PARTICLE_NP];
+extern const char *const nh_particle_constraint_names[NH_PARTICLE_NC];
+extern const char *const nh_particle_output_names[NH_PARTICLE_NOUT];
+extern const double nh_particle_parameter_defaults[NH_PARTICLE_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

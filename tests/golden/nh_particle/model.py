@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:77166e2a6d852005).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:ed93be57ec58a932).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -94,22 +94,22 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns dydt (5,).
     """
-    y_2 = float(y[1])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    y_2 = float(y[1])  # y
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     m = float(p[0])
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
         # from the state
         z1 = m * (1.0 + y_2 * y_2)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "rhs")
         z2 = y_2 * x_dot
@@ -135,14 +135,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns qdot (3,).
     """
-    y_2 = float(y[1])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    y_2 = float(y[1])  # y
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         qdot: list[float] = [
@@ -163,22 +163,22 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns qddot (3,).
     """
-    y_2 = float(y[1])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    y_2 = float(y[1])  # y
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     m = float(p[0])
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
         # from the state
         z1 = m * (1.0 + y_2 * y_2)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "accelerations")
         z2 = x_dot * y_dot
@@ -202,18 +202,18 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns y (5,).
     """
     x = float(q[0])
-    y_2 = float(q[1])
+    y_2 = float(q[1])  # y
     z = float(q[2])
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
+    x_dot = float(qdot[0])  # x'
+    y_dot = float(qdot[1])  # y'
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, z, x_dot, y_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -226,16 +226,16 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (1,).
     Returns r (1,).
     """
     y = float(q[1])
-    x_dot = float(qdot[0])
-    z_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x'
+    z_dot = float(qdot[2])  # z'
     try:
-        # from the state
+        # from the coordinates and velocities
         r: list[float] = [
             # contact = 0 (I.1.1) 11:5
             z_dot - y * x_dot,
@@ -250,24 +250,24 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
-    y_2 = float(y[1])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    y_2 = float(y[1])  # y
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     m = float(p[0])
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
         # from the state
         z1 = y_2 * y_2
         z2 = m * (1.0 + z1)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "reactions")
         lambda_: list[float] = [
@@ -280,14 +280,14 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """Energy T + V.
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns a scalar.
     """
-    y_2 = float(y[1])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    y_2 = float(y[1])  # y
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     m = float(p[0])
     try:
         # from the state
@@ -303,23 +303,23 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
-    y_2 = float(y[1])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    y_2 = float(y[1])  # y
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     m = float(p[0])
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
         # from the state
         z1 = y_2 * y_2
         z2 = m * (1.0 + z1)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "jacobian")
         z3 = m / z2
@@ -365,13 +365,13 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns out (1,).
     """
-    y_2 = float(y[1])
-    x_dot = float(y[3])
+    y_2 = float(y[1])  # y
+    x_dot = float(y[3])  # x'
     m = float(p[0])
     try:
         # from the state

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:88b6549e357be4ea)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:14fd64ab1f77f395)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -12,23 +12,30 @@
 #include <math.h>
 #include <string.h>
 
-const char *const nh_particle_pot_coordinate_names[] = {
+const char *const nh_particle_pot_coordinate_names[NH_PARTICLE_POT_NQ] = {
     "x",
     "y",
     "z"
 };
-const char *const nh_particle_pot_state_names[] = {
+const char *const nh_particle_pot_state_names[NH_PARTICLE_POT_NY] = {
     "x",
     "y",
     "z",
     "x'",
     "y'"
 };
-const char *const nh_particle_pot_parameter_names[] = {
+const char *const nh_particle_pot_parameter_names[NH_PARTICLE_POT_NP] = {
     "m",
     "k"
 };
-const double nh_particle_pot_parameter_defaults[] = {
+const char *const nh_particle_pot_constraint_names[NH_PARTICLE_POT_NC] = {
+    "contact"
+};
+const char *const nh_particle_pot_output_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const double nh_particle_pot_parameter_defaults[NH_PARTICLE_POT_NP] = {
     1.0,
     1.0
 };
@@ -175,13 +182,13 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *rest
     const double k1 = -k / m;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = m * (1.0 + y_2 * y_2);
-    const double x_dot = y[3];
+    const double x_dot = y[3]; /* x' */
     const double z2 = y_2 * x_dot;
     /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z2; /* z' */
     const double x = y[0];
@@ -190,11 +197,11 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *rest
     dydt[4] = y_2 * k1; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return nh_particle_pot_refuse(fabs(m), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return nh_particle_pot_refuse(fabs(z1), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
@@ -209,12 +216,12 @@ int nh_particle_pot_velocities(double t, const double *y, const double *p, doubl
     (void)p;
 
     /* from the state */
-    const double x_dot = y[3];
+    const double x_dot = y[3]; /* x' */
     /* (I.1.2) */
     qdot[0] = x_dot; /* x' */
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' */
     qdot[1] = y_dot; /* y' */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     qdot[2] = y_2 * x_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
@@ -233,10 +240,10 @@ int nh_particle_pot_accelerations(double t, const double *y, const double *p, do
     const double k1 = -k / m;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = m * (1.0 + y_2 * y_2);
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
     const double z2 = x_dot * y_dot;
     const double x = y[0];
     const double z3 = (x * k + m * (y_2 * z2)) / z1;
@@ -246,11 +253,11 @@ int nh_particle_pot_accelerations(double t, const double *y, const double *p, do
     qddot[2] = z2 - y_2 * z3; /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return nh_particle_pot_refuse(fabs(m), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return nh_particle_pot_refuse(fabs(z1), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
@@ -264,16 +271,16 @@ int nh_particle_pot_state(double t, const double *q, const double *qdot, const d
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0];
     y[0] = x;
-    const double y_2 = q[1];
+    const double y_2 = q[1]; /* y */
     y[1] = y_2;
     const double z = q[2];
     y[2] = z;
-    const double x_dot = qdot[0];
+    const double x_dot = qdot[0]; /* x' */
     y[3] = x_dot;
-    const double y_dot = qdot[1];
+    const double y_dot = qdot[1]; /* y' */
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -287,10 +294,10 @@ int nh_particle_pot_residuals(double t, const double *q, const double *qdot, con
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double y = q[1];
-    const double x_dot = qdot[0];
-    const double z_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' */
+    const double z_dot = qdot[2]; /* z' */
     /* (I.1.1) 13:5 */
     r[0] = z_dot - y * x_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -305,11 +312,11 @@ int nh_particle_pot_reactions(double t, const double *y, const double *p, double
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double m = p[0];
     const double z1 = m * (1.0 + y_2 * y_2);
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
     const double z2 = x_dot * y_dot;
     const double x = y[0];
     const double k = p[1];
@@ -318,11 +325,11 @@ int nh_particle_pot_reactions(double t, const double *y, const double *p, double
     lambda[0] = m * (z2 - y_2 * (x * k + m * (y_2 * z2)) / z1);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return nh_particle_pot_refuse(fabs(m), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return nh_particle_pot_refuse(fabs(z1), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
@@ -336,11 +343,11 @@ double nh_particle_pot_energy(double t, const double *y, const double *p)
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double z1 = y_2 * y_2;
     const double x = y[0];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
     const double m = p[0];
     const double k = p[1];
     const double z2 = 0.5 * (k * (x * x + z1) + m * (y_dot * y_dot + x_dot * x_dot * (1.0 + z1)));
@@ -353,14 +360,14 @@ int nh_particle_pot_jacobian(double t, const double *y, const double *p, double 
     (void)t;
 
     /* from the state */
-    const double y_2 = y[1];
+    const double y_2 = y[1]; /* y */
     const double m = p[0];
     const double z1 = m * (1.0 + y_2 * y_2);
     const double z2 = 1.0 / z1;
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' */
     const double z3 = y_dot * m;
     const double z4 = y_2 * z2;
-    const double x_dot = y[3];
+    const double x_dot = y[3]; /* x' */
     const double z5 = y_2 * x_dot;
     /* (III.3) */
     J[3] = 1.0;
@@ -376,11 +383,11 @@ int nh_particle_pot_jacobian(double t, const double *y, const double *p, double 
     J[21] = -k / m;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[15] + J[16] + J[18] + J[19] + J[21]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return nh_particle_pot_refuse(fabs(m), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return nh_particle_pot_refuse(fabs(z1), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }

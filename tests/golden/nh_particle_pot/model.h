@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:1d139d330b4c724c)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:61ad6d6e29c8fb64)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -67,10 +67,12 @@ enum {
     NH_PARTICLE_POT_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const nh_particle_pot_coordinate_names[];
-extern const char *const nh_particle_pot_state_names[];
-extern const char *const nh_particle_pot_parameter_names[];
-extern const double nh_particle_pot_parameter_defaults[];
+extern const char *const nh_particle_pot_coordinate_names[NH_PARTICLE_POT_NQ];
+extern const char *const nh_particle_pot_state_names[NH_PARTICLE_POT_NY];
+extern const char *const nh_particle_pot_parameter_names[NH_PARTICLE_POT_NP];
+extern const char *const nh_particle_pot_constraint_names[NH_PARTICLE_POT_NC];
+extern const char *const nh_particle_pot_output_names[1];
+extern const double nh_particle_pot_parameter_defaults[NH_PARTICLE_POT_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

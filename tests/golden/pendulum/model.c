@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:b3f49aebb7a9ad7c)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:b1ebdcafcb629d3d)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -12,19 +12,26 @@
 #include <math.h>
 #include <string.h>
 
-const char *const pendulum_coordinate_names[] = {
+const char *const pendulum_coordinate_names[PENDULUM_NQ] = {
     "theta"
 };
-const char *const pendulum_state_names[] = {
+const char *const pendulum_state_names[PENDULUM_NY] = {
     "theta",
     "theta'"
 };
-const char *const pendulum_parameter_names[] = {
+const char *const pendulum_parameter_names[PENDULUM_NP] = {
     "m",
     "l",
     "g"
 };
-const double pendulum_parameter_defaults[] = {
+const char *const pendulum_constraint_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const char *const pendulum_output_names[PENDULUM_NOUT] = {
+    "rate"
+};
+const double pendulum_parameter_defaults[PENDULUM_NP] = {
     1.0,
     1.0,
     9.81
@@ -188,7 +195,7 @@ int pendulum_rhs(double t, const double *y, const double *p, double *restrict dy
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double theta_dot = y[1];
+    const double theta_dot = y[1]; /* theta' [rad/s] */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -202,9 +209,9 @@ int pendulum_rhs(double t, const double *y, const double *p, double *restrict dy
     /* (II.3) 12:4 */
     dydt[1] = s_theta * k1; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * (dydt[0] + dydt[1]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m * (l * l) is 0 */
         if (!(fabs(m * (l * l)) > 0.0)) {
             return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
         }
@@ -219,7 +226,7 @@ int pendulum_velocities(double t, const double *y, const double *p, double *qdot
     (void)p;
 
     /* from the state */
-    const double theta_dot = y[1];
+    const double theta_dot = y[1]; /* theta' [rad/s] */
     qdot[0] = theta_dot; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0]) <= DBL_MAX)) {
@@ -248,9 +255,9 @@ int pendulum_accelerations(double t, const double *y, const double *p, double *q
     /* (II.3) */
     qddot[0] = s_theta * k1; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * qddot[0])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m * (l * l) is 0 */
         if (!(fabs(m * (l * l)) > 0.0)) {
             return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
         }
@@ -264,10 +271,10 @@ int pendulum_state(double t, const double *q, const double *qdot, const double *
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double theta = q[0]; /* angle from the downward vertical [rad] */
     y[0] = theta;
-    const double theta_dot = qdot[0];
+    const double theta_dot = qdot[0]; /* theta' [rad/s] */
     y[1] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
@@ -294,7 +301,7 @@ int pendulum_reactions(double t, const double *y, const double *p, double *lambd
     /* from the state */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m * (l * l) is 0 */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
     }
@@ -311,7 +318,7 @@ double pendulum_energy(double t, const double *y, const double *p)
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double theta_dot = y[1];
+    const double theta_dot = y[1]; /* theta' [rad/s] */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -346,9 +353,9 @@ int pendulum_jacobian(double t, const double *y, const double *p, double *J)
     J[1] = 1.0;
     J[2] = c_theta * k1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * J[2])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m * (l * l) is 0 */
         if (!(fabs(m * (l * l)) > 0.0)) {
             return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
         }
@@ -363,7 +370,7 @@ int pendulum_outputs(double t, const double *y, const double *p, double *out)
     (void)p;
 
     /* from the state */
-    const double theta_dot = y[1];
+    const double theta_dot = y[1]; /* theta' [rad/s] */
     /* 15:9 */
     out[0] = theta_dot; /* rate */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -417,7 +424,7 @@ int pendulum_rhs_batch(size_t count, const double *t, const double *y, const dou
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double k1 = -g / l;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m * (l * l) is 0 */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
     }

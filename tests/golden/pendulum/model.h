@@ -1,5 +1,5 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:c41277f42da3b01b)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:a1417a4f59e7d89a)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -64,10 +64,12 @@ enum {
     PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const pendulum_coordinate_names[];
-extern const char *const pendulum_state_names[];
-extern const char *const pendulum_parameter_names[];
-extern const double pendulum_parameter_defaults[];
+extern const char *const pendulum_coordinate_names[PENDULUM_NQ];
+extern const char *const pendulum_state_names[PENDULUM_NY];
+extern const char *const pendulum_parameter_names[PENDULUM_NP];
+extern const char *const pendulum_constraint_names[1];
+extern const char *const pendulum_output_names[PENDULUM_NOUT];
+extern const double pendulum_parameter_defaults[PENDULUM_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (II.3)

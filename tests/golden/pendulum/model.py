@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:e3d5e3539c11f37d).
+"""pendulum, emitted by nhc 0.1.0 (nhc:488367d0c3903408).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -92,19 +92,19 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (II.3)
+    """Right-hand side dy/dt = f(t, y; p) (II.3).
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns dydt (2,).
     """
     theta = float(y[0])  # angle from the downward vertical [rad]
-    theta_dot = float(y[1])
+    theta_dot = float(y[1])  # theta' [rad/s]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
         s1 = m * (l * l)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "rhs")
         # from the parameters alone
@@ -127,12 +127,12 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state
+    """All velocities q' from the state.
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns qdot (1,).
     """
-    theta_dot = float(y[1])
+    theta_dot = float(y[1])  # theta' [rad/s]
     try:
         # from the state
         qdot: list[float] = [
@@ -149,7 +149,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (II.3)
+    """All accelerations q'' on the motion (II.3).
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns qddot (1,).
@@ -160,7 +160,7 @@ def accelerations(
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
         s1 = m * (l * l)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -182,15 +182,15 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (1,), qdot (1,), p (3,).
     Returns y (2,).
     """
     theta = float(q[0])  # angle from the downward vertical [rad]
-    theta_dot = float(qdot[0])
+    theta_dot = float(qdot[0])  # theta' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [theta, theta_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -203,7 +203,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (1,), qdot (1,), p (3,).
     Returns r (0,).
@@ -220,7 +220,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns lambda_ (0,).
@@ -230,7 +230,7 @@ def reactions(
     l = float(p[1])  # length of the rod [m]
     try:
         s1 = m * (l * l)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "reactions")
         # from the state
@@ -241,13 +241,13 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns a scalar.
     """
     theta = float(y[0])  # angle from the downward vertical [rad]
-    theta_dot = float(y[1])
+    theta_dot = float(y[1])  # theta' [rad/s]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
@@ -267,7 +267,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3).
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns rows (2, 2): d rhs_i / d y_j stands at [i][j].
@@ -278,7 +278,7 @@ def jacobian(
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
         s1 = m * (l * l)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -300,12 +300,12 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns out (1,).
     """
-    theta_dot = float(y[1])
+    theta_dot = float(y[1])  # theta' [rad/s]
     try:
         # from the state
         out: list[float] = [

@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:069e2c0d6d3c2b6f)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:20d44b27aee279b0)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -12,12 +12,12 @@
 #include <math.h>
 #include <string.h>
 
-const char *const point_mass_coordinate_names[] = {
+const char *const point_mass_coordinate_names[POINT_MASS_NQ] = {
     "x",
     "y",
     "z"
 };
-const char *const point_mass_state_names[] = {
+const char *const point_mass_state_names[POINT_MASS_NY] = {
     "x",
     "y",
     "z",
@@ -25,12 +25,19 @@ const char *const point_mass_state_names[] = {
     "y'",
     "z'"
 };
-const char *const point_mass_parameter_names[] = {
+const char *const point_mass_parameter_names[POINT_MASS_NP] = {
     "m",
     "g",
     "c"
 };
-const double point_mass_parameter_defaults[] = {
+const char *const point_mass_constraint_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const char *const point_mass_output_names[POINT_MASS_NOUT] = {
+    "speed"
+};
+const double point_mass_parameter_defaults[POINT_MASS_NP] = {
     2.0,
     9.81,
     0.5
@@ -178,12 +185,12 @@ int point_mass_rhs(double t, const double *y, const double *p, double *restrict 
     const double k1 = c / m;
 
     /* from the state */
-    const double x_dot = y[3];
+    const double x_dot = y[3]; /* x' [m/s] */
     /* (II.3) */
     dydt[0] = x_dot; /* x' */
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' [m/s] */
     dydt[1] = y_dot; /* y' */
-    const double z_dot = y[5];
+    const double z_dot = y[5]; /* z' [m/s] */
     dydt[2] = z_dot; /* z' */
     /* (II.3) 14:4 */
     dydt[3] = -x_dot * k1; /* x'' */
@@ -192,7 +199,7 @@ int point_mass_rhs(double t, const double *y, const double *p, double *restrict 
     dydt[5] = -(g + z_dot * k1); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
         }
@@ -207,11 +214,11 @@ int point_mass_velocities(double t, const double *y, const double *p, double *qd
     (void)p;
 
     /* from the state */
-    const double x_dot = y[3];
+    const double x_dot = y[3]; /* x' [m/s] */
     qdot[0] = x_dot; /* x' */
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' [m/s] */
     qdot[1] = y_dot; /* y' */
-    const double z_dot = y[5];
+    const double z_dot = y[5]; /* z' [m/s] */
     qdot[2] = z_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
@@ -230,17 +237,17 @@ int point_mass_accelerations(double t, const double *y, const double *p, double 
     const double k1 = c / m;
 
     /* from the state */
-    const double x_dot = y[3];
+    const double x_dot = y[3]; /* x' [m/s] */
     /* (II.3) */
     qddot[0] = -x_dot * k1; /* x'' */
-    const double y_dot = y[4];
+    const double y_dot = y[4]; /* y' [m/s] */
     qddot[1] = -y_dot * k1; /* y'' */
-    const double z_dot = y[5];
+    const double z_dot = y[5]; /* z' [m/s] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
     qddot[2] = -(g + z_dot * k1); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
         }
@@ -254,18 +261,18 @@ int point_mass_state(double t, const double *q, const double *qdot, const double
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0]; /* horizontal [m] */
     y[0] = x;
-    const double y_2 = q[1]; /* horizontal [m] */
+    const double y_2 = q[1]; /* y: horizontal [m] */
     y[1] = y_2;
     const double z = q[2]; /* height [m] */
     y[2] = z;
-    const double x_dot = qdot[0];
+    const double x_dot = qdot[0]; /* x' [m/s] */
     y[3] = x_dot;
-    const double y_dot = qdot[1];
+    const double y_dot = qdot[1]; /* y' [m/s] */
     y[4] = y_dot;
-    const double z_dot = qdot[2];
+    const double z_dot = qdot[2]; /* z' [m/s] */
     y[5] = z_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
@@ -291,7 +298,7 @@ int point_mass_reactions(double t, const double *y, const double *p, double *lam
 
     /* from the state */
     const double m = p[0]; /* mass [kg] */
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
         return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
     }
@@ -310,9 +317,9 @@ double point_mass_energy(double t, const double *y, const double *p)
 
     /* from the state */
     const double z = y[2]; /* height [m] */
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double z_dot = y[5];
+    const double x_dot = y[3]; /* x' [m/s] */
+    const double y_dot = y[4]; /* y' [m/s] */
+    const double z_dot = y[5]; /* z' [m/s] */
     return 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z_dot * z_dot)) + z * k1;
 }
 
@@ -337,7 +344,7 @@ int point_mass_jacobian(double t, const double *y, const double *p, double *J)
     J[35] = -k1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[35]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
         }
@@ -352,9 +359,9 @@ int point_mass_outputs(double t, const double *y, const double *p, double *out)
     (void)p;
 
     /* from the state */
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-    const double z_dot = y[5];
+    const double x_dot = y[3]; /* x' [m/s] */
+    const double y_dot = y[4]; /* y' [m/s] */
+    const double z_dot = y[5]; /* z' [m/s] */
     /* 21:10 */
     out[0] = sqrt(x_dot * x_dot + y_dot * y_dot + z_dot * z_dot); /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

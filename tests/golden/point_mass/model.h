@@ -1,5 +1,5 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:5c5f89958c7d5ff4)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:3033c49d9ccd65cc)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -68,10 +68,12 @@ enum {
     POINT_MASS_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const point_mass_coordinate_names[];
-extern const char *const point_mass_state_names[];
-extern const char *const point_mass_parameter_names[];
-extern const double point_mass_parameter_defaults[];
+extern const char *const point_mass_coordinate_names[POINT_MASS_NQ];
+extern const char *const point_mass_state_names[POINT_MASS_NY];
+extern const char *const point_mass_parameter_names[POINT_MASS_NP];
+extern const char *const point_mass_constraint_names[1];
+extern const char *const point_mass_output_names[POINT_MASS_NOUT];
+extern const double point_mass_parameter_defaults[POINT_MASS_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (II.3)

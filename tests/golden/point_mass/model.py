@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:114723fe9a75682b).
+"""point_mass, emitted by nhc 0.1.0 (nhc:9772f489c2bf073b).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -95,19 +95,19 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (II.3)
+    """Right-hand side dy/dt = f(t, y; p) (II.3).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns dydt (6,).
     """
-    x_dot = float(y[3])
-    y_dot = float(y[4])
-    z_dot = float(y[5])
+    x_dot = float(y[3])  # x' [m/s]
+    y_dot = float(y[4])  # y' [m/s]
+    z_dot = float(y[5])  # z' [m/s]
     m = float(p[0])  # mass [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     c = float(p[2])  # drag coefficient [kg/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
         # from the parameters alone
@@ -137,14 +137,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state
+    """All velocities q' from the state.
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns qdot (3,).
     """
-    x_dot = float(y[3])
-    y_dot = float(y[4])
-    z_dot = float(y[5])
+    x_dot = float(y[3])  # x' [m/s]
+    y_dot = float(y[4])  # y' [m/s]
+    z_dot = float(y[5])  # z' [m/s]
     try:
         # from the state
         qdot: list[float] = [
@@ -165,19 +165,19 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (II.3)
+    """All accelerations q'' on the motion (II.3).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns qddot (3,).
     """
-    x_dot = float(y[3])
-    y_dot = float(y[4])
-    z_dot = float(y[5])
+    x_dot = float(y[3])  # x' [m/s]
+    y_dot = float(y[4])  # y' [m/s]
+    z_dot = float(y[5])  # z' [m/s]
     m = float(p[0])  # mass [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     c = float(p[2])  # drag coefficient [kg/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -202,19 +202,19 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns y (6,).
     """
     x = float(q[0])  # horizontal [m]
-    y_2 = float(q[1])  # horizontal [m]
+    y_2 = float(q[1])  # y: horizontal [m]
     z = float(q[2])  # height [m]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    z_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    z_dot = float(qdot[2])  # z' [m/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, z, x_dot, y_dot, z_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -227,7 +227,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (0,).
@@ -244,7 +244,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns lambda_ (0,).
@@ -252,7 +252,7 @@ def reactions(
     """
     m = float(p[0])  # mass [kg]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
         # from the state
@@ -263,15 +263,15 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.
     """
     z = float(y[2])  # height [m]
-    x_dot = float(y[3])
-    y_dot = float(y[4])
-    z_dot = float(y[5])
+    x_dot = float(y[3])  # x' [m/s]
+    y_dot = float(y[4])  # y' [m/s]
+    z_dot = float(y[5])  # z' [m/s]
     m = float(p[0])  # mass [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
@@ -290,7 +290,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3).
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
@@ -298,7 +298,7 @@ def jacobian(
     m = float(p[0])  # mass [kg]
     c = float(p[2])  # drag coefficient [kg/s]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -355,14 +355,14 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns out (1,).
     """
-    x_dot = float(y[3])
-    y_dot = float(y[4])
-    z_dot = float(y[5])
+    x_dot = float(y[3])  # x' [m/s]
+    y_dot = float(y[4])  # y' [m/s]
+    z_dot = float(y[5])  # z' [m/s]
     try:
         # from the state
         out: list[float] = [

@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:0be6db1bb6f7c964)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:45a5f1e86f88c18b)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -12,21 +12,29 @@
 #include <math.h>
 #include <string.h>
 
-const char *const pumped_pendulum_coordinate_names[] = {
+const char *const pumped_pendulum_coordinate_names[PUMPED_PENDULUM_NQ] = {
     "theta"
 };
-const char *const pumped_pendulum_state_names[] = {
+const char *const pumped_pendulum_state_names[PUMPED_PENDULUM_NY] = {
     "theta",
     "theta'"
 };
-const char *const pumped_pendulum_parameter_names[] = {
+const char *const pumped_pendulum_parameter_names[PUMPED_PENDULUM_NP] = {
     "m",
     "l",
     "g",
     "a",
     "nu"
 };
-const double pumped_pendulum_parameter_defaults[] = {
+const char *const pumped_pendulum_constraint_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const char *const pumped_pendulum_output_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const double pumped_pendulum_parameter_defaults[PUMPED_PENDULUM_NP] = {
     1.0,
     1.0,
     9.81,
@@ -194,7 +202,7 @@ int pumped_pendulum_rhs(double t, const double *y, const double *p, double *rest
     const double s1 = sin(t * nu);
 
     /* what else is read */
-    const double theta_dot = y[1];
+    const double theta_dot = y[1]; /* theta' [rad/s] */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -210,9 +218,9 @@ int pumped_pendulum_rhs(double t, const double *y, const double *p, double *rest
     /* (II.3) 17:4 */
     dydt[1] = (g * s_theta - c_theta * (s1 * k1)) * k2; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * (dydt[0] + dydt[1]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m * (l * l) is 0 */
         if (!(fabs(m * (l * l)) > 0.0)) {
             return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
         }
@@ -227,7 +235,7 @@ int pumped_pendulum_velocities(double t, const double *y, const double *p, doubl
     (void)p;
 
     /* from the state */
-    const double theta_dot = y[1];
+    const double theta_dot = y[1]; /* theta' [rad/s] */
     qdot[0] = theta_dot; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0]) <= DBL_MAX)) {
@@ -260,9 +268,9 @@ int pumped_pendulum_accelerations(double t, const double *y, const double *p, do
     /* (II.3) */
     qddot[0] = (g * s_theta - c_theta * (s1 * k1)) * k2; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * qddot[0])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m * (l * l) is 0 */
         if (!(fabs(m * (l * l)) > 0.0)) {
             return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
         }
@@ -276,10 +284,10 @@ int pumped_pendulum_state(double t, const double *q, const double *qdot, const d
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double theta = q[0]; /* angle from the downward vertical [rad] */
     y[0] = theta;
-    const double theta_dot = qdot[0];
+    const double theta_dot = qdot[0]; /* theta' [rad/s] */
     y[1] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
@@ -306,7 +314,7 @@ int pumped_pendulum_reactions(double t, const double *y, const double *p, double
     /* from the state */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m * (l * l) is 0 */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
     }
@@ -325,7 +333,7 @@ double pumped_pendulum_energy(double t, const double *y, const double *p)
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double theta_dot = y[1];
+    const double theta_dot = y[1]; /* theta' [rad/s] */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -369,9 +377,9 @@ int pumped_pendulum_jacobian(double t, const double *y, const double *p, double 
     J[1] = 1.0;
     J[2] = k2 * (g * c_theta + s_theta * (s1 * k1));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * J[2])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m * (l * l) is 0 */
         if (!(fabs(m * (l * l)) > 0.0)) {
             return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
         }
@@ -444,7 +452,7 @@ int pumped_pendulum_rhs_batch(size_t count, const double *t, const double *y, co
     const double nu = p[4]; /* frequency of the pivot [rad/s] */
     const double k1 = a * nu * nu;
     const double k2 = -1.0 / l;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m * (l * l) is 0 */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
     }

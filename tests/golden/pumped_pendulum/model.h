@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:450fbad1812c0bc5)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:df00abb0ad335be1)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -65,10 +65,12 @@ enum {
     PUMPED_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const pumped_pendulum_coordinate_names[];
-extern const char *const pumped_pendulum_state_names[];
-extern const char *const pumped_pendulum_parameter_names[];
-extern const double pumped_pendulum_parameter_defaults[];
+extern const char *const pumped_pendulum_coordinate_names[PUMPED_PENDULUM_NQ];
+extern const char *const pumped_pendulum_state_names[PUMPED_PENDULUM_NY];
+extern const char *const pumped_pendulum_parameter_names[PUMPED_PENDULUM_NP];
+extern const char *const pumped_pendulum_constraint_names[1];
+extern const char *const pumped_pendulum_output_names[1];
+extern const double pumped_pendulum_parameter_defaults[PUMPED_PENDULUM_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (II.3)

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:0c984467a93071d5).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:8fbe2023293b2254).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -92,14 +92,14 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (II.3)
+    """Right-hand side dy/dt = f(t, y; p) (II.3).
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns dydt (2,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     theta = float(y[0])  # angle from the downward vertical [rad]
-    theta_dot = float(y[1])
+    theta_dot = float(y[1])  # theta' [rad/s]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
@@ -107,7 +107,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     nu = float(p[4])  # frequency of the pivot [rad/s]
     try:
         s2 = m * (l * l)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s2 is 0
         if not abs(s2) > 0.0:
             raise _refuse(abs(s2), 0.0, 2, "rhs")
         # from the parameters alone
@@ -133,12 +133,12 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state
+    """All velocities q' from the state.
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns qdot (1,).
     """
-    theta_dot = float(y[1])
+    theta_dot = float(y[1])  # theta' [rad/s]
     try:
         # from the state
         qdot: list[float] = [
@@ -155,12 +155,12 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (II.3)
+    """All accelerations q'' on the motion (II.3).
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns qddot (1,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     theta = float(y[0])  # angle from the downward vertical [rad]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
@@ -169,7 +169,7 @@ def accelerations(
     nu = float(p[4])  # frequency of the pivot [rad/s]
     try:
         s2 = m * (l * l)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s2 is 0
         if not abs(s2) > 0.0:
             raise _refuse(abs(s2), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -194,15 +194,15 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (1,), qdot (1,), p (5,).
     Returns y (2,).
     """
     theta = float(q[0])  # angle from the downward vertical [rad]
-    theta_dot = float(qdot[0])
+    theta_dot = float(qdot[0])  # theta' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [theta, theta_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -215,7 +215,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (1,), qdot (1,), p (5,).
     Returns r (0,).
@@ -232,7 +232,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns lambda_ (0,).
@@ -242,7 +242,7 @@ def reactions(
     l = float(p[1])  # length of the rod [m]
     try:
         s1 = m * (l * l)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "reactions")
         # from the state
@@ -253,14 +253,14 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns a scalar.
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     theta = float(y[0])  # angle from the downward vertical [rad]
-    theta_dot = float(y[1])
+    theta_dot = float(y[1])  # theta' [rad/s]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
@@ -288,12 +288,12 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3).
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns rows (2, 2): d rhs_i / d y_j stands at [i][j].
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     theta = float(y[0])  # angle from the downward vertical [rad]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
@@ -302,7 +302,7 @@ def jacobian(
     nu = float(p[4])  # frequency of the pivot [rad/s]
     try:
         s2 = m * (l * l)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s2 is 0
         if not abs(s2) > 0.0:
             raise _refuse(abs(s2), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -327,7 +327,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns out (0,).

@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:02b3109de00064b9)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:0343db1e2dbe4a47)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -17,7 +17,7 @@
 #define RATTLEBACK_SSE2
 #endif
 
-const char *const rattleback_coordinate_names[] = {
+const char *const rattleback_coordinate_names[RATTLEBACK_NQ] = {
     "x",
     "y",
     "z",
@@ -25,7 +25,7 @@ const char *const rattleback_coordinate_names[] = {
     "beta",
     "gamma"
 };
-const char *const rattleback_state_names[] = {
+const char *const rattleback_state_names[RATTLEBACK_NY] = {
     "x",
     "y",
     "z",
@@ -36,7 +36,7 @@ const char *const rattleback_state_names[] = {
     "w2",
     "w3"
 };
-const char *const rattleback_parameter_names[] = {
+const char *const rattleback_parameter_names[RATTLEBACK_NP] = {
     "a",
     "b",
     "c",
@@ -47,7 +47,15 @@ const char *const rattleback_parameter_names[] = {
     "I_d",
     "g"
 };
-const double rattleback_parameter_defaults[] = {
+const char *const rattleback_constraint_names[RATTLEBACK_NC] = {
+    "roll_x",
+    "roll_y",
+    "roll_z"
+};
+const char *const rattleback_output_names[RATTLEBACK_NOUT] = {
+    "spin"
+};
+const double rattleback_parameter_defaults[RATTLEBACK_NP] = {
     20.0,
     3.0,
     2.0,
@@ -253,7 +261,7 @@ int rattleback_rhs(double t, const double *y, const double *p, double *restrict 
     (void)t;
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
-    const double gamma_ = y[5]; /* heading [rad] */
+    const double gamma_ = y[5]; /* gamma: heading [rad] */
 
     /* sines and cosines */
     const double c_alpha = cos(alpha);
@@ -264,9 +272,9 @@ int rattleback_rhs(double t, const double *y, const double *p, double *restrict 
     const double c_gamma = cos(gamma_);
 
     /* what else is read */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
+    const double w1 = y[6]; /* [rad/s] */
+    const double w2 = y[7]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
@@ -355,19 +363,19 @@ int rattleback_rhs(double t, const double *y, const double *p, double *restrict 
         && fabs(c_alpha) > 1e-12 * 4.0
         && fabs(z15) > 1e-13 * z11
         && fabs(z22) > 1e-13 * z16)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if c_alpha is nearly 0 */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
         if (!(fabs(z15) > 1e-13 * z11)) {
             return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z22 is nearly 0 */
         if (!(fabs(z22) > 1e-13 * z16)) {
             return rattleback_refuse(fabs(z22), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
         }
@@ -381,7 +389,7 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     (void)t;
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
-    const double gamma_ = y[5]; /* heading [rad] */
+    const double gamma_ = y[5]; /* gamma: heading [rad] */
 
     /* sines and cosines */
     const double c_alpha = cos(alpha);
@@ -392,9 +400,9 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     const double c_beta = cos(beta);
 
     /* what else is read */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
+    const double w1 = y[6]; /* [rad/s] */
+    const double w2 = y[7]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
@@ -429,7 +437,7 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3] + qdot[4] + qdot[5]) <= DBL_MAX
         && fabs(c_alpha) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if c_alpha is nearly 0 */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
@@ -444,7 +452,7 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
     (void)t;
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
-    const double gamma_ = y[5]; /* heading [rad] */
+    const double gamma_ = y[5]; /* gamma: heading [rad] */
 
     /* sines and cosines */
     const double c_alpha = cos(alpha);
@@ -455,9 +463,9 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
     const double s_gamma = sin(gamma_);
 
     /* what else is read */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
+    const double w1 = y[6]; /* [rad/s] */
+    const double w2 = y[7]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
@@ -558,19 +566,19 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
         && fabs(c_alpha) > 1e-12 * 4.0
         && fabs(z15) > 1e-13 * z11
         && fabs(z22) > 1e-13 * z16)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if c_alpha is nearly 0 */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
         if (!(fabs(z15) > 1e-13 * z11)) {
             return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z22 is nearly 0 */
         if (!(fabs(z22) > 1e-13 * z16)) {
             return rattleback_refuse(fabs(z22), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
         }
@@ -594,14 +602,14 @@ int rattleback_state(double t, const double *q, const double *qdot, const double
 
     /* what else is read */
     const double x = q[0]; /* centre of mass [cm] */
-    const double y_2 = q[1]; /* centre of mass [cm] */
+    const double y_2 = q[1]; /* y: centre of mass [cm] */
     const double z = q[2]; /* centre of mass, downwards [cm] */
-    const double gamma_ = q[5]; /* heading [rad] */
-    const double alpha_dot = qdot[3];
-    const double beta_dot = qdot[4];
-    const double gamma_dot = qdot[5];
+    const double gamma_ = q[5]; /* gamma: heading [rad] */
+    const double alpha_dot = qdot[3]; /* alpha' [rad/s] */
+    const double beta_dot = qdot[4]; /* beta' [rad/s] */
+    const double gamma_dot = qdot[5]; /* gamma' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = gamma_dot * c_alpha;
     y[0] = x;
     y[1] = y_2;
@@ -624,7 +632,7 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     (void)t;
     const double alpha = q[3]; /* roll about the long axis [rad] */
     const double beta = q[4]; /* pitch [rad] */
-    const double gamma_ = q[5]; /* heading [rad] */
+    const double gamma_ = q[5]; /* gamma: heading [rad] */
 
     /* sines and cosines */
     const double c_beta = cos(beta);
@@ -635,12 +643,12 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     const double s_gamma = sin(gamma_);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double z_dot = qdot[2];
-    const double alpha_dot = qdot[3];
-    const double beta_dot = qdot[4];
-    const double gamma_dot = qdot[5];
+    const double x_dot = qdot[0]; /* x' [cm/s] */
+    const double y_dot = qdot[1]; /* y' [cm/s] */
+    const double z_dot = qdot[2]; /* z' [cm/s] */
+    const double alpha_dot = qdot[3]; /* alpha' [rad/s] */
+    const double beta_dot = qdot[4]; /* beta' [rad/s] */
+    const double gamma_dot = qdot[5]; /* gamma' [rad/s] */
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
@@ -651,7 +659,7 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     const double k2 = b * b;
     const double k3 = c * c;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double omega2 = beta_dot + gamma_dot * mu2;
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
@@ -686,7 +694,7 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     (void)t;
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
-    const double gamma_ = y[5]; /* heading [rad] */
+    const double gamma_ = y[5]; /* gamma: heading [rad] */
 
     /* sines and cosines */
     const double c_alpha = cos(alpha);
@@ -697,9 +705,9 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double s_gamma = sin(gamma_);
 
     /* what else is read */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
+    const double w1 = y[6]; /* [rad/s] */
+    const double w2 = y[7]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
@@ -795,19 +803,19 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
         && fabs(c_alpha) > 1e-12 * 4.0
         && fabs(z15) > 1e-13 * z11
         && fabs(z22) > 1e-13 * z16)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if c_alpha is nearly 0 */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
         if (!(fabs(z15) > 1e-13 * z11)) {
             return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z22 is nearly 0 */
         if (!(fabs(z22) > 1e-13 * z16)) {
             return rattleback_refuse(fabs(z22), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
         }
@@ -830,9 +838,9 @@ double rattleback_energy(double t, const double *y, const double *p)
 
     /* what else is read */
     const double z = y[2]; /* centre of mass, downwards [cm] */
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
+    const double w1 = y[6]; /* [rad/s] */
+    const double w2 = y[7]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
@@ -878,7 +886,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, 
     kept[2] = s_beta;
     const double c_beta = cos(beta);
     kept[3] = c_beta;
-    const double gamma_ = y[5]; /* heading [rad] */
+    const double gamma_ = y[5]; /* gamma: heading [rad] */
     const double s_gamma = sin(gamma_);
     const double c_gamma = cos(gamma_);
 
@@ -954,10 +962,10 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, 
     kept[29] = z22;
     const double z23 = z16 - z17 * z18 - z20 * z22;
     kept[30] = z23;
-    const double w1 = y[6];
+    const double w1 = y[6]; /* [rad/s] */
     const double z24 = r3 * w1;
     kept[31] = z24;
-    const double w3 = y[8];
+    const double w3 = y[8]; /* [rad/s] */
     const double z25 = r1 * w3;
     kept[32] = z25;
     const double z26 = z24 - z25;
@@ -976,7 +984,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, 
     kept[37] = z34;
     const double z35 = z29 * z34 - z9 * z31;
     const double z36 = w1 * z33 - w3 * z35;
-    const double w2 = y[7];
+    const double w2 = y[7]; /* [rad/s] */
     const double z37 = r3 * w2;
     kept[38] = z37;
     const double z38 = z6 * w3;
@@ -1148,8 +1156,8 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     double *kept, double *J)
 {
     (void)t;
-    const double w1 = y[6];
-    const double w3 = y[8];
+    const double w1 = y[6]; /* [rad/s] */
+    const double w3 = y[8]; /* [rad/s] */
     const double g = p[8]; /* acceleration of gravity [cm/s^2] */
     const double mu2 = kept[1];
     const double u1 = kept[40];
@@ -1164,7 +1172,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     const double z5 = kept[14];
     const double z109 = kept[78];
     const double z121 = z2 * z120 - z5 * z109;
-    const double w2 = y[7];
+    const double w2 = y[7]; /* [rad/s] */
     const double mu3 = kept[10];
     const double z26 = kept[33];
     const double z122 = g * mu3 + (w1 * z26 + w2 * u1 - (w2 * z118 - w1 * z121));
@@ -1410,21 +1418,21 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     J[78] = -z256;
     J[79] = -z261;
     J[80] = z265;
-    /* the coframe is singular */
+    /* the coframe is singular, if c_alpha is nearly 0 */
     if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
         return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
     }
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z8 is 0 */
     if (!(fabs(z8) > 0.0)) {
         return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
     }
     const double z11 = kept[19];
     const double z15 = kept[23];
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
     if (!(fabs(z15) > 1e-13 * z11)) {
         return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
     }
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z23 is nearly 0 */
     if (!(fabs(z23) > 1e-13 * z16)) {
         return rattleback_refuse(fabs(z23), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
     }
@@ -1456,14 +1464,14 @@ int rattleback_outputs(double t, const double *y, const double *p, double *out)
     const double c_alpha = cos(alpha);
 
     /* what else is read */
-    const double w3 = y[8];
+    const double w3 = y[8]; /* [rad/s] */
 
     /* from the state */
     /* 53:9 */
     out[0] = w3; /* spin */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX && fabs(c_alpha) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if c_alpha is nearly 0 */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
@@ -1498,7 +1506,7 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     rattleback_lanes sine1, cosine1;
     rattleback_turn_lanes(RATTLEBACK_SPREAD(alpha), &far, &sine1, &cosine1);
     const rattleback_lanes c_alpha = cosine1;
-    /* the coframe is singular */
+    /* the coframe is singular, if c_alpha is nearly 0 */
     bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(c_alpha)), RATTLEBACK_SPREAD(1e-12 * 4.0));
     rattleback_lanes sine2, cosine2;
     rattleback_turn_lanes(RATTLEBACK_SPREAD(beta), &far, &sine2, &cosine2);
@@ -1524,7 +1532,7 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes z13 = 1.0 / z8;
     const rattleback_lanes z14 = z12 * z13;
     const rattleback_lanes z15 = z11 - z12 * z14;
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
     bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z15)), 1e-13 * z11);
     const rattleback_lanes z16 = I_c + (z7 + z10);
     const rattleback_lanes z17 = r1 * r3;
@@ -1533,7 +1541,7 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes z20 = 1.0 / z15;
     const rattleback_lanes z21 = z19 * z20;
     const rattleback_lanes z22 = z16 - z17 * z18 - z19 * z21;
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z22 is nearly 0 */
     bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z22)), 1e-13 * z16);
     rattleback_lanes sine3, cosine3;
     rattleback_turn_lanes(RATTLEBACK_SPREAD(gamma_), &far, &sine3, &cosine3);

@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:c2301b2dfbe6f55c)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:0ab648a47a1c6d34)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -83,10 +83,12 @@ enum {
     RATTLEBACK_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const rattleback_coordinate_names[];
-extern const char *const rattleback_state_names[];
-extern const char *const rattleback_parameter_names[];
-extern const double rattleback_parameter_defaults[];
+extern const char *const rattleback_coordinate_names[RATTLEBACK_NQ];
+extern const char *const rattleback_state_names[RATTLEBACK_NY];
+extern const char *const rattleback_parameter_names[RATTLEBACK_NP];
+extern const char *const rattleback_constraint_names[RATTLEBACK_NC];
+extern const char *const rattleback_output_names[RATTLEBACK_NOUT];
+extern const double rattleback_parameter_defaults[RATTLEBACK_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:3049288679c7a013).
+"""rattleback, emitted by nhc 0.1.0 (nhc:f2aabf4e6f3ce287).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -110,7 +110,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns dydt (9,).
@@ -118,9 +118,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
     gamma = float(y[5])  # heading [rad]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     a = float(p[0])  # half axis 1 of the ellipsoid [cm]
     b = float(p[1])  # half axis 2 [cm]
     c = float(p[2])  # half axis 3 [cm]
@@ -137,7 +137,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k3 = c * c
         # from the state
         c_alpha = math.cos(alpha)
-        # the coframe is singular
+        # the coframe is singular, if c_alpha is nearly 0
         if not abs(c_alpha) > 1e-12 * 4.0:
             raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "rhs")
         s_beta = math.sin(beta)
@@ -154,7 +154,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "rhs")
         z9 = z1 * k1
@@ -165,7 +165,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z15 is
+        # nearly 0
         if not abs(z15) > 1e-13 * z11:
             raise _refuse(abs(z15), 1e-13 * z11, 2, "rhs")
         z16 = I_c + (z7 + z10)
@@ -175,7 +176,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z20 = 1.0 / z15
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z22 is
+        # nearly 0
         if not abs(z22) > 1e-13 * z16:
             raise _refuse(abs(z22), 1e-13 * z16, 2, "rhs")
         s_gamma = math.sin(gamma)
@@ -243,7 +245,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns qdot (6,).
@@ -251,9 +253,9 @@ def velocities(
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
     gamma = float(y[5])  # heading [rad]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     a = float(p[0])  # half axis 1 of the ellipsoid [cm]
     b = float(p[1])  # half axis 2 [cm]
     c = float(p[2])  # half axis 3 [cm]
@@ -265,7 +267,7 @@ def velocities(
         k3 = c * c
         # from the state
         c_alpha = math.cos(alpha)
-        # the coframe is singular
+        # the coframe is singular, if c_alpha is nearly 0
         if not abs(c_alpha) > 1e-12 * 4.0:
             raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "velocities")
         s_gamma = math.sin(gamma)
@@ -311,7 +313,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns qddot (6,).
@@ -319,9 +321,9 @@ def accelerations(
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
     gamma = float(y[5])  # heading [rad]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     a = float(p[0])  # half axis 1 of the ellipsoid [cm]
     b = float(p[1])  # half axis 2 [cm]
     c = float(p[2])  # half axis 3 [cm]
@@ -338,7 +340,7 @@ def accelerations(
         k3 = c * c
         # from the state
         c_alpha = math.cos(alpha)
-        # the coframe is singular
+        # the coframe is singular, if c_alpha is nearly 0
         if not abs(c_alpha) > 1e-12 * 4.0:
             raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "accelerations")
         s_beta = math.sin(beta)
@@ -355,7 +357,7 @@ def accelerations(
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "accelerations")
         z9 = z1 * k1
@@ -366,7 +368,8 @@ def accelerations(
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z15 is
+        # nearly 0
         if not abs(z15) > 1e-13 * z11:
             raise _refuse(abs(z15), 1e-13 * z11, 2, "accelerations")
         z16 = I_c + (z7 + z10)
@@ -376,7 +379,8 @@ def accelerations(
         z20 = 1.0 / z15
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z22 is
+        # nearly 0
         if not abs(z22) > 1e-13 * z16:
             raise _refuse(abs(z22), 1e-13 * z16, 2, "accelerations")
         z23 = r3 * w1 - r1 * w3
@@ -456,22 +460,22 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (6,), qdot (6,), p (9,).
     Returns y (9,).
     """
     x = float(q[0])  # centre of mass [cm]
-    y_2 = float(q[1])  # centre of mass [cm]
+    y_2 = float(q[1])  # y: centre of mass [cm]
     z = float(q[2])  # centre of mass, downwards [cm]
     alpha = float(q[3])  # roll about the long axis [rad]
     beta = float(q[4])  # pitch [rad]
     gamma = float(q[5])  # heading [rad]
-    alpha_dot = float(qdot[3])
-    beta_dot = float(qdot[4])
-    gamma_dot = float(qdot[5])
+    alpha_dot = float(qdot[3])  # alpha' [rad/s]
+    beta_dot = float(qdot[4])  # beta' [rad/s]
+    gamma_dot = float(qdot[5])  # gamma' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_beta = math.cos(beta)
         s_beta = math.sin(beta)
         c_alpha = math.cos(alpha)
@@ -499,7 +503,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (6,), qdot (6,), p (9,).
     Returns r (3,).
@@ -507,12 +511,12 @@ def residuals(
     alpha = float(q[3])  # roll about the long axis [rad]
     beta = float(q[4])  # pitch [rad]
     gamma = float(q[5])  # heading [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    z_dot = float(qdot[2])
-    alpha_dot = float(qdot[3])
-    beta_dot = float(qdot[4])
-    gamma_dot = float(qdot[5])
+    x_dot = float(qdot[0])  # x' [cm/s]
+    y_dot = float(qdot[1])  # y' [cm/s]
+    z_dot = float(qdot[2])  # z' [cm/s]
+    alpha_dot = float(qdot[3])  # alpha' [rad/s]
+    beta_dot = float(qdot[4])  # beta' [rad/s]
+    gamma_dot = float(qdot[5])  # gamma' [rad/s]
     a = float(p[0])  # half axis 1 of the ellipsoid [cm]
     b = float(p[1])  # half axis 2 [cm]
     c = float(p[2])  # half axis 3 [cm]
@@ -522,7 +526,7 @@ def residuals(
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        # from the state
+        # from the coordinates and velocities
         c_beta = math.cos(beta)
         mu2 = math.sin(alpha)
         omega2 = beta_dot + gamma_dot * mu2
@@ -563,7 +567,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns lambda_ (3,).
@@ -572,9 +576,9 @@ def reactions(
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
     gamma = float(y[5])  # heading [rad]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     a = float(p[0])  # half axis 1 of the ellipsoid [cm]
     b = float(p[1])  # half axis 2 [cm]
     c = float(p[2])  # half axis 3 [cm]
@@ -591,7 +595,7 @@ def reactions(
         k3 = c * c
         # from the state
         c_alpha = math.cos(alpha)
-        # the coframe is singular
+        # the coframe is singular, if c_alpha is nearly 0
         if not abs(c_alpha) > 1e-12 * 4.0:
             raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "reactions")
         s_beta = math.sin(beta)
@@ -608,7 +612,7 @@ def reactions(
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "reactions")
         z9 = z1 * k1
@@ -619,7 +623,8 @@ def reactions(
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z15 is
+        # nearly 0
         if not abs(z15) > 1e-13 * z11:
             raise _refuse(abs(z15), 1e-13 * z11, 2, "reactions")
         z16 = I_c + (z7 + z10)
@@ -629,7 +634,8 @@ def reactions(
         z20 = 1.0 / z15
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z22 is
+        # nearly 0
         if not abs(z22) > 1e-13 * z16:
             raise _refuse(abs(z22), 1e-13 * z16, 2, "reactions")
         c_gamma = math.cos(gamma)
@@ -692,7 +698,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [cm^2/s^2]
+    """Energy T + V [cm^2/s^2].
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns a scalar.
@@ -700,9 +706,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     z = float(y[2])  # centre of mass, downwards [cm]
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     a = float(p[0])  # half axis 1 of the ellipsoid [cm]
     b = float(p[1])  # half axis 2 [cm]
     c = float(p[2])  # half axis 3 [cm]
@@ -745,7 +751,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns rows (9, 9): d rhs_i / d y_j stands at [i][j].
@@ -753,9 +759,9 @@ def jacobian(
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
     gamma = float(y[5])  # heading [rad]
-    w1 = float(y[6])
-    w2 = float(y[7])
-    w3 = float(y[8])
+    w1 = float(y[6])  # [rad/s]
+    w2 = float(y[7])  # [rad/s]
+    w3 = float(y[8])  # [rad/s]
     a = float(p[0])  # half axis 1 of the ellipsoid [cm]
     b = float(p[1])  # half axis 2 [cm]
     c = float(p[2])  # half axis 3 [cm]
@@ -775,7 +781,7 @@ def jacobian(
         k6 = I_a - I_c
         # from the state
         c_alpha = math.cos(alpha)
-        # the coframe is singular
+        # the coframe is singular, if c_alpha is nearly 0
         if not abs(c_alpha) > 1e-12 * 4.0:
             raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "jacobian")
         s_beta = math.sin(beta)
@@ -792,7 +798,7 @@ def jacobian(
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "jacobian")
         z9 = z1 * k1
@@ -803,7 +809,8 @@ def jacobian(
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z15 is
+        # nearly 0
         if not abs(z15) > 1e-13 * z11:
             raise _refuse(abs(z15), 1e-13 * z11, 2, "jacobian")
         z16 = I_c + (z7 + z10)
@@ -814,7 +821,8 @@ def jacobian(
         z21 = 1.0 / z15
         z22 = z20 * z21
         z23 = z16 - z17 * z18 - z20 * z22
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z23 is
+        # nearly 0
         if not abs(z23) > 1e-13 * z16:
             raise _refuse(abs(z23), 1e-13 * z16, 2, "jacobian")
         s_gamma = math.sin(gamma)
@@ -1235,17 +1243,17 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns out (1,).
     """
     alpha = float(y[3])  # roll about the long axis [rad]
-    w3 = float(y[8])
+    w3 = float(y[8])  # [rad/s]
     try:
         # from the state
         c_alpha = math.cos(alpha)
-        # the coframe is singular
+        # the coframe is singular, if c_alpha is nearly 0
         if not abs(c_alpha) > 1e-12 * 4.0:
             raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "outputs")
         out: list[float] = [

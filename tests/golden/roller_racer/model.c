@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:9f4de14758ac1047)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:b4fab071d2cacce8)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -13,13 +13,13 @@
 #include <math.h>
 #include <string.h>
 
-const char *const roller_racer_coordinate_names[] = {
+const char *const roller_racer_coordinate_names[ROLLER_RACER_NQ] = {
     "x",
     "y",
     "theta",
     "phi"
 };
-const char *const roller_racer_state_names[] = {
+const char *const roller_racer_state_names[ROLLER_RACER_NY] = {
     "x",
     "y",
     "theta",
@@ -27,14 +27,21 @@ const char *const roller_racer_state_names[] = {
     "v",
     "theta'"
 };
-const char *const roller_racer_parameter_names[] = {
+const char *const roller_racer_parameter_names[ROLLER_RACER_NP] = {
     "m",
     "I1",
     "I2",
     "d1",
     "d2"
 };
-const double roller_racer_parameter_defaults[] = {
+const char *const roller_racer_constraint_names[ROLLER_RACER_NC] = {
+    "rear",
+    "front"
+};
+const char *const roller_racer_output_names[ROLLER_RACER_NOUT] = {
+    "speed"
+};
+const double roller_racer_parameter_defaults[ROLLER_RACER_NP] = {
     1.0,
     0.2,
     0.05,
@@ -222,8 +229,8 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *restric
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[4];
-    const double theta_dot = y[5];
+    const double v = y[4]; /* [m/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double m = p[0]; /* mass of the main body [kg] */
     const double I1 = p[1]; /* [kg*m^2] */
     const double I2 = p[2]; /* [kg*m^2] */
@@ -259,15 +266,15 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *restric
     dydt[5] = -z13; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(z9) > 1e-13 * z4)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if d2 is 0 */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z9 is nearly 0 */
         if (!(fabs(z9) > 1e-13 * z4)) {
             return roller_racer_refuse(fabs(z9), 1e-13 * z4, ROLLER_RACER_SINGULAR_2);
         }
@@ -289,8 +296,8 @@ int roller_racer_velocities(double t, const double *y, const double *p, double *
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double v = y[4];
-    const double theta_dot = y[5];
+    const double v = y[4]; /* [m/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
@@ -305,7 +312,7 @@ int roller_racer_velocities(double t, const double *y, const double *p, double *
     qdot[3] = k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi); /* phi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[3]) <= DBL_MAX)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if d2 is 0 */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
@@ -327,8 +334,8 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double v = y[4];
-    const double theta_dot = y[5];
+    const double v = y[4]; /* [m/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double m = p[0]; /* mass of the main body [kg] */
     const double I1 = p[1]; /* [kg*m^2] */
     const double I2 = p[2]; /* [kg*m^2] */
@@ -363,15 +370,15 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
     qddot[3] = -k1 * (z12 + (z2 * z14 - s_phi * z15)); /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX && fabs(z9) > 1e-13 * z4)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if d2 is 0 */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z9 is nearly 0 */
         if (!(fabs(z9) > 1e-13 * z4)) {
             return roller_racer_refuse(fabs(z9), 1e-13 * z4, ROLLER_RACER_SINGULAR_2);
         }
@@ -392,13 +399,13 @@ int roller_racer_state(double t, const double *q, const double *qdot, const doub
 
     /* what else is read */
     const double x = q[0]; /* axle of the main body [m] */
-    const double y_2 = q[1]; /* axle of the main body [m] */
+    const double y_2 = q[1]; /* y: axle of the main body [m] */
     const double phi = q[3]; /* second body, relative to the first [rad] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[2]; /* theta' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -425,14 +432,14 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[2];
-    const double phi_dot = qdot[3];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[2]; /* theta' [rad/s] */
+    const double phi_dot = qdot[3]; /* phi' [rad/s] */
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = theta_dot * (d2 + d1 * c_phi) - (x_dot * (s_theta * c_phi + c_theta * s_phi) - y_dot *
         (c_theta * c_phi - s_theta * s_phi));
     /* (I.1.1) 19:5 */
@@ -456,8 +463,8 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double v = y[4];
-    const double theta_dot = y[5];
+    const double v = y[4]; /* [m/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double m = p[0]; /* mass of the main body [kg] */
     const double I1 = p[1]; /* [kg*m^2] */
     const double I2 = p[2]; /* [kg*m^2] */
@@ -490,15 +497,15 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
     lambda[1] = -z14; /* reaction of front: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-13 * z4)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if d2 is 0 */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z9 is nearly 0 */
         if (!(fabs(z9) > 1e-13 * z4)) {
             return roller_racer_refuse(fabs(z9), 1e-13 * z4, ROLLER_RACER_SINGULAR_2);
         }
@@ -517,8 +524,8 @@ double roller_racer_energy(double t, const double *y, const double *p)
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double v = y[4];
-    const double theta_dot = y[5];
+    const double v = y[4]; /* [m/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double m = p[0]; /* mass of the main body [kg] */
     const double I1 = p[1]; /* [kg*m^2] */
     const double I2 = p[2]; /* [kg*m^2] */
@@ -548,8 +555,8 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double v = y[4];
-    const double theta_dot = y[5];
+    const double v = y[4]; /* [m/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double m = p[0]; /* mass of the main body [kg] */
     const double I1 = p[1]; /* [kg*m^2] */
     const double I2 = p[2]; /* [kg*m^2] */
@@ -617,15 +624,15 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
     J[35] = z38;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[21] + J[27] + J[28] + J[29] + J[33]) <= DBL_MAX && fabs(z10) > 1e-13 * z5)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if d2 is 0 */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z1 is 0 */
         if (!(fabs(z1) > 0.0)) {
             return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z10 is nearly 0 */
         if (!(fabs(z10) > 1e-13 * z5)) {
             return roller_racer_refuse(fabs(z10), 1e-13 * z5, ROLLER_RACER_SINGULAR_2);
         }
@@ -639,14 +646,14 @@ int roller_racer_outputs(double t, const double *y, const double *p, double *out
     (void)t;
 
     /* from the state */
-    const double v = y[4];
+    const double v = y[4]; /* [m/s] */
     /* 22:10 */
     out[0] = v; /* speed */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(d2) > 0.0 * out[0])) {
-        /* the coframe is singular */
+        /* the coframe is singular, if d2 is 0 */
         if (!(fabs(d2) > 0.0)) {
             return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
@@ -688,7 +695,7 @@ static __attribute__((noinline)) void roller_racer_rhs_lanes(const double *fixed
     const roller_racer_lanes z7 = 1.0 / z1;
     const roller_racer_lanes z8 = z7 * z6;
     const roller_racer_lanes z9 = z4 - z6 * z8;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z9 is nearly 0 */
     bad |= roller_racer_misses(roller_racer_size(ROLLER_RACER_SPREAD(z9)), 1e-13 * z4);
     roller_racer_lanes sine2, cosine2;
     roller_racer_turn_lanes(ROLLER_RACER_SPREAD(theta), &far, &sine2, &cosine2);

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:cb3d2898ca1979a8)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:589ee1679b2e9503)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -76,10 +76,12 @@ enum {
     ROLLER_RACER_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const roller_racer_coordinate_names[];
-extern const char *const roller_racer_state_names[];
-extern const char *const roller_racer_parameter_names[];
-extern const double roller_racer_parameter_defaults[];
+extern const char *const roller_racer_coordinate_names[ROLLER_RACER_NQ];
+extern const char *const roller_racer_state_names[ROLLER_RACER_NY];
+extern const char *const roller_racer_parameter_names[ROLLER_RACER_NP];
+extern const char *const roller_racer_constraint_names[ROLLER_RACER_NC];
+extern const char *const roller_racer_output_names[ROLLER_RACER_NOUT];
+extern const double roller_racer_parameter_defaults[ROLLER_RACER_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:ae8b348445f78f3b).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:28230f5571f2d066).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -102,22 +102,22 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns dydt (6,).
     """
     theta = float(y[2])  # heading of the main body [rad]
     phi = float(y[3])  # second body, relative to the first [rad]
-    v = float(y[4])
-    theta_dot = float(y[5])
+    v = float(y[4])  # [m/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass of the main body [kg]
     I1 = float(p[1])  # [kg*m^2]
     I2 = float(p[2])  # [kg*m^2]
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if d2 is 0
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "rhs")
         # from the parameters alone
@@ -127,7 +127,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # from the state
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "rhs")
         c_phi = math.cos(phi)
@@ -139,7 +139,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z7 = 1.0 / z1
         z8 = z7 * z6
         z9 = z4 - z6 * z8
-        # the mass matrix is singular
+        # the mass matrix is singular, if z9 is nearly 0
         if not abs(z9) > 1e-13 * z4:
             raise _refuse(abs(z9), 1e-13 * z4, 2, "rhs")
         c_theta = math.cos(theta)
@@ -172,19 +172,19 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns qdot (4,).
     """
     theta = float(y[2])  # heading of the main body [rad]
     phi = float(y[3])  # second body, relative to the first [rad]
-    v = float(y[4])
-    theta_dot = float(y[5])
+    v = float(y[4])  # [m/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if d2 is 0
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "velocities")
         # from the parameters alone
@@ -214,22 +214,22 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns qddot (4,).
     """
     theta = float(y[2])  # heading of the main body [rad]
     phi = float(y[3])  # second body, relative to the first [rad]
-    v = float(y[4])
-    theta_dot = float(y[5])
+    v = float(y[4])  # [m/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass of the main body [kg]
     I1 = float(p[1])  # [kg*m^2]
     I2 = float(p[2])  # [kg*m^2]
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if d2 is 0
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "accelerations")
         # from the parameters alone
@@ -239,7 +239,7 @@ def accelerations(
         # from the state
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "accelerations")
         c_phi = math.cos(phi)
@@ -251,7 +251,7 @@ def accelerations(
         z7 = 1.0 / z1
         z8 = z7 * z6
         z9 = z4 - z6 * z8
-        # the mass matrix is singular
+        # the mass matrix is singular, if z9 is nearly 0
         if not abs(z9) > 1e-13 * z4:
             raise _refuse(abs(z9), 1e-13 * z4, 2, "accelerations")
         s_theta = math.sin(theta)
@@ -283,20 +283,20 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (4,), qdot (4,), p (5,).
     Returns y (6,).
     """
     x = float(q[0])  # axle of the main body [m]
-    y_2 = float(q[1])  # axle of the main body [m]
+    y_2 = float(q[1])  # y: axle of the main body [m]
     theta = float(q[2])  # heading of the main body [rad]
     phi = float(q[3])  # second body, relative to the first [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[2])  # theta' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         y: list[float] = [
@@ -318,21 +318,21 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (4,), qdot (4,), p (5,).
     Returns r (2,).
     """
     theta = float(q[2])  # heading of the main body [rad]
     phi = float(q[3])  # second body, relative to the first [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[2])
-    phi_dot = float(qdot[3])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[2])  # theta' [rad/s]
+    phi_dot = float(qdot[3])  # phi' [rad/s]
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         c_phi = math.cos(phi)
@@ -356,22 +356,22 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns lambda_ (2,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[3])  # second body, relative to the first [rad]
-    v = float(y[4])
-    theta_dot = float(y[5])
+    v = float(y[4])  # [m/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass of the main body [kg]
     I1 = float(p[1])  # [kg*m^2]
     I2 = float(p[2])  # [kg*m^2]
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if d2 is 0
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "reactions")
         # from the parameters alone
@@ -381,7 +381,7 @@ def reactions(
         # from the state
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "reactions")
         c_phi = math.cos(phi)
@@ -393,7 +393,7 @@ def reactions(
         z7 = 1.0 / z1
         z8 = z7 * z6
         z9 = z4 - z6 * z8
-        # the mass matrix is singular
+        # the mass matrix is singular, if z9 is nearly 0
         if not abs(z9) > 1e-13 * z4:
             raise _refuse(abs(z9), 1e-13 * z4, 2, "reactions")
         z10 = k1 * (theta_dot * z2 - v * s_phi)
@@ -414,14 +414,14 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns a scalar.
     """
     phi = float(y[3])  # second body, relative to the first [rad]
-    v = float(y[4])
-    theta_dot = float(y[5])
+    v = float(y[4])  # [m/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass of the main body [kg]
     I1 = float(p[1])  # [kg*m^2]
     I2 = float(p[2])  # [kg*m^2]
@@ -446,22 +446,22 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
     """
     theta = float(y[2])  # heading of the main body [rad]
     phi = float(y[3])  # second body, relative to the first [rad]
-    v = float(y[4])
-    theta_dot = float(y[5])
+    v = float(y[4])  # [m/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass of the main body [kg]
     I1 = float(p[1])  # [kg*m^2]
     I2 = float(p[2])  # [kg*m^2]
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if d2 is 0
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "jacobian")
         # from the parameters alone
@@ -471,7 +471,7 @@ def jacobian(
         # from the state
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "jacobian")
         c_phi = math.cos(phi)
@@ -484,7 +484,7 @@ def jacobian(
         z8 = 1.0 / z1
         z9 = z8 * z7
         z10 = z5 - z7 * z9
-        # the mass matrix is singular
+        # the mass matrix is singular, if z10 is nearly 0
         if not abs(z10) > 1e-13 * z5:
             raise _refuse(abs(z10), 1e-13 * z5, 2, "jacobian")
         s_theta = math.sin(theta)
@@ -580,15 +580,15 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (6,), p (5,).
     Returns out (1,).
     """
-    v = float(y[4])
+    v = float(y[4])  # [m/s]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # the coframe is singular
+        # the coframe is singular, if d2 is 0
         if not abs(d2) > 0.0:
             raise _refuse(abs(d2), 0.0, 1, "outputs")
         # from the state

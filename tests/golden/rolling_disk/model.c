@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:f08010b6c275115a)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:96040dce3d9996b5)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,14 +12,14 @@
 #include <math.h>
 #include <string.h>
 
-const char *const rolling_disk_coordinate_names[] = {
+const char *const rolling_disk_coordinate_names[ROLLING_DISK_NQ] = {
     "x",
     "y",
     "phi",
     "theta",
     "psi"
 };
-const char *const rolling_disk_state_names[] = {
+const char *const rolling_disk_state_names[ROLLING_DISK_NY] = {
     "x",
     "y",
     "phi",
@@ -29,14 +29,23 @@ const char *const rolling_disk_state_names[] = {
     "w_u",
     "w_n"
 };
-const char *const rolling_disk_parameter_names[] = {
+const char *const rolling_disk_parameter_names[ROLLING_DISK_NP] = {
     "m",
     "R",
     "A",
     "C",
     "g"
 };
-const double rolling_disk_parameter_defaults[] = {
+const char *const rolling_disk_constraint_names[ROLLING_DISK_NC] = {
+    "roll_x",
+    "roll_y"
+};
+const char *const rolling_disk_output_names[ROLLING_DISK_NOUT] = {
+    "height",
+    "contact_x",
+    "contact_y"
+};
+const double rolling_disk_parameter_defaults[ROLLING_DISK_NP] = {
     1.0,
     0.5,
     0.0625,
@@ -224,9 +233,9 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *restric
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double w_t = y[5];
-    const double w_u = y[6];
-    const double w_n = y[7];
+    const double w_t = y[5]; /* [rad/s] */
+    const double w_u = y[6]; /* [rad/s] */
+    const double w_n = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double A = p[2]; /* moment of inertia about a diameter [kg*m^2] */
@@ -262,19 +271,19 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *restric
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if A is 0 */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if k6 is 0 */
         if (!(fabs(k6) > 0.0)) {
             return rolling_disk_refuse(fabs(k6), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12)) {
             return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
@@ -296,9 +305,9 @@ int rolling_disk_velocities(double t, const double *y, const double *p, double *
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double w_t = y[5];
-    const double w_u = y[6];
-    const double w_n = y[7];
+    const double w_t = y[5]; /* [rad/s] */
+    const double w_u = y[6]; /* [rad/s] */
+    const double w_n = y[7]; /* [rad/s] */
     const double R = p[1]; /* radius [m] */
 
     /* from the state */
@@ -313,7 +322,7 @@ int rolling_disk_velocities(double t, const double *y, const double *p, double *
     qdot[4] = w_n - c_theta * z3; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[4]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12)) {
             return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
@@ -335,9 +344,9 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double w_t = y[5];
-    const double w_u = y[6];
-    const double w_n = y[7];
+    const double w_t = y[5]; /* [rad/s] */
+    const double w_u = y[6]; /* [rad/s] */
+    const double w_n = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double A = p[2]; /* moment of inertia about a diameter [kg*m^2] */
@@ -376,19 +385,19 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     qddot[4] = z11 + (z3 * (s_theta * w_t) + c_theta * z13); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if A is 0 */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return rolling_disk_refuse(fabs(k2), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12)) {
             return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
@@ -409,14 +418,14 @@ int rolling_disk_state(double t, const double *q, const double *qdot, const doub
 
     /* what else is read */
     const double x = q[0]; /* centre [m] */
-    const double y_2 = q[1]; /* centre [m] */
+    const double y_2 = q[1]; /* y: centre [m] */
     const double phi = q[2]; /* yaw, direction of the horizontal diameter [rad] */
     const double psi = q[4]; /* spin [rad] */
-    const double phi_dot = qdot[2];
-    const double theta_dot = qdot[3];
-    const double psi_dot = qdot[4];
+    const double phi_dot = qdot[2]; /* phi' [rad/s] */
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
+    const double psi_dot = qdot[4]; /* psi' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -445,14 +454,14 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double phi_dot = qdot[2];
-    const double theta_dot = qdot[3];
-    const double psi_dot = qdot[4];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double phi_dot = qdot[2]; /* phi' [rad/s] */
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
+    const double psi_dot = qdot[4]; /* psi' [rad/s] */
     const double R = p[1]; /* radius [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = R * (psi_dot + phi_dot * c_theta);
     const double z2 = theta_dot * (R * s_theta);
     /* (I.1.1) 25:5 */
@@ -479,9 +488,9 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double w_t = y[5];
-    const double w_u = y[6];
-    const double w_n = y[7];
+    const double w_t = y[5]; /* [rad/s] */
+    const double w_u = y[6]; /* [rad/s] */
+    const double w_n = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double A = p[2]; /* moment of inertia about a diameter [kg*m^2] */
@@ -507,21 +516,21 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     /* (I.4.1) 26:5 */
     lambda[1] = k1 * (s_phi * z1 - c_phi * z2); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(A) > 0.0 * (lambda[0] + lambda[1]) && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if A is 0 */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if k4 is 0 */
         if (!(fabs(k4) > 0.0)) {
             return rolling_disk_refuse(fabs(k4), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12)) {
             return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
@@ -539,9 +548,9 @@ double rolling_disk_energy(double t, const double *y, const double *p)
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double w_t = y[5];
-    const double w_u = y[6];
-    const double w_n = y[7];
+    const double w_t = y[5]; /* [rad/s] */
+    const double w_u = y[6]; /* [rad/s] */
+    const double w_n = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double A = p[2]; /* moment of inertia about a diameter [kg*m^2] */
@@ -573,9 +582,9 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double w_t = y[5];
-    const double w_u = y[6];
-    const double w_n = y[7];
+    const double w_t = y[5]; /* [rad/s] */
+    const double w_u = y[6]; /* [rad/s] */
+    const double w_n = y[7]; /* [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double A = p[2]; /* moment of inertia about a diameter [kg*m^2] */
@@ -632,19 +641,19 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2] + J[10] + J[11] + J[15] + J[35] + J[43] + J[46] + J[47] + J[51] + J[53] + J[54] + J[55] +
         J[61] + J[62]) <= DBL_MAX
         && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if A is 0 */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return rolling_disk_refuse(fabs(k2), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12)) {
             return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
@@ -667,7 +676,7 @@ int rolling_disk_outputs(double t, const double *y, const double *p, double *out
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
+    const double y_2 = y[1]; /* y: centre [m] */
     const double R = p[1]; /* radius [m] */
 
     /* from the state */
@@ -680,7 +689,7 @@ int rolling_disk_outputs(double t, const double *y, const double *p, double *out
     out[2] = y_2 + c_phi * z1; /* contact_y */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[1] + out[2]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12)) {
             return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
@@ -713,7 +722,7 @@ static __attribute__((noinline)) void rolling_disk_rhs_lanes(const double *fixed
     rolling_disk_lanes sine1, cosine1;
     rolling_disk_turn_lanes(ROLLING_DISK_SPREAD(theta), &far, &sine1, &cosine1);
     const rolling_disk_lanes s_theta = sine1;
-    /* the coframe is singular */
+    /* the coframe is singular, if s_theta is nearly 0 */
     bad |= rolling_disk_misses(rolling_disk_size(ROLLING_DISK_SPREAD(s_theta)), ROLLING_DISK_SPREAD(1e-12));
     rolling_disk_lanes sine2, cosine2;
     rolling_disk_turn_lanes(ROLLING_DISK_SPREAD(phi), &far, &sine2, &cosine2);

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:f972e3206f643c01)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:9c6792a24bd7239e)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -79,10 +79,12 @@ enum {
     ROLLING_DISK_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const rolling_disk_coordinate_names[];
-extern const char *const rolling_disk_state_names[];
-extern const char *const rolling_disk_parameter_names[];
-extern const double rolling_disk_parameter_defaults[];
+extern const char *const rolling_disk_coordinate_names[ROLLING_DISK_NQ];
+extern const char *const rolling_disk_state_names[ROLLING_DISK_NY];
+extern const char *const rolling_disk_parameter_names[ROLLING_DISK_NP];
+extern const char *const rolling_disk_constraint_names[ROLLING_DISK_NC];
+extern const char *const rolling_disk_output_names[ROLLING_DISK_NOUT];
+extern const double rolling_disk_parameter_defaults[ROLLING_DISK_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:b5b11e0d27a33f90).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:075c17f9b15a894a).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -105,43 +105,43 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns dydt (8,).
     """
     phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
-    w_t = float(y[5])
-    w_u = float(y[6])
-    w_n = float(y[7])
+    w_t = float(y[5])  # [rad/s]
+    w_u = float(y[6])  # [rad/s]
+    w_n = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if A is 0
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "rhs")
         # from the parameters alone
         k1 = m * R
         k2 = R * k1
         k3 = C + k2
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "rhs")
         k4 = g * k1
         k5 = 1.0 / A
         k6 = A + k2
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if k6 is 0
         if not abs(k6) > 0.0:
             raise _refuse(abs(k6), 0.0, 2, "rhs")
         k7 = -1.0 / k6
         k8 = k2 / k3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12:
             raise _refuse(abs(s_theta), 1e-12, 1, "rhs")
         c_phi = math.cos(phi)
@@ -180,21 +180,21 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns qdot (5,).
     """
     phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
-    w_t = float(y[5])
-    w_u = float(y[6])
-    w_n = float(y[7])
+    w_t = float(y[5])  # [rad/s]
+    w_u = float(y[6])  # [rad/s]
+    w_n = float(y[7])  # [rad/s]
     R = float(p[1])  # radius [m]
     try:
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12:
             raise _refuse(abs(s_theta), 1e-12, 1, "velocities")
         s_phi = math.sin(phi)
@@ -225,33 +225,33 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns qddot (5,).
     """
     phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
-    w_t = float(y[5])
-    w_u = float(y[6])
-    w_n = float(y[7])
+    w_t = float(y[5])  # [rad/s]
+    w_u = float(y[6])  # [rad/s]
+    w_n = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if A is 0
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "accelerations")
         # from the parameters alone
         k1 = m * R * R
         k2 = A + k1
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if k2 is 0
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "accelerations")
         k3 = C + k1
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "accelerations")
         k4 = g * (m * R)
@@ -260,7 +260,7 @@ def accelerations(
         k7 = k1 / k3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12:
             raise _refuse(abs(s_theta), 1e-12, 1, "accelerations")
         z = R * s_theta
@@ -303,21 +303,21 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (5,).
     Returns y (8,).
     """
     x = float(q[0])  # centre [m]
-    y_2 = float(q[1])  # centre [m]
+    y_2 = float(q[1])  # y: centre [m]
     phi = float(q[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(q[3])  # tilt of the plane of the disk, pi/2 upright [rad]
     psi = float(q[4])  # spin [rad]
-    phi_dot = float(qdot[2])
-    theta_dot = float(qdot[3])
-    psi_dot = float(qdot[4])
+    phi_dot = float(qdot[2])  # phi' [rad/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
+    psi_dot = float(qdot[4])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         y: list[float] = [
@@ -341,21 +341,21 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (5,).
     Returns r (2,).
     """
     phi = float(q[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(q[3])  # tilt of the plane of the disk, pi/2 upright [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    phi_dot = float(qdot[2])
-    theta_dot = float(qdot[3])
-    psi_dot = float(qdot[4])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    phi_dot = float(qdot[2])  # phi' [rad/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
+    psi_dot = float(qdot[4])  # psi' [rad/s]
     R = float(p[1])  # radius [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_theta = math.cos(theta)
         z1 = R * (psi_dot + phi_dot * c_theta)
         c_phi = math.cos(phi)
@@ -378,7 +378,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns lambda_ (2,).
@@ -386,27 +386,27 @@ def reactions(
     """
     phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
-    w_t = float(y[5])
-    w_u = float(y[6])
-    w_n = float(y[7])
+    w_t = float(y[5])  # [rad/s]
+    w_u = float(y[6])  # [rad/s]
+    w_n = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if A is 0
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "reactions")
         # from the parameters alone
         k1 = m * R
         k2 = m * R * R
         k3 = A + k2
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "reactions")
         k4 = C + k2
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if k4 is 0
         if not abs(k4) > 0.0:
             raise _refuse(abs(k4), 0.0, 2, "reactions")
         k5 = g * k1
@@ -415,7 +415,7 @@ def reactions(
         k8 = k4 * k6
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12:
             raise _refuse(abs(s_theta), 1e-12, 1, "reactions")
         c_phi = math.cos(phi)
@@ -436,15 +436,15 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns a scalar.
     """
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
-    w_t = float(y[5])
-    w_u = float(y[6])
-    w_n = float(y[7])
+    w_t = float(y[5])  # [rad/s]
+    w_u = float(y[6])  # [rad/s]
+    w_n = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
@@ -470,33 +470,33 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
     """
     phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
-    w_t = float(y[5])
-    w_u = float(y[6])
-    w_n = float(y[7])
+    w_t = float(y[5])  # [rad/s]
+    w_u = float(y[6])  # [rad/s]
+    w_n = float(y[7])  # [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if A is 0
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "jacobian")
         # from the parameters alone
         k1 = m * R * R
         k2 = A + k1
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if k2 is 0
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "jacobian")
         k3 = C + k1
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "jacobian")
         k4 = g * (m * R)
@@ -507,7 +507,7 @@ def jacobian(
         k9 = C * k6
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12:
             raise _refuse(abs(s_theta), 1e-12, 1, "jacobian")
         c_phi = math.cos(phi)
@@ -619,20 +619,20 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (8,), p (5,).
     Returns out (3,).
     """
     x = float(y[0])  # centre [m]
-    y_2 = float(y[1])  # centre [m]
+    y_2 = float(y[1])  # y: centre [m]
     phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
     theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
     R = float(p[1])  # radius [m]
     try:
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12:
             raise _refuse(abs(s_theta), 1e-12, 1, "outputs")
         s_phi = math.sin(phi)

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:f52d4c5a32c4c974)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:97f44292353f354f)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -12,14 +12,14 @@
 #include <math.h>
 #include <string.h>
 
-const char *const routh_sphere_coordinate_names[] = {
+const char *const routh_sphere_coordinate_names[ROUTH_SPHERE_NQ] = {
     "x",
     "y",
     "phi",
     "theta",
     "psi"
 };
-const char *const routh_sphere_state_names[] = {
+const char *const routh_sphere_state_names[ROUTH_SPHERE_NY] = {
     "x",
     "y",
     "phi",
@@ -29,7 +29,7 @@ const char *const routh_sphere_state_names[] = {
     "theta'",
     "psi'"
 };
-const char *const routh_sphere_parameter_names[] = {
+const char *const routh_sphere_parameter_names[ROUTH_SPHERE_NP] = {
     "m",
     "R",
     "e",
@@ -37,7 +37,15 @@ const char *const routh_sphere_parameter_names[] = {
     "I3",
     "g"
 };
-const double routh_sphere_parameter_defaults[] = {
+const char *const routh_sphere_constraint_names[ROUTH_SPHERE_NC] = {
+    "roll_x",
+    "roll_y"
+};
+const char *const routh_sphere_output_names[ROUTH_SPHERE_NOUT] = {
+    "jellett",
+    "routh"
+};
+const double routh_sphere_parameter_defaults[ROUTH_SPHERE_NP] = {
     1.0,
     1.0,
     -0.2,
@@ -226,9 +234,9 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *restric
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
@@ -275,15 +283,15 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *restric
     dydt[7] = z15; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z9) > 1e-13 * z5)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z4 is 0 */
         if (!(fabs(z4) > 0.0)) {
             return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z9 is nearly 0 */
         if (!(fabs(z9) > 1e-13 * z5)) {
             return routh_sphere_refuse(fabs(z9), 1e-13 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
@@ -304,9 +312,9 @@ int routh_sphere_velocities(double t, const double *y, const double *p, double *
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double R = p[1]; /* radius [m] */
 
     /* from the state */
@@ -339,9 +347,9 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
@@ -390,15 +398,15 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     qddot[4] = z21; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX && fabs(z9) > 1e-13 * z5)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z4 is 0 */
         if (!(fabs(z4) > 0.0)) {
             return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z9 is nearly 0 */
         if (!(fabs(z9) > 1e-13 * z5)) {
             return routh_sphere_refuse(fabs(z9), 1e-13 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
@@ -412,10 +420,10 @@ int routh_sphere_state(double t, const double *q, const double *qdot, const doub
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0]; /* geometric centre [m] */
     y[0] = x;
-    const double y_2 = q[1]; /* geometric centre [m] */
+    const double y_2 = q[1]; /* y: geometric centre [m] */
     y[1] = y_2;
     const double phi = q[2]; /* precession [rad] */
     y[2] = phi;
@@ -423,11 +431,11 @@ int routh_sphere_state(double t, const double *q, const double *qdot, const doub
     y[3] = theta;
     const double psi = q[4]; /* spin [rad] */
     y[4] = psi;
-    const double phi_dot = qdot[2];
+    const double phi_dot = qdot[2]; /* phi' [rad/s] */
     y[5] = phi_dot;
-    const double theta_dot = qdot[3];
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
     y[6] = theta_dot;
-    const double psi_dot = qdot[4];
+    const double psi_dot = qdot[4]; /* psi' [rad/s] */
     y[7] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7]) <= DBL_MAX)) {
@@ -448,13 +456,13 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[3];
-    const double psi_dot = qdot[4];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
+    const double psi_dot = qdot[4]; /* psi' [rad/s] */
     const double R = p[1]; /* radius [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = psi_dot * s_theta;
     /* (I.1.1) 29:5 */
     r[0] = x_dot - R * (theta_dot * s_phi - c_phi * z1); /* roll_x = 0 */
@@ -481,9 +489,9 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
@@ -535,15 +543,15 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     lambda[1] = -(z25 * z15 + (z25 * z16 + c_phi * z19) + m * (c_phi * z22 + s_phi * z24));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-13 * z5)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z4 is 0 */
         if (!(fabs(z4) > 0.0)) {
             return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z9 is nearly 0 */
         if (!(fabs(z9) > 1e-13 * z5)) {
             return routh_sphere_refuse(fabs(z9), 1e-13 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
@@ -562,9 +570,9 @@ double routh_sphere_energy(double t, const double *y, const double *p)
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
@@ -602,9 +610,9 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double theta_dot = y[6]; /* theta' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
@@ -697,15 +705,15 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2] + J[10] + J[11] + J[15] + J[43] + J[45] + J[46] + J[47] + J[51] + J[53] + J[54] + J[55] +
         J[59] + J[63]) <= DBL_MAX
         && fabs(z9) > 1e-13 * z5)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z4 is 0 */
         if (!(fabs(z4) > 0.0)) {
             return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z9 is nearly 0 */
         if (!(fabs(z9) > 1e-13 * z5)) {
             return routh_sphere_refuse(fabs(z9), 1e-13 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
@@ -724,8 +732,8 @@ int routh_sphere_outputs(double t, const double *y, const double *p, double *out
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double phi_dot = y[5];
-    const double psi_dot = y[7];
+    const double phi_dot = y[5]; /* phi' [rad/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
@@ -792,7 +800,7 @@ static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed
     const routh_sphere_lanes z7 = 1.0 / z2;
     const routh_sphere_lanes z8 = z6 * z7;
     const routh_sphere_lanes z9 = z5 - z6 * z8;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z9 is nearly 0 */
     bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z9)), 1e-13 * z5);
     routh_sphere_lanes sine2, cosine2;
     routh_sphere_turn_lanes(ROUTH_SPHERE_SPREAD(phi), &far, &sine2, &cosine2);

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:201a5edd7fb52259)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:33d79a5ed091bf41)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -78,10 +78,12 @@ enum {
     ROUTH_SPHERE_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const routh_sphere_coordinate_names[];
-extern const char *const routh_sphere_state_names[];
-extern const char *const routh_sphere_parameter_names[];
-extern const double routh_sphere_parameter_defaults[];
+extern const char *const routh_sphere_coordinate_names[ROUTH_SPHERE_NQ];
+extern const char *const routh_sphere_state_names[ROUTH_SPHERE_NY];
+extern const char *const routh_sphere_parameter_names[ROUTH_SPHERE_NP];
+extern const char *const routh_sphere_constraint_names[ROUTH_SPHERE_NC];
+extern const char *const routh_sphere_output_names[ROUTH_SPHERE_NOUT];
+extern const double routh_sphere_parameter_defaults[ROUTH_SPHERE_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

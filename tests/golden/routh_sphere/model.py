@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:41f1cb8647f5a5e1).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:2eef48bde7eb6e0c).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -106,16 +106,16 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns dydt (8,).
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
@@ -134,14 +134,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I3 - z1 * k5
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "rhs")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
         z4 = I1 + m * (k4 + R * z3)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z4 is 0
         if not abs(z4) > 0.0:
             raise _refuse(abs(z4), 0.0, 2, "rhs")
         z5 = I3 + z1 * k1
@@ -149,7 +149,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z7 = 1.0 / z2
         z8 = z6 * z7
         z9 = z5 - z6 * z8
-        # the mass matrix is singular
+        # the mass matrix is singular, if z9 is nearly 0
         if not abs(z9) > 1e-13 * z5:
             raise _refuse(abs(z9), 1e-13 * z5, 2, "rhs")
         c_phi = math.cos(phi)
@@ -192,16 +192,16 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns qdot (5,).
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     R = float(p[1])  # radius [m]
     try:
         # from the state
@@ -232,16 +232,16 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns qddot (5,).
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
@@ -260,14 +260,14 @@ def accelerations(
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I3 - z1 * k5
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "accelerations")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
         z4 = I1 + m * (k4 + R * z3)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z4 is 0
         if not abs(z4) > 0.0:
             raise _refuse(abs(z4), 0.0, 2, "accelerations")
         z5 = I3 + z1 * k1
@@ -275,7 +275,7 @@ def accelerations(
         z7 = 1.0 / z2
         z8 = z6 * z7
         z9 = z5 - z6 * z8
-        # the mass matrix is singular
+        # the mass matrix is singular, if z9 is nearly 0
         if not abs(z9) > 1e-13 * z5:
             raise _refuse(abs(z9), 1e-13 * z5, 2, "accelerations")
         c_phi = math.cos(phi)
@@ -319,21 +319,21 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns y (8,).
     """
     x = float(q[0])  # geometric centre [m]
-    y_2 = float(q[1])  # geometric centre [m]
+    y_2 = float(q[1])  # y: geometric centre [m]
     phi = float(q[2])  # precession [rad]
     theta = float(q[3])  # nutation [rad]
     psi = float(q[4])  # spin [rad]
-    phi_dot = float(qdot[2])
-    theta_dot = float(qdot[3])
-    psi_dot = float(qdot[4])
+    phi_dot = float(qdot[2])  # phi' [rad/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
+    psi_dot = float(qdot[4])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, phi, theta, psi, phi_dot, theta_dot, psi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -346,20 +346,20 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns r (2,).
     """
     phi = float(q[2])  # precession [rad]
     theta = float(q[3])  # nutation [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[3])
-    psi_dot = float(qdot[4])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
+    psi_dot = float(qdot[4])  # psi' [rad/s]
     R = float(p[1])  # radius [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         s_theta = math.sin(theta)
@@ -380,7 +380,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns lambda_ (2,).
@@ -388,9 +388,9 @@ def reactions(
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
@@ -409,14 +409,14 @@ def reactions(
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I3 - z1 * k5
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "reactions")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
         z4 = I1 + m * (k4 + R * z3)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z4 is 0
         if not abs(z4) > 0.0:
             raise _refuse(abs(z4), 0.0, 2, "reactions")
         z5 = I3 + z1 * k1
@@ -424,7 +424,7 @@ def reactions(
         z7 = 1.0 / z2
         z8 = z6 * z7
         z9 = z5 - z6 * z8
-        # the mass matrix is singular
+        # the mass matrix is singular, if z9 is nearly 0
         if not abs(z9) > 1e-13 * z5:
             raise _refuse(abs(z9), 1e-13 * z5, 2, "reactions")
         c_phi = math.cos(phi)
@@ -463,15 +463,15 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns a scalar.
     """
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
@@ -504,16 +504,16 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    theta_dot = float(y[6])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    theta_dot = float(y[6])  # theta' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
@@ -532,14 +532,14 @@ def jacobian(
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I3 - z1 * k5
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "jacobian")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
         z4 = I1 + m * (k4 + R * z3)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z4 is 0
         if not abs(z4) > 0.0:
             raise _refuse(abs(z4), 0.0, 2, "jacobian")
         z5 = I3 + z1 * k1
@@ -547,7 +547,7 @@ def jacobian(
         z7 = 1.0 / z2
         z8 = z6 * z7
         z9 = z5 - z6 * z8
-        # the mass matrix is singular
+        # the mass matrix is singular, if z9 is nearly 0
         if not abs(z9) > 1e-13 * z5:
             raise _refuse(abs(z9), 1e-13 * z5, 2, "jacobian")
         c_phi = math.cos(phi)
@@ -688,14 +688,14 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (8,), p (6,).
     Returns out (2,).
     """
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])
-    psi_dot = float(y[7])
+    phi_dot = float(y[5])  # phi' [rad/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]

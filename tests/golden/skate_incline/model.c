@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:d1144931929557ea)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:ce87fc833fa40d89)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -13,25 +13,31 @@
 #include <math.h>
 #include <string.h>
 
-const char *const skate_incline_coordinate_names[] = {
+const char *const skate_incline_coordinate_names[SKATE_INCLINE_NQ] = {
     "x",
     "y",
     "phi"
 };
-const char *const skate_incline_state_names[] = {
+const char *const skate_incline_state_names[SKATE_INCLINE_NY] = {
     "x",
     "y",
     "phi",
     "v",
     "phi'"
 };
-const char *const skate_incline_parameter_names[] = {
+const char *const skate_incline_parameter_names[SKATE_INCLINE_NP] = {
     "m",
     "J",
     "g",
     "alpha"
 };
-const double skate_incline_parameter_defaults[] = {
+const char *const skate_incline_constraint_names[SKATE_INCLINE_NC] = {
+    "slip"
+};
+const char *const skate_incline_output_names[SKATE_INCLINE_NOUT] = {
+    "speed"
+};
+const double skate_incline_parameter_defaults[SKATE_INCLINE_NP] = {
     1.0,
     0.4,
     9.81,
@@ -199,8 +205,8 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *restri
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double v = y[3];
-    const double phi_dot = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double phi_dot = y[4]; /* phi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -217,13 +223,13 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *restri
     dydt[3] = c_phi * k1; /* v' */
     dydt[4] = 0.0; /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m * J) > 0.0 * (dydt[0] + dydt[2] + dydt[3]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J is 0 */
         if (!(fabs(J) > 0.0)) {
             return skate_incline_refuse(fabs(J), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
@@ -243,8 +249,8 @@ int skate_incline_velocities(double t, const double *y, const double *p, double 
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double v = y[3];
-    const double phi_dot = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double phi_dot = y[4]; /* phi' [rad/s] */
 
     /* from the state */
     /* (I.2.4) */
@@ -270,8 +276,8 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double v = y[3];
-    const double phi_dot = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double phi_dot = y[4]; /* phi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -287,13 +293,13 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     qddot[1] = s_phi * z1 + c_phi * z2; /* y'' */
     qddot[2] = 0.0; /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m * J) > 0.0 * (qddot[0] + qddot[1]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J is 0 */
         if (!(fabs(J) > 0.0)) {
             return skate_incline_refuse(fabs(J), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
@@ -314,12 +320,12 @@ int skate_incline_state(double t, const double *q, const double *qdot, const dou
 
     /* what else is read */
     const double x = q[0]; /* down the slope [m] */
-    const double y_2 = q[1]; /* across the slope [m] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double phi_dot = qdot[2];
+    const double y_2 = q[1]; /* y: across the slope [m] */
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double phi_dot = qdot[2]; /* phi' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -343,10 +349,10 @@ int skate_incline_residuals(double t, const double *q, const double *qdot, const
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     /* (I.1.1) 18:5 */
     r[0] = x_dot * s_phi - y_dot * c_phi; /* slip = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -367,8 +373,8 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double v = y[3];
-    const double phi_dot = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double phi_dot = y[4]; /* phi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -380,13 +386,13 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
     /* (I.4.1) 18:5 */
     lambda[0] = -m * (phi_dot * v + s_phi * k1); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m * J) > 0.0 * lambda[0])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J is 0 */
         if (!(fabs(J) > 0.0)) {
             return skate_incline_refuse(fabs(J), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
@@ -405,8 +411,8 @@ double skate_incline_energy(double t, const double *y, const double *p)
 
     /* what else is read */
     const double x = y[0]; /* down the slope [m] */
-    const double v = y[3];
-    const double phi_dot = y[4];
+    const double v = y[3]; /* [m/s] */
+    const double phi_dot = y[4]; /* phi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -431,9 +437,9 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double v = y[3];
+    const double v = y[3]; /* [m/s] */
     const double m = p[0]; /* mass [kg] */
-    const double J_2 = p[1]; /* moment of inertia about the normal [kg*m^2] */
+    const double J_2 = p[1]; /* J: moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
     /* from the parameters alone */
@@ -448,13 +454,13 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     J[14] = 1.0;
     J[17] = s_phi * k1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m * J_2) > 0.0 * (J[2] + J[17]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J_2 is 0 */
         if (!(fabs(J_2) > 0.0)) {
             return skate_incline_refuse(fabs(J_2), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
@@ -469,7 +475,7 @@ int skate_incline_outputs(double t, const double *y, const double *p, double *ou
     (void)p;
 
     /* from the state */
-    const double v = y[3];
+    const double v = y[3]; /* [m/s] */
     /* 20:10 */
     out[0] = v; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -535,11 +541,11 @@ int skate_incline_rhs_batch(size_t count, const double *t, const double *y, cons
     const double alpha = p[3]; /* slope, 30 degrees [rad] */
     const double s_alpha = sin(alpha);
     const double k1 = g * s_alpha;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
         return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if J is 0 */
     if (!(fabs(J) > 0.0)) {
         return skate_incline_refuse(fabs(J), 0.0, SKATE_INCLINE_SINGULAR_2);
     }

@@ -1,5 +1,5 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:f5c4a64877b72342)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:a05ca35b7f4ccd84)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -73,10 +73,12 @@ enum {
     SKATE_INCLINE_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const skate_incline_coordinate_names[];
-extern const char *const skate_incline_state_names[];
-extern const char *const skate_incline_parameter_names[];
-extern const double skate_incline_parameter_defaults[];
+extern const char *const skate_incline_coordinate_names[SKATE_INCLINE_NQ];
+extern const char *const skate_incline_state_names[SKATE_INCLINE_NY];
+extern const char *const skate_incline_parameter_names[SKATE_INCLINE_NP];
+extern const char *const skate_incline_constraint_names[SKATE_INCLINE_NC];
+extern const char *const skate_incline_output_names[SKATE_INCLINE_NOUT];
+extern const double skate_incline_parameter_defaults[SKATE_INCLINE_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:c4910d3d7dea905a).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:f65958fa06716172).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -100,23 +100,23 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns dydt (5,).
     """
     phi = float(y[2])  # heading, from the fall line [rad]
-    v = float(y[3])
-    phi_dot = float(y[4])
+    v = float(y[3])  # [m/s]
+    phi_dot = float(y[4])  # phi' [rad/s]
     m = float(p[0])  # mass [kg]
     J = float(p[1])  # moment of inertia about the normal [kg*m^2]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     alpha = float(p[3])  # slope, 30 degrees [rad]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, if J is 0
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "rhs")
         # from the parameters alone
@@ -147,14 +147,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns qdot (3,).
     """
     phi = float(y[2])  # heading, from the fall line [rad]
-    v = float(y[3])
-    phi_dot = float(y[4])
+    v = float(y[3])  # [m/s]
+    phi_dot = float(y[4])  # phi' [rad/s]
     try:
         # from the state
         c_phi = math.cos(phi)
@@ -177,23 +177,23 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns qddot (3,).
     """
     phi = float(y[2])  # heading, from the fall line [rad]
-    v = float(y[3])
-    phi_dot = float(y[4])
+    v = float(y[3])  # [m/s]
+    phi_dot = float(y[4])  # phi' [rad/s]
     m = float(p[0])  # mass [kg]
     J = float(p[1])  # moment of inertia about the normal [kg*m^2]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     alpha = float(p[3])  # slope, 30 degrees [rad]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, if J is 0
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -223,19 +223,19 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (4,).
     Returns y (5,).
     """
     x = float(q[0])  # down the slope [m]
-    y_2 = float(q[1])  # across the slope [m]
+    y_2 = float(q[1])  # y: across the slope [m]
     phi = float(q[2])  # heading, from the fall line [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    phi_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    phi_dot = float(qdot[2])  # phi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
         y: list[float] = [x, y_2, phi, x_dot * c_phi + y_dot * s_phi, phi_dot]
@@ -250,16 +250,16 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (4,).
     Returns r (1,).
     """
     phi = float(q[2])  # heading, from the fall line [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         r: list[float] = [
@@ -276,24 +276,24 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[2])  # heading, from the fall line [rad]
-    v = float(y[3])
-    phi_dot = float(y[4])
+    v = float(y[3])  # [m/s]
+    phi_dot = float(y[4])  # phi' [rad/s]
     m = float(p[0])  # mass [kg]
     J = float(p[1])  # moment of inertia about the normal [kg*m^2]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     alpha = float(p[3])  # slope, 30 degrees [rad]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
-        # the mass matrix is singular
+        # the mass matrix is singular, if J is 0
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "reactions")
         # from the parameters alone
@@ -311,14 +311,14 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns a scalar.
     """
     x = float(y[0])  # down the slope [m]
-    v = float(y[3])
-    phi_dot = float(y[4])
+    v = float(y[3])  # [m/s]
+    phi_dot = float(y[4])  # phi' [rad/s]
     m = float(p[0])  # mass [kg]
     J = float(p[1])  # moment of inertia about the normal [kg*m^2]
     g = float(p[2])  # acceleration of gravity [m/s^2]
@@ -340,22 +340,22 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
     phi = float(y[2])  # heading, from the fall line [rad]
-    v = float(y[3])
+    v = float(y[3])  # [m/s]
     m = float(p[0])  # mass [kg]
-    J_2 = float(p[1])  # moment of inertia about the normal [kg*m^2]
+    J_2 = float(p[1])  # J: moment of inertia about the normal [kg*m^2]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     alpha = float(p[3])  # slope, 30 degrees [rad]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, if J_2 is 0
         if not abs(J_2) > 0.0:
             raise _refuse(abs(J_2), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -404,12 +404,12 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns out (1,).
     """
-    v = float(y[3])
+    v = float(y[3])  # [m/s]
     try:
         # from the state
         out: list[float] = [

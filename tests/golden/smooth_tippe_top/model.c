@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:184f58fd8abef06c)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:c934c87a84173886)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -12,14 +12,14 @@
 #include <math.h>
 #include <string.h>
 
-const char *const smooth_tippe_top_coordinate_names[] = {
+const char *const smooth_tippe_top_coordinate_names[SMOOTH_TIPPE_TOP_NQ] = {
     "x",
     "y",
     "phi",
     "theta",
     "psi"
 };
-const char *const smooth_tippe_top_state_names[] = {
+const char *const smooth_tippe_top_state_names[SMOOTH_TIPPE_TOP_NY] = {
     "x",
     "y",
     "phi",
@@ -31,7 +31,7 @@ const char *const smooth_tippe_top_state_names[] = {
     "theta'",
     "psi'"
 };
-const char *const smooth_tippe_top_parameter_names[] = {
+const char *const smooth_tippe_top_parameter_names[SMOOTH_TIPPE_TOP_NP] = {
     "m",
     "R",
     "e",
@@ -39,7 +39,17 @@ const char *const smooth_tippe_top_parameter_names[] = {
     "I3",
     "g"
 };
-const double smooth_tippe_top_parameter_defaults[] = {
+const char *const smooth_tippe_top_constraint_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const char *const smooth_tippe_top_output_names[SMOOTH_TIPPE_TOP_NOUT] = {
+    "jellett",
+    "spin",
+    "p_x",
+    "p_y"
+};
+const double smooth_tippe_top_parameter_defaults[SMOOTH_TIPPE_TOP_NP] = {
     1.0,
     1.0,
     -0.2,
@@ -228,11 +238,11 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *res
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double x_dot = y[5];
-    const double y_dot = y[6];
-    const double phi_dot = y[7];
-    const double theta_dot = y[8];
-    const double psi_dot = y[9];
+    const double x_dot = y[5]; /* x' [m/s] */
+    const double y_dot = y[6]; /* y' [m/s] */
+    const double phi_dot = y[7]; /* phi' [rad/s] */
+    const double theta_dot = y[8]; /* theta' [rad/s] */
+    const double psi_dot = y[9]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
@@ -270,23 +280,23 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *res
     dydt[8] = -s_theta * z8; /* theta'' */
     dydt[9] = s_theta * (phi_dot * theta_dot) - c_theta * z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m * I3) > 0.0 * (dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[8] + dydt[9])
         && fabs(I1 * z1) > 1e-13 * (z1 * k4)
         && fabs(z2) > 1e-13 * k4)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 * z1 is nearly 0 */
         if (!(fabs(I1 * z1) > 1e-13 * (z1 * k4))) {
             return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is nearly 0 */
         if (!(fabs(z2) > 1e-13 * k4)) {
             return smooth_tippe_top_refuse(fabs(z2), 1e-13 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
@@ -301,15 +311,15 @@ int smooth_tippe_top_velocities(double t, const double *y, const double *p, doub
     (void)p;
 
     /* from the state */
-    const double x_dot = y[5];
+    const double x_dot = y[5]; /* x' [m/s] */
     qdot[0] = x_dot; /* x' */
-    const double y_dot = y[6];
+    const double y_dot = y[6]; /* y' [m/s] */
     qdot[1] = y_dot; /* y' */
-    const double phi_dot = y[7];
+    const double phi_dot = y[7]; /* phi' [rad/s] */
     qdot[2] = phi_dot; /* phi' */
-    const double theta_dot = y[8];
+    const double theta_dot = y[8]; /* theta' [rad/s] */
     qdot[3] = theta_dot; /* theta' */
-    const double psi_dot = y[9];
+    const double psi_dot = y[9]; /* psi' [rad/s] */
     qdot[4] = psi_dot; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3] + qdot[4]) <= DBL_MAX)) {
@@ -331,9 +341,9 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double phi_dot = y[7];
-    const double theta_dot = y[8];
-    const double psi_dot = y[9];
+    const double phi_dot = y[7]; /* phi' [rad/s] */
+    const double theta_dot = y[8]; /* theta' [rad/s] */
+    const double psi_dot = y[9]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
@@ -365,23 +375,23 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     qddot[3] = -s_theta * z8; /* theta'' */
     qddot[4] = s_theta * (phi_dot * theta_dot) - c_theta * z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m * I3) > 0.0 * (qddot[0] + qddot[1] + qddot[3] + qddot[4])
         && fabs(I1 * z1) > 1e-13 * (z1 * k3)
         && fabs(z2) > 1e-13 * k3)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 * z1 is nearly 0 */
         if (!(fabs(I1 * z1) > 1e-13 * (z1 * k3))) {
             return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (z1 * k3), SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is nearly 0 */
         if (!(fabs(z2) > 1e-13 * k3)) {
             return smooth_tippe_top_refuse(fabs(z2), 1e-13 * k3, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
@@ -395,10 +405,10 @@ int smooth_tippe_top_state(double t, const double *q, const double *qdot, const 
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0]; /* geometric centre [m] */
     y[0] = x;
-    const double y_2 = q[1]; /* geometric centre [m] */
+    const double y_2 = q[1]; /* y: geometric centre [m] */
     y[1] = y_2;
     const double phi = q[2]; /* precession [rad] */
     y[2] = phi;
@@ -406,15 +416,15 @@ int smooth_tippe_top_state(double t, const double *q, const double *qdot, const 
     y[3] = theta;
     const double psi = q[4]; /* spin [rad] */
     y[4] = psi;
-    const double x_dot = qdot[0];
+    const double x_dot = qdot[0]; /* x' [m/s] */
     y[5] = x_dot;
-    const double y_dot = qdot[1];
+    const double y_dot = qdot[1]; /* y' [m/s] */
     y[6] = y_dot;
-    const double phi_dot = qdot[2];
+    const double phi_dot = qdot[2]; /* phi' [rad/s] */
     y[7] = phi_dot;
-    const double theta_dot = qdot[3];
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
     y[8] = theta_dot;
-    const double psi_dot = qdot[4];
+    const double psi_dot = qdot[4]; /* psi' [rad/s] */
     y[9] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9]) <= DBL_MAX)) {
@@ -453,19 +463,19 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
 
     /* from the state */
     const double z1 = s_theta * s_theta;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
         return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
         return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I1 * z1 is nearly 0 */
     if (!(fabs(I1 * z1) > 1e-13 * (z1 * k2))) {
         return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (z1 * k2), SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I1 + z1 * k1 is nearly 0 */
     if (!(fabs(I1 + z1 * k1) > 1e-13 * k2)) {
         return smooth_tippe_top_refuse(fabs(I1 + z1 * k1), 1e-13 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
@@ -486,11 +496,11 @@ double smooth_tippe_top_energy(double t, const double *y, const double *p)
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double x_dot = y[5];
-    const double y_dot = y[6];
-    const double phi_dot = y[7];
-    const double theta_dot = y[8];
-    const double psi_dot = y[9];
+    const double x_dot = y[5]; /* x' [m/s] */
+    const double y_dot = y[6]; /* y' [m/s] */
+    const double phi_dot = y[7]; /* phi' [rad/s] */
+    const double theta_dot = y[8]; /* theta' [rad/s] */
+    const double psi_dot = y[9]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
@@ -528,9 +538,9 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double phi_dot = y[7];
-    const double theta_dot = y[8];
-    const double psi_dot = y[9];
+    const double phi_dot = y[7]; /* phi' [rad/s] */
+    const double theta_dot = y[8]; /* theta' [rad/s] */
+    const double psi_dot = y[9]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
@@ -620,24 +630,24 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     J[98] = z20 - c_theta * z43;
     J[99] = -c_theta * z44;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m * I3) > 0.0 * (J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69]
         + J[83] + J[87] + J[88] + J[89] + J[93] + J[97] + J[98] + J[99])
         && fabs(I1 * z1) > 1e-13 * (z1 * k4)
         && fabs(z2) > 1e-13 * k4)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if m is 0 */
         if (!(fabs(m) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I1 * z1 is nearly 0 */
         if (!(fabs(I1 * z1) > 1e-13 * (z1 * k4))) {
             return smooth_tippe_top_refuse(fabs(I1 * z1), 1e-13 * (z1 * k4), SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z2 is nearly 0 */
         if (!(fabs(z2) > 1e-13 * k4)) {
             return smooth_tippe_top_refuse(fabs(z2), 1e-13 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
@@ -659,11 +669,11 @@ int smooth_tippe_top_outputs(double t, const double *y, const double *p, double 
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double x_dot = y[5];
-    const double y_dot = y[6];
-    const double phi_dot = y[7];
-    const double theta_dot = y[8];
-    const double psi_dot = y[9];
+    const double x_dot = y[5]; /* x' [m/s] */
+    const double y_dot = y[6]; /* y' [m/s] */
+    const double phi_dot = y[7]; /* phi' [rad/s] */
+    const double theta_dot = y[8]; /* theta' [rad/s] */
+    const double psi_dot = y[9]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
@@ -719,11 +729,11 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(theta), &far, &sine1, &cosine1);
     const smooth_tippe_top_lanes s_theta = sine1;
     const smooth_tippe_top_lanes z1 = s_theta * s_theta;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I1 * z1 is nearly 0 */
     bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(I1 * z1)), 1e-13 * (z1 *
         k4));
     const smooth_tippe_top_lanes z2 = I1 + z1 * k2;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z2 is nearly 0 */
     bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z2)),
         SMOOTH_TIPPE_TOP_SPREAD(1e-13 * k4));
     smooth_tippe_top_lanes sine2, cosine2;
@@ -796,11 +806,11 @@ int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, c
     const double k2 = e * k1;
     const double k3 = 1.0 / I1;
     const double k4 = I1 + k2;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
         return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
         return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:471d042a6e681bce)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:9e4fba77e471123c)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -80,10 +80,12 @@ enum {
     SMOOTH_TIPPE_TOP_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const smooth_tippe_top_coordinate_names[];
-extern const char *const smooth_tippe_top_state_names[];
-extern const char *const smooth_tippe_top_parameter_names[];
-extern const double smooth_tippe_top_parameter_defaults[];
+extern const char *const smooth_tippe_top_coordinate_names[SMOOTH_TIPPE_TOP_NQ];
+extern const char *const smooth_tippe_top_state_names[SMOOTH_TIPPE_TOP_NY];
+extern const char *const smooth_tippe_top_parameter_names[SMOOTH_TIPPE_TOP_NP];
+extern const char *const smooth_tippe_top_constraint_names[1];
+extern const char *const smooth_tippe_top_output_names[SMOOTH_TIPPE_TOP_NOUT];
+extern const double smooth_tippe_top_parameter_defaults[SMOOTH_TIPPE_TOP_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (II.3)

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:48985c033e9d3436).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:7c254cadbe631f39).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -116,28 +116,28 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (II.3)
+    """Right-hand side dy/dt = f(t, y; p) (II.3).
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns dydt (10,).
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    x_dot = float(y[5])
-    y_dot = float(y[6])
-    phi_dot = float(y[7])
-    theta_dot = float(y[8])
-    psi_dot = float(y[9])
+    x_dot = float(y[5])  # x' [m/s]
+    y_dot = float(y[6])  # y' [m/s]
+    phi_dot = float(y[7])  # phi' [rad/s]
+    theta_dot = float(y[8])  # theta' [rad/s]
+    psi_dot = float(y[9])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
     I1 = float(p[3])  # across the axis, at the centre of mass [kg*m^2]
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "rhs")
         # from the parameters alone
@@ -148,11 +148,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 * z1 is nearly 0
         if not abs(I1 * z1) > 1e-13 * (z1 * k4):
             raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k4), 2, "rhs")
         z2 = I1 + z1 * k2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is nearly 0
         if not abs(z2) > 1e-13 * k4:
             raise _refuse(abs(z2), 1e-13 * k4, 2, "rhs")
         c_phi = math.cos(phi)
@@ -199,16 +199,16 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state
+    """All velocities q' from the state.
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns qdot (5,).
     """
-    x_dot = float(y[5])
-    y_dot = float(y[6])
-    phi_dot = float(y[7])
-    theta_dot = float(y[8])
-    psi_dot = float(y[9])
+    x_dot = float(y[5])  # x' [m/s]
+    y_dot = float(y[6])  # y' [m/s]
+    phi_dot = float(y[7])  # phi' [rad/s]
+    theta_dot = float(y[8])  # theta' [rad/s]
+    psi_dot = float(y[9])  # psi' [rad/s]
     try:
         # from the state
         qdot: list[float] = [
@@ -233,26 +233,26 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (II.3)
+    """All accelerations q'' on the motion (II.3).
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns qddot (5,).
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[7])
-    theta_dot = float(y[8])
-    psi_dot = float(y[9])
+    phi_dot = float(y[7])  # phi' [rad/s]
+    theta_dot = float(y[8])  # theta' [rad/s]
+    psi_dot = float(y[9])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
     I1 = float(p[3])  # across the axis, at the centre of mass [kg*m^2]
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -263,11 +263,11 @@ def accelerations(
         # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 * z1 is nearly 0
         if not abs(I1 * z1) > 1e-13 * (z1 * k3):
             raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k3), 2, "accelerations")
         z2 = I1 + z1 * k2
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is nearly 0
         if not abs(z2) > 1e-13 * k3:
             raise _refuse(abs(z2), 1e-13 * k3, 2, "accelerations")
         c_phi = math.cos(phi)
@@ -305,23 +305,23 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns y (10,).
     """
     x = float(q[0])  # geometric centre [m]
-    y_2 = float(q[1])  # geometric centre [m]
+    y_2 = float(q[1])  # y: geometric centre [m]
     phi = float(q[2])  # precession [rad]
     theta = float(q[3])  # nutation [rad]
     psi = float(q[4])  # spin [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    phi_dot = float(qdot[2])
-    theta_dot = float(qdot[3])
-    psi_dot = float(qdot[4])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    phi_dot = float(qdot[2])  # phi' [rad/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
+    psi_dot = float(qdot[4])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [
             x,
             y_2,
@@ -345,7 +345,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (5,), qdot (5,), p (6,).
     Returns r (0,).
@@ -362,7 +362,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns lambda_ (0,).
@@ -374,10 +374,10 @@ def reactions(
     I1 = float(p[3])  # across the axis, at the centre of mass [kg*m^2]
     I3 = float(p[4])  # about the axis [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
         # from the parameters alone
@@ -386,11 +386,11 @@ def reactions(
         # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 * z1 is nearly 0
         if not abs(I1 * z1) > 1e-13 * (z1 * k2):
             raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k2), 2, "reactions")
         s1 = I1 + z1 * k1
-        # the mass matrix is singular
+        # the mass matrix is singular, if s1 is nearly 0
         if not abs(s1) > 1e-13 * k2:
             raise _refuse(abs(s1), 1e-13 * k2, 2, "reactions")
         lambda_: list[float] = []
@@ -400,18 +400,18 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns a scalar.
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    x_dot = float(y[5])
-    y_dot = float(y[6])
-    phi_dot = float(y[7])
-    theta_dot = float(y[8])
-    psi_dot = float(y[9])
+    x_dot = float(y[5])  # x' [m/s]
+    y_dot = float(y[6])  # y' [m/s]
+    phi_dot = float(y[7])  # phi' [rad/s]
+    theta_dot = float(y[8])  # theta' [rad/s]
+    psi_dot = float(y[9])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
     I1 = float(p[3])  # across the axis, at the centre of mass [kg*m^2]
@@ -446,26 +446,26 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3).
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns rows (10, 10): d rhs_i / d y_j stands at [i][j].
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[7])
-    theta_dot = float(y[8])
-    psi_dot = float(y[9])
+    phi_dot = float(y[7])  # phi' [rad/s]
+    theta_dot = float(y[8])  # theta' [rad/s]
+    psi_dot = float(y[9])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]
     I1 = float(p[3])  # across the axis, at the centre of mass [kg*m^2]
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if m is 0
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -478,11 +478,11 @@ def jacobian(
         # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if I1 * z1 is nearly 0
         if not abs(I1 * z1) > 1e-13 * (z1 * k4):
             raise _refuse(abs(I1 * z1), 1e-13 * (z1 * k4), 2, "jacobian")
         z2 = I1 + z1 * k3
-        # the mass matrix is singular
+        # the mass matrix is singular, if z2 is nearly 0
         if not abs(z2) > 1e-13 * k4:
             raise _refuse(abs(z2), 1e-13 * k4, 2, "jacobian")
         c_phi = math.cos(phi)
@@ -668,18 +668,18 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns out (4,).
     """
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    x_dot = float(y[5])
-    y_dot = float(y[6])
-    phi_dot = float(y[7])
-    theta_dot = float(y[8])
-    psi_dot = float(y[9])
+    x_dot = float(y[5])  # x' [m/s]
+    y_dot = float(y[6])  # y' [m/s]
+    phi_dot = float(y[7])  # phi' [rad/s]
+    theta_dot = float(y[8])  # theta' [rad/s]
+    psi_dot = float(y[9])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     e = float(p[2])  # centre of mass along the axis of symmetry [m]

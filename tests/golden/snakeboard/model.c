@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:70d9b02ffdb87038)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:fa77767d7349e67f)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-const char *const snakeboard_coordinate_names[] = {
+const char *const snakeboard_coordinate_names[SNAKEBOARD_NQ] = {
     "x",
     "y",
     "theta",
@@ -21,7 +21,7 @@ const char *const snakeboard_coordinate_names[] = {
     "p_b",
     "p_f"
 };
-const char *const snakeboard_state_names[] = {
+const char *const snakeboard_state_names[SNAKEBOARD_NY] = {
     "x",
     "y",
     "theta",
@@ -33,7 +33,7 @@ const char *const snakeboard_state_names[] = {
     "p_b'",
     "p_f'"
 };
-const char *const snakeboard_parameter_names[] = {
+const char *const snakeboard_parameter_names[SNAKEBOARD_NP] = {
     "m",
     "l",
     "J",
@@ -43,7 +43,14 @@ const char *const snakeboard_parameter_names[] = {
     "sigma",
     "nu"
 };
-const double snakeboard_parameter_defaults[] = {
+const char *const snakeboard_constraint_names[SNAKEBOARD_NC] = {
+    "back",
+    "front"
+};
+const char *const snakeboard_output_names[SNAKEBOARD_NOUT] = {
+    "speed"
+};
+const double snakeboard_parameter_defaults[SNAKEBOARD_NP] = {
     1.0,
     0.5,
     0.1,
@@ -241,10 +248,10 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     const double c2 = cos(z17);
 
     /* what else is read */
-    const double v = y[6];
-    const double psi_dot = y[7];
-    const double p_b_dot = y[8];
-    const double p_f_dot = y[9];
+    const double v = y[6]; /* [1/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
+    const double p_b_dot = y[8]; /* p_b' [rad/s] */
+    const double p_f_dot = y[9]; /* p_f' [rad/s] */
     const double m = p[0]; /* mass of everything [kg] */
     const double l = p[1]; /* from the centre to an axle [m] */
     const double J = p[2]; /* board [kg*m^2] */
@@ -304,19 +311,19 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z2 + z14) > 1e-12 * (4.0 + 8.0 * (k2 * k2))
         && fabs(z15) > 1e-13 * z15)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if J_w is 0 */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if z2 + z14 is nearly 0 */
         if (!(fabs(z2 + z14) > 1e-12 * (4.0 + 8.0 * (k2 * k2)))) {
             return snakeboard_refuse(fabs(z2 + z14), 1e-12 * (4.0 + 8.0 * (k2 * k2)), SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
         if (!(fabs(z15) > 1e-13 * z15)) {
             return snakeboard_refuse(fabs(z15), 1e-13 * z15, SNAKEBOARD_SINGULAR_2);
         }
@@ -342,10 +349,10 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
     const double s1 = sin(z2);
 
     /* what else is read */
-    const double v = y[6];
-    const double psi_dot = y[7];
-    const double p_b_dot = y[8];
-    const double p_f_dot = y[9];
+    const double v = y[6]; /* [1/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
+    const double p_b_dot = y[8]; /* p_b' [rad/s] */
+    const double p_f_dot = y[9]; /* p_f' [rad/s] */
     const double l = p[1]; /* from the centre to an axle [m] */
 
     /* from the parameters alone */
@@ -400,9 +407,9 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double c2 = cos(z22);
 
     /* what else is read */
-    const double v = y[6];
-    const double p_b_dot = y[8];
-    const double p_f_dot = y[9];
+    const double v = y[6]; /* [1/s] */
+    const double p_b_dot = y[8]; /* p_b' [rad/s] */
+    const double p_f_dot = y[9]; /* p_f' [rad/s] */
     const double m = p[0]; /* mass of everything [kg] */
     const double l = p[1]; /* from the centre to an axle [m] */
     const double J = p[2]; /* board [kg*m^2] */
@@ -463,11 +470,11 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(z2 + (z10 * z10 + z13 * z13)) > 1e-12 * (4.0 + 8.0 * (k2 * k2))
         && fabs(z14) > 1e-13 * z14)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if J_w is 0 */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -476,7 +483,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
             return snakeboard_refuse(fabs(z2 + (z10 * z10 + z13 * z13)), 1e-12 * (4.0 + 8.0 * (k2 * k2)),
                 SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z14 is nearly 0 */
         if (!(fabs(z14) > 1e-13 * z14)) {
             return snakeboard_refuse(fabs(z14), 1e-13 * z14, SNAKEBOARD_SINGULAR_2);
         }
@@ -503,21 +510,21 @@ int snakeboard_state(double t, const double *q, const double *qdot, const double
 
     /* what else is read */
     const double x = q[0]; /* centre of the board [m] */
-    const double y_2 = q[1]; /* centre of the board [m] */
+    const double y_2 = q[1]; /* y: centre of the board [m] */
     const double psi = q[3]; /* rotor, relative to the board [rad] */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[2];
-    const double psi_dot = qdot[3];
-    const double p_b_dot = qdot[4];
-    const double p_f_dot = qdot[5];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[2]; /* theta' [rad/s] */
+    const double psi_dot = qdot[3]; /* psi' [rad/s] */
+    const double p_b_dot = qdot[4]; /* p_b' [rad/s] */
+    const double p_f_dot = qdot[5]; /* p_f' [rad/s] */
     const double l = p[1]; /* from the centre to an axle [m] */
 
     /* from the parameters alone */
     const double k1 = l * l;
     const double k2 = 1.0 - k1;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
     const double z3 = c_p_b * s_p_f;
@@ -563,12 +570,12 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
     const double s_p_f = sin(p_f);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[2]; /* theta' [rad/s] */
     const double l = p[1]; /* from the centre to an axle [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z2 = theta_dot * l;
     const double z3 = s1 * c_p_f + c1 * s_p_f;
     const double z4 = c1 * c_p_f - s1 * s_p_f;
@@ -605,9 +612,9 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double c2 = cos(z18);
 
     /* what else is read */
-    const double v = y[6];
-    const double p_b_dot = y[8];
-    const double p_f_dot = y[9];
+    const double v = y[6]; /* [1/s] */
+    const double p_b_dot = y[8]; /* p_b' [rad/s] */
+    const double p_f_dot = y[9]; /* p_f' [rad/s] */
     const double m = p[0]; /* mass of everything [kg] */
     const double l = p[1]; /* from the centre to an axle [m] */
     const double J = p[2]; /* board [kg*m^2] */
@@ -670,23 +677,23 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     /* (I.4.1) 29:5 */
     lambda[1] = s1 * z38 + c1 * z40 - c_p_b * z41; /* reaction of front: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J_r * J_w) > 0.0 * (lambda[0] + lambda[1])
         && fabs(z4) > 1e-12 * (4.0 + 8.0 * (k4 * k4))
         && fabs(z15) > 1e-13 * z15)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if J_w is 0 */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if z4 is nearly 0 */
         if (!(fabs(z4) > 1e-12 * (4.0 + 8.0 * (k4 * k4)))) {
             return snakeboard_refuse(fabs(z4), 1e-12 * (4.0 + 8.0 * (k4 * k4)), SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
         if (!(fabs(z15) > 1e-13 * z15)) {
             return snakeboard_refuse(fabs(z15), 1e-13 * z15, SNAKEBOARD_SINGULAR_2);
         }
@@ -712,10 +719,10 @@ double snakeboard_energy(double t, const double *y, const double *p)
     const double s1 = sin(z6);
 
     /* what else is read */
-    const double v = y[6];
-    const double psi_dot = y[7];
-    const double p_b_dot = y[8];
-    const double p_f_dot = y[9];
+    const double v = y[6]; /* [1/s] */
+    const double psi_dot = y[7]; /* psi' [rad/s] */
+    const double p_b_dot = y[8]; /* p_b' [rad/s] */
+    const double p_f_dot = y[9]; /* p_f' [rad/s] */
     const double m = p[0]; /* mass of everything [kg] */
     const double l = p[1]; /* from the centre to an axle [m] */
     const double J = p[2]; /* board [kg*m^2] */
@@ -761,12 +768,12 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double c2 = cos(z33);
 
     /* what else is read */
-    const double v = y[6];
-    const double p_b_dot = y[8];
-    const double p_f_dot = y[9];
+    const double v = y[6]; /* [1/s] */
+    const double p_b_dot = y[8]; /* p_b' [rad/s] */
+    const double p_f_dot = y[9]; /* p_f' [rad/s] */
     const double m = p[0]; /* mass of everything [kg] */
     const double l = p[1]; /* from the centre to an axle [m] */
-    const double J_2 = p[2]; /* board [kg*m^2] */
+    const double J_2 = p[2]; /* J: board [kg*m^2] */
     const double J_r = p[3]; /* rotor [kg*m^2] */
     const double J_w = p[4]; /* each axle [kg*m^2] */
     const double tau = p[5]; /* amplitude of the torque on the rotor [N*m] */
@@ -906,16 +913,16 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     J[98] = z90;
     J[99] = -z91;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J_r * J_w) > 0.0 * (J[2] + J[4] + J[12] + J[14] + J[64] + J[65] + J[66] + J[68] + J[74] +
         J[75] + J[76] + J[78] + J[99])
         && fabs(z2 + (z13 * z13 + z17 * z17)) > 1e-12 * (4.0 + 8.0 * (k2 * k2))
         && fabs(z18) > 1e-13 * z18)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if J_w is 0 */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -924,7 +931,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
             return snakeboard_refuse(fabs(z2 + (z13 * z13 + z17 * z17)), 1e-12 * (4.0 + 8.0 * (k2 * k2)),
                 SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if z18 is nearly 0 */
         if (!(fabs(z18) > 1e-13 * z18)) {
             return snakeboard_refuse(fabs(z18), 1e-13 * z18, SNAKEBOARD_SINGULAR_2);
         }
@@ -949,7 +956,7 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double v = y[6];
+    const double v = y[6]; /* [1/s] */
     const double l = p[1]; /* from the centre to an axle [m] */
 
     /* from the parameters alone */
@@ -1029,11 +1036,11 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes z12 = c_p_b * z11;
     const snakeboard_lanes z13 = l * (z6 + z12);
     const snakeboard_lanes z14 = z10 * z10 + z13 * z13;
-    /* the coframe is singular */
+    /* the coframe is singular, if z2 + z14 is nearly 0 */
     bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z2 + z14)), SNAKEBOARD_SPREAD(1e-12 * (4.0 +
         8.0 * (k2 * k2))));
     const snakeboard_lanes z15 = J * z2 + m * z14;
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
     bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z15)), 1e-13 * z15);
     const snakeboard_lanes z16 = z1 * v;
     const snakeboard_lanes z17 = t_ * nu;

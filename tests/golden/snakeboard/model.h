@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:39c9772015f13eb9)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:5af49f8a93b79918)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -84,10 +84,12 @@ enum {
     SNAKEBOARD_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const snakeboard_coordinate_names[];
-extern const char *const snakeboard_state_names[];
-extern const char *const snakeboard_parameter_names[];
-extern const double snakeboard_parameter_defaults[];
+extern const char *const snakeboard_coordinate_names[SNAKEBOARD_NQ];
+extern const char *const snakeboard_state_names[SNAKEBOARD_NY];
+extern const char *const snakeboard_parameter_names[SNAKEBOARD_NP];
+extern const char *const snakeboard_constraint_names[SNAKEBOARD_NC];
+extern const char *const snakeboard_output_names[SNAKEBOARD_NOUT];
+extern const double snakeboard_parameter_defaults[SNAKEBOARD_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

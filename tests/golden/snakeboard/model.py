@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:39285b2553459b5a).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:077422ea994a4926).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -124,19 +124,19 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns dydt (10,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
-    v = float(y[6])
-    psi_dot = float(y[7])
-    p_b_dot = float(y[8])
-    p_f_dot = float(y[9])
+    v = float(y[6])  # [1/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
+    p_b_dot = float(y[8])  # p_b' [rad/s]
+    p_f_dot = float(y[9])  # p_f' [rad/s]
     m = float(p[0])  # mass of everything [kg]
     l = float(p[1])  # from the centre to an axle [m]
     J = float(p[2])  # board [kg*m^2]
@@ -146,10 +146,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if J_r is 0
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "rhs")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if J_w is 0
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "rhs")
         # from the parameters alone
@@ -180,11 +180,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z13 = l * (z6 + z12)
         z14 = z10 * z10 + z13 * z13
         s3 = 4.0 + 8.0 * (k2 * k2)
-        # the coframe is singular
+        # the coframe is singular, if z2 + z14 is nearly 0
         if not abs(z2 + z14) > 1e-12 * s3:
             raise _refuse(abs(z2 + z14), 1e-12 * s3, 1, "rhs")
         z15 = J * z2 + m * z14
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z15 is
+        # nearly 0
         if not abs(z15) > 1e-13 * z15:
             raise _refuse(abs(z15), 1e-13 * z15, 2, "rhs")
         z16 = z1 * v
@@ -236,7 +237,7 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns qdot (6,).
@@ -244,10 +245,10 @@ def velocities(
     theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
-    v = float(y[6])
-    psi_dot = float(y[7])
-    p_b_dot = float(y[8])
-    p_f_dot = float(y[9])
+    v = float(y[6])  # [1/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
+    p_b_dot = float(y[8])  # p_b' [rad/s]
+    p_f_dot = float(y[9])  # p_f' [rad/s]
     l = float(p[1])  # from the centre to an axle [m]
     try:
         # from the parameters alone
@@ -270,7 +271,7 @@ def velocities(
         s2 = z7 * z7 + z8 * z8
         s3 = z1 * z1 + s2
         s4 = 4.0 + 8.0 * (k1 * k1)
-        # the coframe is singular
+        # the coframe is singular, if s3 is nearly 0
         if not abs(s3) > 1e-12 * s4:
             raise _refuse(abs(s3), 1e-12 * s4, 1, "velocities")
         qdot: list[float] = [
@@ -297,18 +298,18 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns qddot (6,).
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
-    v = float(y[6])
-    p_b_dot = float(y[8])
-    p_f_dot = float(y[9])
+    v = float(y[6])  # [1/s]
+    p_b_dot = float(y[8])  # p_b' [rad/s]
+    p_f_dot = float(y[9])  # p_f' [rad/s]
     m = float(p[0])  # mass of everything [kg]
     l = float(p[1])  # from the centre to an axle [m]
     J = float(p[2])  # board [kg*m^2]
@@ -318,10 +319,10 @@ def accelerations(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if J_r is 0
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "accelerations")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if J_w is 0
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -353,11 +354,12 @@ def accelerations(
         s3 = z10 * z10
         s4 = z2 + (s3 + z13 * z13)
         s5 = 4.0 + 8.0 * (k2 * k2)
-        # the coframe is singular
+        # the coframe is singular, if s4 is nearly 0
         if not abs(s4) > 1e-12 * s5:
             raise _refuse(abs(s4), 1e-12 * s5, 1, "accelerations")
         z14 = J * z2 + k1 * (z9 * z9 + z12 * z12)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z14 is
+        # nearly 0
         if not abs(z14) > 1e-13 * z14:
             raise _refuse(abs(z14), 1e-13 * z14, 2, "accelerations")
         z15 = l * v
@@ -409,29 +411,29 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (6,), qdot (6,), p (8,).
     Returns y (10,).
     """
     x = float(q[0])  # centre of the board [m]
-    y_2 = float(q[1])  # centre of the board [m]
+    y_2 = float(q[1])  # y: centre of the board [m]
     theta = float(q[2])  # heading of the board [rad]
     psi = float(q[3])  # rotor, relative to the board [rad]
     p_b = float(q[4])  # back axle, relative to the board [rad]
     p_f = float(q[5])  # front axle, relative to the board [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[2])
-    psi_dot = float(qdot[3])
-    p_b_dot = float(qdot[4])
-    p_f_dot = float(qdot[5])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[2])  # theta' [rad/s]
+    psi_dot = float(qdot[3])  # psi' [rad/s]
+    p_b_dot = float(qdot[4])  # p_b' [rad/s]
+    p_f_dot = float(qdot[5])  # p_f' [rad/s]
     l = float(p[1])  # from the centre to an axle [m]
     try:
         # from the parameters alone
         k1 = l * l
         k2 = 1.0 - k1
-        # from the state
+        # from the coordinates and velocities
         s_p_f = math.sin(p_f)
         z1 = s_p_f * s_p_f
         s_p_b = math.sin(p_b)
@@ -474,7 +476,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (6,), qdot (6,), p (8,).
     Returns r (2,).
@@ -482,12 +484,12 @@ def residuals(
     theta = float(q[2])  # heading of the board [rad]
     p_b = float(q[4])  # back axle, relative to the board [rad]
     p_f = float(q[5])  # front axle, relative to the board [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[2])  # theta' [rad/s]
     l = float(p[1])  # from the centre to an axle [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         z1 = theta + p_b
         s1 = math.sin(z1)
         c1 = math.cos(z1)
@@ -516,19 +518,19 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns lambda_ (2,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
-    v = float(y[6])
-    p_b_dot = float(y[8])
-    p_f_dot = float(y[9])
+    v = float(y[6])  # [1/s]
+    p_b_dot = float(y[8])  # p_b' [rad/s]
+    p_f_dot = float(y[9])  # p_f' [rad/s]
     m = float(p[0])  # mass of everything [kg]
     l = float(p[1])  # from the centre to an axle [m]
     J = float(p[2])  # board [kg*m^2]
@@ -538,10 +540,10 @@ def reactions(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if J_r is 0
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if J_w is 0
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "reactions")
         # from the parameters alone
@@ -562,7 +564,7 @@ def reactions(
         s4 = s_p_b * (s3 - 2.0 * (s_p_f * z3 * k2))
         z4 = s4 + (z1 + k1 * (4.0 - 3.0 * z1))
         s5 = 4.0 + 8.0 * (k4 * k4)
-        # the coframe is singular
+        # the coframe is singular, if z4 is nearly 0
         if not abs(z4) > 1e-12 * s5:
             raise _refuse(abs(z4), 1e-12 * s5, 1, "reactions")
         z5 = c_p_b * s_p_f - c_p_f * s_p_b
@@ -578,7 +580,8 @@ def reactions(
         z13 = c_p_b * z10 - s_p_b * z8
         z14 = z9 + c_p_b * z13
         z15 = J * (z5 * z5) + k3 * (z12 * z12 + z14 * z14)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z15 is
+        # nearly 0
         if not abs(z15) > 1e-13 * z15:
             raise _refuse(abs(z15), 1e-13 * z15, 2, "reactions")
         z16 = l * z14
@@ -623,7 +626,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns a scalar.
@@ -631,10 +634,10 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
-    v = float(y[6])
-    psi_dot = float(y[7])
-    p_b_dot = float(y[8])
-    p_f_dot = float(y[9])
+    v = float(y[6])  # [1/s]
+    psi_dot = float(y[7])  # psi' [rad/s]
+    p_b_dot = float(y[8])  # p_b' [rad/s]
+    p_f_dot = float(y[9])  # p_f' [rad/s]
     m = float(p[0])  # mass of everything [kg]
     l = float(p[1])  # from the centre to an axle [m]
     J = float(p[2])  # board [kg*m^2]
@@ -673,31 +676,31 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns rows (10, 10): d rhs_i / d y_j stands at [i][j].
     """
-    t_ = float(t)  # time
+    t_ = float(t)  # t: time
     theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
-    v = float(y[6])
-    p_b_dot = float(y[8])
-    p_f_dot = float(y[9])
+    v = float(y[6])  # [1/s]
+    p_b_dot = float(y[8])  # p_b' [rad/s]
+    p_f_dot = float(y[9])  # p_f' [rad/s]
     m = float(p[0])  # mass of everything [kg]
     l = float(p[1])  # from the centre to an axle [m]
-    J_2 = float(p[2])  # board [kg*m^2]
+    J_2 = float(p[2])  # J: board [kg*m^2]
     J_r = float(p[3])  # rotor [kg*m^2]
     J_w = float(p[4])  # each axle [kg*m^2]
     tau = float(p[5])  # amplitude of the torque on the rotor [N*m]
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if J_r is 0
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "jacobian")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if J_w is 0
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -731,11 +734,12 @@ def jacobian(
         s3 = z13 * z13
         s4 = z2 + (s3 + z17 * z17)
         s5 = 4.0 + 8.0 * (k2 * k2)
-        # the coframe is singular
+        # the coframe is singular, if s4 is nearly 0
         if not abs(s4) > 1e-12 * s5:
             raise _refuse(abs(s4), 1e-12 * s5, 1, "jacobian")
         z18 = J_2 * z2 + k1 * (z12 * z12 + z16 * z16)
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if z18 is
+        # nearly 0
         if not abs(z18) > 1e-13 * z18:
             raise _refuse(abs(z18), 1e-13 * z18, 2, "jacobian")
         z19 = l * v
@@ -964,7 +968,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (10,), p (8,).
     Returns out (1,).
@@ -972,7 +976,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
-    v = float(y[6])
+    v = float(y[6])  # [1/s]
     l = float(p[1])  # from the centre to an axle [m]
     try:
         # from the parameters alone
@@ -992,7 +996,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s3 = z2 * z2 + z3 * z3
         s4 = z1 * z1 + s3
         s5 = 4.0 + 8.0 * (k1 * k1)
-        # the coframe is singular
+        # the coframe is singular, if s4 is nearly 0
         if not abs(s4) > 1e-12 * s5:
             raise _refuse(abs(s4), 1e-12 * s5, 1, "outputs")
         out: list[float] = [

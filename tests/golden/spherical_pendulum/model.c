@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:4fa60325e480b7d6)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:f7e92cea274b07d5)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -12,22 +12,29 @@
 #include <math.h>
 #include <string.h>
 
-const char *const spherical_pendulum_coordinate_names[] = {
+const char *const spherical_pendulum_coordinate_names[SPHERICAL_PENDULUM_NQ] = {
     "theta",
     "phi"
 };
-const char *const spherical_pendulum_state_names[] = {
+const char *const spherical_pendulum_state_names[SPHERICAL_PENDULUM_NY] = {
     "theta",
     "phi",
     "theta'",
     "phi'"
 };
-const char *const spherical_pendulum_parameter_names[] = {
+const char *const spherical_pendulum_parameter_names[SPHERICAL_PENDULUM_NP] = {
     "m",
     "l",
     "g"
 };
-const double spherical_pendulum_parameter_defaults[] = {
+const char *const spherical_pendulum_constraint_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const char *const spherical_pendulum_output_names[SPHERICAL_PENDULUM_NOUT] = {
+    "L_z"
+};
+const double spherical_pendulum_parameter_defaults[SPHERICAL_PENDULUM_NP] = {
     1.0,
     1.0,
     9.81
@@ -203,8 +210,8 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *r
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double theta_dot = y[2];
-    const double phi_dot = y[3];
+    const double theta_dot = y[2]; /* theta' [rad/s] */
+    const double phi_dot = y[3]; /* phi' [rad/s] */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -221,13 +228,13 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *r
     dydt[2] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
     dydt[3] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * (dydt[2] + dydt[3]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 is 0 */
         if (!(fabs(k1) > 0.0)) {
             return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 * (s_theta * s_theta) is 0 */
         if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
             return spherical_pendulum_refuse(fabs(k1 * (s_theta * s_theta)), 0.0,
                 SPHERICAL_PENDULUM_SINGULAR_2);
@@ -243,9 +250,9 @@ int spherical_pendulum_velocities(double t, const double *y, const double *p, do
     (void)p;
 
     /* from the state */
-    const double theta_dot = y[2];
+    const double theta_dot = y[2]; /* theta' [rad/s] */
     qdot[0] = theta_dot; /* theta' */
-    const double phi_dot = y[3];
+    const double phi_dot = y[3]; /* phi' [rad/s] */
     qdot[1] = phi_dot; /* phi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
@@ -264,8 +271,8 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double theta_dot = y[2];
-    const double phi_dot = y[3];
+    const double theta_dot = y[2]; /* theta' [rad/s] */
+    const double phi_dot = y[3]; /* phi' [rad/s] */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -279,13 +286,13 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
     qddot[0] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
     qddot[1] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * (qddot[0] + qddot[1]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 is 0 */
         if (!(fabs(k1) > 0.0)) {
             return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 * (s_theta * s_theta) is 0 */
         if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
             return spherical_pendulum_refuse(fabs(k1 * (s_theta * s_theta)), 0.0,
                 SPHERICAL_PENDULUM_SINGULAR_2);
@@ -300,14 +307,14 @@ int spherical_pendulum_state(double t, const double *q, const double *qdot, cons
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double theta = q[0]; /* angle from the downward vertical [rad] */
     y[0] = theta;
     const double phi = q[1]; /* azimuth [rad] */
     y[1] = phi;
-    const double theta_dot = qdot[0];
+    const double theta_dot = qdot[0]; /* theta' [rad/s] */
     y[2] = theta_dot;
-    const double phi_dot = qdot[1];
+    const double phi_dot = qdot[1]; /* phi' [rad/s] */
     y[3] = phi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3]) <= DBL_MAX)) {
@@ -342,11 +349,11 @@ int spherical_pendulum_reactions(double t, const double *y, const double *p, dou
     const double k1 = m * l * l;
 
     /* from the state */
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if k1 is 0 */
     if (!(fabs(k1) > 0.0)) {
         return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if k1 * (s_theta * s_theta) is 0 */
     if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
         return spherical_pendulum_refuse(fabs(k1 * (s_theta * s_theta)), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
     }
@@ -364,8 +371,8 @@ double spherical_pendulum_energy(double t, const double *y, const double *p)
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double theta_dot = y[2];
-    const double phi_dot = y[3];
+    const double theta_dot = y[2]; /* theta' [rad/s] */
+    const double phi_dot = y[3]; /* phi' [rad/s] */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -388,8 +395,8 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double theta_dot = y[2];
-    const double phi_dot = y[3];
+    const double theta_dot = y[2]; /* theta' [rad/s] */
+    const double phi_dot = y[3]; /* phi' [rad/s] */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -411,13 +418,13 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
     J[14] = -2.0 * (z3 * z2);
     J[15] = -2.0 * (theta_dot * c_theta * z3);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * (J[8] + J[11] + J[12] + J[14] + J[15]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 is 0 */
         if (!(fabs(k1) > 0.0)) {
             return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if k1 * z1 is 0 */
         if (!(fabs(k1 * z1) > 0.0)) {
             return spherical_pendulum_refuse(fabs(k1 * z1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
         }
@@ -435,7 +442,7 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double phi_dot = y[3];
+    const double phi_dot = y[3]; /* phi' [rad/s] */
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
 
@@ -468,7 +475,7 @@ static __attribute__((noinline)) void spherical_pendulum_rhs_lanes(const double 
     spherical_pendulum_lanes sine1, cosine1;
     spherical_pendulum_turn_lanes(SPHERICAL_PENDULUM_SPREAD(theta), &far, &sine1, &cosine1);
     const spherical_pendulum_lanes s_theta = sine1;
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if k1 * (s_theta * s_theta) is 0 */
     bad |= spherical_pendulum_misses(spherical_pendulum_size(SPHERICAL_PENDULUM_SPREAD(k1 * (s_theta *
         s_theta))), SPHERICAL_PENDULUM_SPREAD(0.0));
     const spherical_pendulum_lanes c_theta = cosine1;

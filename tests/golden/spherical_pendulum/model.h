@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:3004b0a7d4945aac)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:c1dca698842b2589)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -68,10 +68,12 @@ enum {
     SPHERICAL_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const spherical_pendulum_coordinate_names[];
-extern const char *const spherical_pendulum_state_names[];
-extern const char *const spherical_pendulum_parameter_names[];
-extern const double spherical_pendulum_parameter_defaults[];
+extern const char *const spherical_pendulum_coordinate_names[SPHERICAL_PENDULUM_NQ];
+extern const char *const spherical_pendulum_state_names[SPHERICAL_PENDULUM_NY];
+extern const char *const spherical_pendulum_parameter_names[SPHERICAL_PENDULUM_NP];
+extern const char *const spherical_pendulum_constraint_names[1];
+extern const char *const spherical_pendulum_output_names[SPHERICAL_PENDULUM_NOUT];
+extern const double spherical_pendulum_parameter_defaults[SPHERICAL_PENDULUM_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (II.3)

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:8f12ed1a1e3cbcd1).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:431d13dceb2ff634).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -94,28 +94,28 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (II.3)
+    """Right-hand side dy/dt = f(t, y; p) (II.3).
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns dydt (4,).
     """
     theta = float(y[0])  # angle from the downward vertical [rad]
-    theta_dot = float(y[2])
-    phi_dot = float(y[3])
+    theta_dot = float(y[2])  # theta' [rad/s]
+    phi_dot = float(y[3])  # phi' [rad/s]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
         # from the parameters alone
         k1 = m * l * l
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 is 0
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "rhs")
         k2 = g / l
         # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 * s1 is 0
         if not abs(k1 * s1) > 0.0:
             raise _refuse(abs(k1 * s1), 0.0, 2, "rhs")
         c_theta = math.cos(theta)
@@ -139,13 +139,13 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state
+    """All velocities q' from the state.
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns qdot (2,).
     """
-    theta_dot = float(y[2])
-    phi_dot = float(y[3])
+    theta_dot = float(y[2])  # theta' [rad/s]
+    phi_dot = float(y[3])  # phi' [rad/s]
     try:
         # from the state
         qdot: list[float] = [
@@ -164,28 +164,28 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (II.3)
+    """All accelerations q'' on the motion (II.3).
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns qddot (2,).
     """
     theta = float(y[0])  # angle from the downward vertical [rad]
-    theta_dot = float(y[2])
-    phi_dot = float(y[3])
+    theta_dot = float(y[2])  # theta' [rad/s]
+    phi_dot = float(y[3])  # phi' [rad/s]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
         # from the parameters alone
         k1 = m * l * l
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 is 0
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "accelerations")
         k2 = g / l
         # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 * s1 is 0
         if not abs(k1 * s1) > 0.0:
             raise _refuse(abs(k1 * s1), 0.0, 2, "accelerations")
         c_theta = math.cos(theta)
@@ -206,17 +206,17 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (2,), qdot (2,), p (3,).
     Returns y (4,).
     """
     theta = float(q[0])  # angle from the downward vertical [rad]
     phi = float(q[1])  # azimuth [rad]
-    theta_dot = float(qdot[0])
-    phi_dot = float(qdot[1])
+    theta_dot = float(qdot[0])  # theta' [rad/s]
+    phi_dot = float(qdot[1])  # phi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [theta, phi, theta_dot, phi_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -229,7 +229,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (2,), qdot (2,), p (3,).
     Returns r (0,).
@@ -246,7 +246,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns lambda_ (0,).
@@ -258,13 +258,13 @@ def reactions(
     try:
         # from the parameters alone
         k1 = m * l * l
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 is 0
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "reactions")
         # from the state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 * s1 is 0
         if not abs(k1 * s1) > 0.0:
             raise _refuse(abs(k1 * s1), 0.0, 2, "reactions")
         lambda_: list[float] = []
@@ -274,14 +274,14 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns a scalar.
     """
     theta = float(y[0])  # angle from the downward vertical [rad]
-    theta_dot = float(y[2])
-    phi_dot = float(y[3])
+    theta_dot = float(y[2])  # theta' [rad/s]
+    phi_dot = float(y[3])  # phi' [rad/s]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
@@ -303,28 +303,28 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (II.3).
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns rows (4, 4): d rhs_i / d y_j stands at [i][j].
     """
     theta = float(y[0])  # angle from the downward vertical [rad]
-    theta_dot = float(y[2])
-    phi_dot = float(y[3])
+    theta_dot = float(y[2])  # theta' [rad/s]
+    phi_dot = float(y[3])  # phi' [rad/s]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
         # from the parameters alone
         k1 = m * l * l
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 is 0
         if not abs(k1) > 0.0:
             raise _refuse(abs(k1), 0.0, 2, "jacobian")
         k2 = g / l
         # from the state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        # the mass matrix is singular
+        # the mass matrix is singular, if k1 * z1 is 0
         if not abs(k1 * z1) > 0.0:
             raise _refuse(abs(k1 * z1), 0.0, 2, "jacobian")
         c_theta = math.cos(theta)
@@ -362,13 +362,13 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns out (1,).
     """
     theta = float(y[0])  # angle from the downward vertical [rad]
-    phi_dot = float(y[3])
+    phi_dot = float(y[3])  # phi' [rad/s]
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     try:

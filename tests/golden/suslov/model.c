@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:4eee462c70a8b31a)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:2b1639351a2a3690)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,26 +12,32 @@
 #include <math.h>
 #include <string.h>
 
-const char *const suslov_coordinate_names[] = {
+const char *const suslov_coordinate_names[SUSLOV_NQ] = {
     "phi",
     "theta",
     "psi"
 };
-const char *const suslov_state_names[] = {
+const char *const suslov_state_names[SUSLOV_NY] = {
     "phi",
     "theta",
     "psi",
     "w1",
     "w2"
 };
-const char *const suslov_parameter_names[] = {
+const char *const suslov_parameter_names[SUSLOV_NP] = {
     "I11",
     "I22",
     "I33",
     "I13",
     "I23"
 };
-const double suslov_parameter_defaults[] = {
+const char *const suslov_constraint_names[SUSLOV_NC] = {
+    "no_spin"
+};
+const char *const suslov_output_names[SUSLOV_NOUT] = {
+    "M3"
+};
+const double suslov_parameter_defaults[SUSLOV_NP] = {
     1.0,
     1.6,
     2.0,
@@ -212,8 +218,8 @@ int suslov_rhs(double t, const double *y, const double *p, double *restrict dydt
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
     const double I11 = p[0]; /* [kg*m^2] */
     const double I22 = p[1]; /* [kg*m^2] */
     const double I13 = p[3]; /* [kg*m^2] */
@@ -235,15 +241,15 @@ int suslov_rhs(double t, const double *y, const double *p, double *restrict dydt
     dydt[4] = w1 * z2 * k2; /* w2' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I11 is 0 */
         if (!(fabs(I11) > 0.0)) {
             return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I22 is 0 */
         if (!(fabs(I22) > 0.0)) {
             return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
@@ -266,8 +272,8 @@ int suslov_velocities(double t, const double *y, const double *p, double *qdot)
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
 
     /* from the state */
     const double z1 = (c_psi * w2 + s_psi * w1) / s_theta;
@@ -277,7 +283,7 @@ int suslov_velocities(double t, const double *y, const double *p, double *qdot)
     qdot[2] = -c_theta * z1; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
@@ -299,8 +305,8 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
     const double I11 = p[0]; /* [kg*m^2] */
     const double I22 = p[1]; /* [kg*m^2] */
     const double I13 = p[3]; /* [kg*m^2] */
@@ -329,15 +335,15 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     qddot[2] = -(z4 * (s_theta * z2) + c_theta * z11); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I11 is 0 */
         if (!(fabs(I11) > 0.0)) {
             return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I22 is 0 */
         if (!(fabs(I22) > 0.0)) {
             return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
@@ -360,10 +366,10 @@ int suslov_state(double t, const double *q, const double *qdot, const double *p,
 
     /* what else is read */
     const double phi = q[0]; /* precession [rad] */
-    const double phi_dot = qdot[0];
-    const double theta_dot = qdot[1];
+    const double phi_dot = qdot[0]; /* phi' [rad/s] */
+    const double theta_dot = qdot[1]; /* theta' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = phi_dot * s_theta;
     y[0] = phi;
     y[1] = theta;
@@ -387,10 +393,10 @@ int suslov_residuals(double t, const double *q, const double *qdot, const double
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double phi_dot = qdot[0];
-    const double psi_dot = qdot[2];
+    const double phi_dot = qdot[0]; /* phi' [rad/s] */
+    const double psi_dot = qdot[2]; /* psi' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     /* (I.1.1) 22:5 */
     r[0] = psi_dot + phi_dot * c_theta; /* no_spin = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -409,8 +415,8 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
     const double I11 = p[0]; /* [kg*m^2] */
     const double I22 = p[1]; /* [kg*m^2] */
     const double I13 = p[3]; /* [kg*m^2] */
@@ -428,15 +434,15 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     lambda[0] = -(k1 * (w1 * w2) + (w2 * z1 * k2 - w1 * z1 * k3));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I11 is 0 */
         if (!(fabs(I11) > 0.0)) {
             return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I22 is 0 */
         if (!(fabs(I22) > 0.0)) {
             return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
@@ -450,8 +456,8 @@ double suslov_energy(double t, const double *y, const double *p)
     (void)t;
 
     /* from the state */
-    const double w1 = y[3];
-    const double w2 = y[4];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
     const double I11 = p[0]; /* [kg*m^2] */
     const double I22 = p[1]; /* [kg*m^2] */
     return 0.5 * (I11 * (w1 * w1) + I22 * (w2 * w2));
@@ -471,8 +477,8 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
     const double I11 = p[0]; /* [kg*m^2] */
     const double I22 = p[1]; /* [kg*m^2] */
     const double I13 = p[3]; /* [kg*m^2] */
@@ -513,15 +519,15 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[11] + J[14] + J[18] + J[19] + J[23] + J[24]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I11 is 0 */
         if (!(fabs(I11) > 0.0)) {
             return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if I22 is 0 */
         if (!(fabs(I22) > 0.0)) {
             return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
@@ -539,8 +545,8 @@ int suslov_outputs(double t, const double *y, const double *p, double *out)
     const double s_theta = sin(theta);
 
     /* what else is read */
-    const double w1 = y[3];
-    const double w2 = y[4];
+    const double w1 = y[3]; /* [rad/s] */
+    const double w2 = y[4]; /* [rad/s] */
     const double I13 = p[3]; /* [kg*m^2] */
     const double I23 = p[4]; /* [kg*m^2] */
 
@@ -549,7 +555,7 @@ int suslov_outputs(double t, const double *y, const double *p, double *out)
     out[0] = I13 * w1 + I23 * w2; /* M3 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
@@ -577,7 +583,7 @@ static __attribute__((noinline)) void suslov_rhs_lanes(const double *fixed, size
     suslov_lanes sine1, cosine1;
     suslov_turn_lanes(SUSLOV_SPREAD(theta), &far, &sine1, &cosine1);
     const suslov_lanes s_theta = sine1;
-    /* the coframe is singular */
+    /* the coframe is singular, if s_theta is nearly 0 */
     bad |= suslov_misses(suslov_size(SUSLOV_SPREAD(s_theta)), SUSLOV_SPREAD(1e-12 * 4.0));
     suslov_lanes sine2, cosine2;
     suslov_turn_lanes(SUSLOV_SPREAD(psi), &far, &sine2, &cosine2);

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:a06c2ab5ba5b7ef0)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:b59e492635cd982d)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -73,10 +73,12 @@ enum {
     SUSLOV_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const suslov_coordinate_names[];
-extern const char *const suslov_state_names[];
-extern const char *const suslov_parameter_names[];
-extern const double suslov_parameter_defaults[];
+extern const char *const suslov_coordinate_names[SUSLOV_NQ];
+extern const char *const suslov_state_names[SUSLOV_NY];
+extern const char *const suslov_parameter_names[SUSLOV_NP];
+extern const char *const suslov_constraint_names[SUSLOV_NC];
+extern const char *const suslov_output_names[SUSLOV_NOUT];
+extern const double suslov_parameter_defaults[SUSLOV_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:f5c9d4e59f2bcd05).
+"""suslov, emitted by nhc 0.1.0 (nhc:b51c3dd1b9d3b144).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -99,24 +99,24 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns dydt (5,).
     """
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
     I11 = float(p[0])  # [kg*m^2]
     I22 = float(p[1])  # [kg*m^2]
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I11 is 0
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "rhs")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I22 is 0
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "rhs")
         # from the parameters alone
@@ -124,7 +124,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k2 = 1.0 / I22
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         c_psi = math.cos(psi)
@@ -154,19 +154,19 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns qdot (3,).
     """
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
     try:
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         c_psi = math.cos(psi)
@@ -191,24 +191,24 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns qddot (3,).
     """
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
     I11 = float(p[0])  # [kg*m^2]
     I22 = float(p[1])  # [kg*m^2]
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I11 is 0
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "accelerations")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I22 is 0
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -216,7 +216,7 @@ def accelerations(
         k2 = 1.0 / I22
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
         c_psi = math.cos(psi)
@@ -253,7 +253,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (5,).
     Returns y (5,).
@@ -261,10 +261,10 @@ def state(
     phi = float(q[0])  # precession [rad]
     theta = float(q[1])  # nutation [rad]
     psi = float(q[2])  # spin [rad]
-    phi_dot = float(qdot[0])
-    theta_dot = float(qdot[1])
+    phi_dot = float(qdot[0])  # phi' [rad/s]
+    theta_dot = float(qdot[1])  # theta' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         s_theta = math.sin(theta)
@@ -287,16 +287,16 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (5,).
     Returns r (1,).
     """
     theta = float(q[1])  # nutation [rad]
-    phi_dot = float(qdot[0])
-    psi_dot = float(qdot[2])
+    phi_dot = float(qdot[0])  # phi' [rad/s]
+    psi_dot = float(qdot[2])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_theta = math.cos(theta)
         r: list[float] = [
             # no_spin = 0 (I.1.1) 22:5
@@ -312,24 +312,24 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     theta = float(y[1])  # nutation [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
     I11 = float(p[0])  # [kg*m^2]
     I22 = float(p[1])  # [kg*m^2]
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I11 is 0
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I22 is 0
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "reactions")
         # from the parameters alone
@@ -338,7 +338,7 @@ def reactions(
         k3 = I23 / I22
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "reactions")
         z1 = I13 * w1 + I23 * w2
@@ -352,13 +352,13 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns a scalar.
     """
-    w1 = float(y[3])
-    w2 = float(y[4])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
     I11 = float(p[0])  # [kg*m^2]
     I22 = float(p[1])  # [kg*m^2]
     try:
@@ -374,24 +374,24 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
     I11 = float(p[0])  # [kg*m^2]
     I22 = float(p[1])  # [kg*m^2]
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I11 is 0
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "jacobian")
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if I22 is 0
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -401,7 +401,7 @@ def jacobian(
         k4 = I23 * k2
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
         z1 = 1.0 / s_theta
@@ -465,20 +465,20 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns out (1,).
     """
     theta = float(y[1])  # nutation [rad]
-    w1 = float(y[3])
-    w2 = float(y[4])
+    w1 = float(y[3])  # [rad/s]
+    w2 = float(y[4])  # [rad/s]
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "outputs")
         out: list[float] = [

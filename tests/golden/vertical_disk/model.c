@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:bcc3758ff9ebcae4)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:0fea805260b555ef)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -12,13 +12,13 @@
 #include <math.h>
 #include <string.h>
 
-const char *const vertical_disk_coordinate_names[] = {
+const char *const vertical_disk_coordinate_names[VERTICAL_DISK_NQ] = {
     "x",
     "y",
     "phi",
     "theta"
 };
-const char *const vertical_disk_state_names[] = {
+const char *const vertical_disk_state_names[VERTICAL_DISK_NY] = {
     "x",
     "y",
     "phi",
@@ -26,13 +26,20 @@ const char *const vertical_disk_state_names[] = {
     "phi'",
     "theta'"
 };
-const char *const vertical_disk_parameter_names[] = {
+const char *const vertical_disk_parameter_names[VERTICAL_DISK_NP] = {
     "m",
     "R",
     "I",
     "J"
 };
-const double vertical_disk_parameter_defaults[] = {
+const char *const vertical_disk_constraint_names[VERTICAL_DISK_NC] = {
+    "roll_x",
+    "roll_y"
+};
+const char *const vertical_disk_output_names[VERTICAL_DISK_NOUT] = {
+    "speed"
+};
+const double vertical_disk_parameter_defaults[VERTICAL_DISK_NP] = {
     1.0,
     0.5,
     0.125,
@@ -198,8 +205,8 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *restri
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double phi_dot = y[4];
-    const double theta_dot = y[5];
+    const double phi_dot = y[4]; /* phi' [rad/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
@@ -216,13 +223,13 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *restri
     dydt[4] = 0.0; /* phi'' */
     dydt[5] = 0.0; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs((I + R * (m * R)) * J) > 0.0 * (dydt[0] + dydt[2]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I + R * (m * R) is 0 */
         if (!(fabs(I + R * (m * R)) > 0.0)) {
             return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J is 0 */
         if (!(fabs(J) > 0.0)) {
             return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
@@ -241,8 +248,8 @@ int vertical_disk_velocities(double t, const double *y, const double *p, double 
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double phi_dot = y[4];
-    const double theta_dot = y[5];
+    const double phi_dot = y[4]; /* phi' [rad/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double R = p[1]; /* radius [m] */
 
     /* from the state */
@@ -269,8 +276,8 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double phi_dot = y[4];
-    const double theta_dot = y[5];
+    const double phi_dot = y[4]; /* phi' [rad/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
@@ -284,13 +291,13 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
     qddot[2] = 0.0; /* phi'' */
     qddot[3] = 0.0; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs((I + R * (m * R)) * J) > 0.0 * qddot[0])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I + R * (m * R) is 0 */
         if (!(fabs(I + R * (m * R)) > 0.0)) {
             return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J is 0 */
         if (!(fabs(J) > 0.0)) {
             return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
@@ -304,18 +311,18 @@ int vertical_disk_state(double t, const double *q, const double *qdot, const dou
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0]; /* point of contact [m] */
     y[0] = x;
-    const double y_2 = q[1]; /* point of contact [m] */
+    const double y_2 = q[1]; /* y: point of contact [m] */
     y[1] = y_2;
     const double phi = q[2]; /* heading [rad] */
     y[2] = phi;
     const double theta = q[3]; /* angle rolled [rad] */
     y[3] = theta;
-    const double phi_dot = qdot[2];
+    const double phi_dot = qdot[2]; /* phi' [rad/s] */
     y[4] = phi_dot;
-    const double theta_dot = qdot[3];
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
     y[5] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
@@ -334,12 +341,12 @@ int vertical_disk_residuals(double t, const double *q, const double *qdot, const
     const double s_phi = sin(phi);
 
     /* what else is read */
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double theta_dot = qdot[3];
+    const double x_dot = qdot[0]; /* x' [m/s] */
+    const double y_dot = qdot[1]; /* y' [m/s] */
+    const double theta_dot = qdot[3]; /* theta' [rad/s] */
     const double R = p[1]; /* radius [m] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double v1_x = theta_dot * R;
     /* (I.1.1) 18:5 */
     r[0] = x_dot - c_phi * v1_x; /* roll_x = 0 */
@@ -362,8 +369,8 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double phi_dot = y[4];
-    const double theta_dot = y[5];
+    const double phi_dot = y[4]; /* phi' [rad/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
@@ -379,13 +386,13 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
     /* (I.4.1) 19:5 */
     lambda[1] = c_phi * z1; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J * (I + R * k1)) > 0.0 * lambda[0])) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J is 0 */
         if (!(fabs(J) > 0.0)) {
             return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I + R * k1 is 0 */
         if (!(fabs(I + R * k1) > 0.0)) {
             return vertical_disk_refuse(fabs(I + R * k1), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
@@ -405,8 +412,8 @@ double vertical_disk_energy(double t, const double *y, const double *p)
     const double k1 = I + m * (R * R);
 
     /* from the state */
-    const double phi_dot = y[4];
-    const double theta_dot = y[5];
+    const double phi_dot = y[4]; /* phi' [rad/s] */
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
     return 0.5 * (J * (phi_dot * phi_dot) + theta_dot * theta_dot * k1);
 }
@@ -422,11 +429,11 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double theta_dot = y[5];
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
-    const double J_2 = p[3]; /* moment of inertia about the vertical [kg*m^2] */
+    const double J_2 = p[3]; /* J: moment of inertia about the vertical [kg*m^2] */
 
     /* from the state */
     const double z1 = R * s_phi;
@@ -439,13 +446,13 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
     J[16] = 1.0;
     J[23] = 1.0;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    /* (0 times it is NaN then, and nothing is larger) */
+    /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs((I + R * (m * R)) * J_2) > 0.0 * (J[2] + J[8]))) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if I + R * (m * R) is 0 */
         if (!(fabs(I + R * (m * R)) > 0.0)) {
             return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if J_2 is 0 */
         if (!(fabs(J_2) > 0.0)) {
             return vertical_disk_refuse(fabs(J_2), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
@@ -459,7 +466,7 @@ int vertical_disk_outputs(double t, const double *y, const double *p, double *ou
     (void)t;
 
     /* from the state */
-    const double theta_dot = y[5];
+    const double theta_dot = y[5]; /* theta' [rad/s] */
     const double R = p[1]; /* radius [m] */
     /* 22:10 */
     out[0] = theta_dot * R; /* speed */
@@ -526,11 +533,11 @@ int vertical_disk_rhs_batch(size_t count, const double *t, const double *y, cons
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if J is 0 */
     if (!(fabs(J) > 0.0)) {
         return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
     }
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if I + R * (m * R) is 0 */
     if (!(fabs(I + R * (m * R)) > 0.0)) {
         return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
     }

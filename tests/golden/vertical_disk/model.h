@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:50c6a342c3696930)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:a8069dc217c90d21)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -74,10 +74,12 @@ enum {
     VERTICAL_DISK_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const vertical_disk_coordinate_names[];
-extern const char *const vertical_disk_state_names[];
-extern const char *const vertical_disk_parameter_names[];
-extern const double vertical_disk_parameter_defaults[];
+extern const char *const vertical_disk_coordinate_names[VERTICAL_DISK_NQ];
+extern const char *const vertical_disk_state_names[VERTICAL_DISK_NY];
+extern const char *const vertical_disk_parameter_names[VERTICAL_DISK_NP];
+extern const char *const vertical_disk_constraint_names[VERTICAL_DISK_NC];
+extern const char *const vertical_disk_output_names[VERTICAL_DISK_NOUT];
+extern const double vertical_disk_parameter_defaults[VERTICAL_DISK_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (III.3)

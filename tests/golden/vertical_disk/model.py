@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:36dd62c45a830e89).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:08cdadbe3ca1a608).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -101,24 +101,24 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (III.3)
+    """Right-hand side dy/dt = f(t, y; p) (III.3).
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns dydt (6,).
     """
     phi = float(y[2])  # heading [rad]
-    phi_dot = float(y[4])
-    theta_dot = float(y[5])
+    phi_dot = float(y[4])  # phi' [rad/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
     J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
     try:
         s1 = I + R * (m * R)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "rhs")
-        # the mass matrix is singular
+        # the mass matrix is singular, if J is 0
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "rhs")
         # from the state
@@ -149,14 +149,14 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns qdot (4,).
     """
     phi = float(y[2])  # heading [rad]
-    phi_dot = float(y[4])
-    theta_dot = float(y[5])
+    phi_dot = float(y[4])  # phi' [rad/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     R = float(p[1])  # radius [m]
     try:
         # from the state
@@ -183,24 +183,24 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (III.3)
+    """All accelerations q'' on the motion (III.3).
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns qddot (4,).
     """
     phi = float(y[2])  # heading [rad]
-    phi_dot = float(y[4])
-    theta_dot = float(y[5])
+    phi_dot = float(y[4])  # phi' [rad/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
     J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
     try:
         s1 = I + R * (m * R)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "accelerations")
-        # the mass matrix is singular
+        # the mass matrix is singular, if J is 0
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "accelerations")
         # from the state
@@ -228,19 +228,19 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (4,), qdot (4,), p (4,).
     Returns y (6,).
     """
     x = float(q[0])  # point of contact [m]
-    y_2 = float(q[1])  # point of contact [m]
+    y_2 = float(q[1])  # y: point of contact [m]
     phi = float(q[2])  # heading [rad]
     theta = float(q[3])  # angle rolled [rad]
-    phi_dot = float(qdot[2])
-    theta_dot = float(qdot[3])
+    phi_dot = float(qdot[2])  # phi' [rad/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, phi, theta, phi_dot, theta_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -253,18 +253,18 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (4,), qdot (4,), p (4,).
     Returns r (2,).
     """
     phi = float(q[2])  # heading [rad]
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    theta_dot = float(qdot[3])
+    x_dot = float(qdot[0])  # x' [m/s]
+    y_dot = float(qdot[1])  # y' [m/s]
+    theta_dot = float(qdot[3])  # theta' [rad/s]
     R = float(p[1])  # radius [m]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_phi = math.cos(phi)
         v1_x = theta_dot * R
         s_phi = math.sin(phi)
@@ -284,26 +284,26 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns lambda_ (2,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     phi = float(y[2])  # heading [rad]
-    phi_dot = float(y[4])
-    theta_dot = float(y[5])
+    phi_dot = float(y[4])  # phi' [rad/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
     J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
     try:
-        # the mass matrix is singular
+        # the mass matrix is singular, if J is 0
         if not abs(J) > 0.0:
             raise _refuse(abs(J), 0.0, 2, "reactions")
         # from the parameters alone
         k1 = m * R
-        # the mass matrix is singular
+        # the mass matrix is singular, if I + R * k1 is 0
         if not abs(I + R * k1) > 0.0:
             raise _refuse(abs(I + R * k1), 0.0, 2, "reactions")
         # from the state
@@ -322,13 +322,13 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns a scalar.
     """
-    phi_dot = float(y[4])
-    theta_dot = float(y[5])
+    phi_dot = float(y[4])  # phi' [rad/s]
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
@@ -348,23 +348,23 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (III.3).
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
     """
     phi = float(y[2])  # heading [rad]
-    theta_dot = float(y[5])
+    theta_dot = float(y[5])  # theta' [rad/s]
     m = float(p[0])  # mass [kg]
     R = float(p[1])  # radius [m]
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
-    J_2 = float(p[3])  # moment of inertia about the vertical [kg*m^2]
+    J_2 = float(p[3])  # J: moment of inertia about the vertical [kg*m^2]
     try:
         s1 = I + R * (m * R)
-        # the mass matrix is singular
+        # the mass matrix is singular, if s1 is 0
         if not abs(s1) > 0.0:
             raise _refuse(abs(s1), 0.0, 2, "jacobian")
-        # the mass matrix is singular
+        # the mass matrix is singular, if J_2 is 0
         if not abs(J_2) > 0.0:
             raise _refuse(abs(J_2), 0.0, 2, "jacobian")
         # from the state
@@ -423,12 +423,12 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns out (1,).
     """
-    theta_dot = float(y[5])
+    theta_dot = float(y[5])  # theta' [rad/s]
     R = float(p[1])  # radius [m]
     try:
         # from the state

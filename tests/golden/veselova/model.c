@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:4ca3a8c351875e96)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:465585437b6db559)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -12,24 +12,31 @@
 #include <math.h>
 #include <string.h>
 
-const char *const veselova_coordinate_names[] = {
+const char *const veselova_coordinate_names[VESELOVA_NQ] = {
     "phi",
     "theta",
     "psi"
 };
-const char *const veselova_state_names[] = {
+const char *const veselova_state_names[VESELOVA_NY] = {
     "phi",
     "theta",
     "psi",
     "w_x",
     "w_y"
 };
-const char *const veselova_parameter_names[] = {
+const char *const veselova_parameter_names[VESELOVA_NP] = {
     "I1",
     "I2",
     "I3"
 };
-const double veselova_parameter_defaults[] = {
+const char *const veselova_constraint_names[VESELOVA_NC] = {
+    "no_turn"
+};
+const char *const veselova_output_names[VESELOVA_NOUT] = {
+    "L_x",
+    "L_y"
+};
+const double veselova_parameter_defaults[VESELOVA_NP] = {
     1.0,
     1.7,
     2.3
@@ -218,8 +225,8 @@ int veselova_rhs(double t, const double *y, const double *p, double *restrict dy
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double w_x = y[3];
-    const double w_y = y[4];
+    const double w_x = y[3]; /* [rad/s] */
+    const double w_y = y[4]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -260,15 +267,15 @@ int veselova_rhs(double t, const double *y, const double *p, double *restrict dy
     if (!(fabs(dydt[0] + dydt[3] + dydt[4]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(-z14) > 1e-13 * z13)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if -z8 is 0 */
         if (!(fabs(-z8) > 0.0)) {
             return veselova_refuse(fabs(-z8), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if -z14 is nearly 0 */
         if (!(fabs(-z14) > 1e-13 * z13)) {
             return veselova_refuse(fabs(-z14), 1e-13 * z13, VESELOVA_SINGULAR_2);
         }
@@ -291,8 +298,8 @@ int veselova_velocities(double t, const double *y, const double *p, double *qdot
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double w_x = y[3];
-    const double w_y = y[4];
+    const double w_x = y[3]; /* [rad/s] */
+    const double w_y = y[4]; /* [rad/s] */
 
     /* from the state */
     const double z1 = (s_phi * w_x - c_phi * w_y) / s_theta;
@@ -302,7 +309,7 @@ int veselova_velocities(double t, const double *y, const double *p, double *qdot
     qdot[2] = z1; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
@@ -328,8 +335,8 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double w_x = y[3];
-    const double w_y = y[4];
+    const double w_x = y[3]; /* [rad/s] */
+    const double w_y = y[4]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -373,15 +380,15 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(-z13) > 1e-13 * z12)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if -z7 is 0 */
         if (!(fabs(-z7) > 0.0)) {
             return veselova_refuse(fabs(-z7), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if -z13 is nearly 0 */
         if (!(fabs(-z13) > 1e-13 * z12)) {
             return veselova_refuse(fabs(-z13), 1e-13 * z12, VESELOVA_SINGULAR_2);
         }
@@ -404,10 +411,10 @@ int veselova_state(double t, const double *q, const double *qdot, const double *
 
     /* what else is read */
     const double psi = q[2]; /* spin [rad] */
-    const double theta_dot = qdot[1];
-    const double psi_dot = qdot[2];
+    const double theta_dot = qdot[1]; /* theta' [rad/s] */
+    const double psi_dot = qdot[2]; /* psi' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double z1 = psi_dot * s_theta;
     y[0] = phi;
     y[1] = theta;
@@ -431,10 +438,10 @@ int veselova_residuals(double t, const double *q, const double *qdot, const doub
     const double c_theta = cos(theta);
 
     /* what else is read */
-    const double phi_dot = qdot[0];
-    const double psi_dot = qdot[2];
+    const double phi_dot = qdot[0]; /* phi' [rad/s] */
+    const double psi_dot = qdot[2]; /* psi' [rad/s] */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     /* (I.1.1) 26:5 */
     r[0] = phi_dot + psi_dot * c_theta; /* no_turn = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -461,8 +468,8 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double w_x = y[3];
-    const double w_y = y[4];
+    const double w_x = y[3]; /* [rad/s] */
+    const double w_y = y[4]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -509,15 +516,15 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     lambda[0] = -z30; /* reaction of no_turn: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(-z14) > 1e-13 * z13)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if -z8 is 0 */
         if (!(fabs(-z8) > 0.0)) {
             return veselova_refuse(fabs(-z8), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if -z14 is nearly 0 */
         if (!(fabs(-z14) > 1e-13 * z13)) {
             return veselova_refuse(fabs(-z14), 1e-13 * z13, VESELOVA_SINGULAR_2);
         }
@@ -542,8 +549,8 @@ double veselova_energy(double t, const double *y, const double *p)
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w_x = y[3];
-    const double w_y = y[4];
+    const double w_x = y[3]; /* [rad/s] */
+    const double w_y = y[4]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -556,7 +563,7 @@ double veselova_energy(double t, const double *y, const double *p)
     const double z4 = s_theta * z2;
     const double z5 = c_psi * z3 - s_psi * z4;
     const double z6 = s_psi * z3 + c_psi * z4;
-    /* the coframe is singular */
+    /* the coframe is singular, if s_theta is nearly 0 */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return (double)NAN;
     }
@@ -584,8 +591,8 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     const double c_phi = cos(phi);
 
     /* what else is read */
-    const double w_x = y[3];
-    const double w_y = y[4];
+    const double w_x = y[3]; /* [rad/s] */
+    const double w_y = y[4]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -709,15 +716,15 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
         J[24]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(-z17) > 1e-13 * z16)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if -z11 is 0 */
         if (!(fabs(-z11) > 0.0)) {
             return veselova_refuse(fabs(-z11), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are */
+        /* the mass matrix is singular, or the velocities that are kept are, if -z17 is nearly 0 */
         if (!(fabs(-z17) > 1e-13 * z16)) {
             return veselova_refuse(fabs(-z17), 1e-13 * z16, VESELOVA_SINGULAR_2);
         }
@@ -742,8 +749,8 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
     const double s_psi = sin(psi);
 
     /* what else is read */
-    const double w_x = y[3];
-    const double w_y = y[4];
+    const double w_x = y[3]; /* [rad/s] */
+    const double w_y = y[4]; /* [rad/s] */
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -763,7 +770,7 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
     out[1] = s_phi * z7 + c_phi * z8; /* L_y */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
+        /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
@@ -793,7 +800,7 @@ static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, si
     veselova_lanes sine1, cosine1;
     veselova_turn_lanes(VESELOVA_SPREAD(theta), &far, &sine1, &cosine1);
     const veselova_lanes s_theta = sine1;
-    /* the coframe is singular */
+    /* the coframe is singular, if s_theta is nearly 0 */
     bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(s_theta)), VESELOVA_SPREAD(1e-12 * 4.0));
     veselova_lanes sine2, cosine2;
     veselova_turn_lanes(VESELOVA_SPREAD(psi), &far, &sine2, &cosine2);
@@ -818,7 +825,7 @@ static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, si
     const veselova_lanes z12 = z10 * z11;
     const veselova_lanes z13 = z3 - c_phi * z9;
     const veselova_lanes z14 = z10 * z12 - z13;
-    /* the mass matrix is singular, or the velocities that are kept are */
+    /* the mass matrix is singular, or the velocities that are kept are, if -z14 is nearly 0 */
     bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(-z14)), 1e-13 * z13);
     const veselova_lanes z15 = s_phi * w_x - c_phi * w_y;
     const veselova_lanes z16 = z15 / s_theta;

@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:7762e5ea92e71ca4)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:86e1f0eabc4125ef)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -72,10 +72,12 @@ enum {
     VESELOVA_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const veselova_coordinate_names[];
-extern const char *const veselova_state_names[];
-extern const char *const veselova_parameter_names[];
-extern const double veselova_parameter_defaults[];
+extern const char *const veselova_coordinate_names[VESELOVA_NQ];
+extern const char *const veselova_state_names[VESELOVA_NY];
+extern const char *const veselova_parameter_names[VESELOVA_NP];
+extern const char *const veselova_constraint_names[VESELOVA_NC];
+extern const char *const veselova_output_names[VESELOVA_NOUT];
+extern const double veselova_parameter_defaults[VESELOVA_NP];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.2.15)

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:7df17bf5bc5f68ee).
+"""veselova, emitted by nhc 0.1.0 (nhc:08f22f5c7a65bccc).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -98,7 +98,7 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+    """Right-hand side dy/dt = f(t, y; p) (I.2.15).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns dydt (5,).
@@ -106,8 +106,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     phi = float(y[0])  # precession [rad]
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w_x = float(y[3])
-    w_y = float(y[4])
+    w_x = float(y[3])  # [rad/s]
+    w_y = float(y[4])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
@@ -117,7 +117,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k2 = I2 - I3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         s_psi = math.sin(psi)
@@ -134,7 +134,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = s_psi * c_theta
         z7 = k1 * (c_psi * z6)
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if -z8 is 0
         if not abs(-z8) > 0.0:
             raise _refuse(abs(-z8), 0.0, 2, "rhs")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
@@ -143,7 +143,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z12 = z10 * z11
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if -z14 is
+        # nearly 0
         if not abs(-z14) > 1e-13 * z13:
             raise _refuse(abs(-z14), 1e-13 * z13, 2, "rhs")
         z15 = s_phi * w_x - c_phi * w_y
@@ -175,19 +176,19 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.2.4)
+    """All velocities q' from the state (I.2.4).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns qdot (3,).
     """
     phi = float(y[0])  # precession [rad]
     theta = float(y[1])  # nutation [rad]
-    w_x = float(y[3])
-    w_y = float(y[4])
+    w_x = float(y[3])  # [rad/s]
+    w_y = float(y[4])  # [rad/s]
     try:
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         c_theta = math.cos(theta)
@@ -212,7 +213,7 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.2.15)
+    """All accelerations q'' on the motion (I.2.15).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns qddot (3,).
@@ -220,8 +221,8 @@ def accelerations(
     phi = float(y[0])  # precession [rad]
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w_x = float(y[3])
-    w_y = float(y[4])
+    w_x = float(y[3])  # [rad/s]
+    w_y = float(y[4])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
@@ -231,7 +232,7 @@ def accelerations(
         k2 = I2 - I3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
         s_psi = math.sin(psi)
@@ -247,7 +248,7 @@ def accelerations(
         c_psi = math.cos(psi)
         z6 = c_theta * (s_psi * c_psi) * k1
         z7 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z6))
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if -z7 is 0
         if not abs(-z7) > 0.0:
             raise _refuse(abs(-z7), 0.0, 2, "accelerations")
         z8 = c_phi * z5 - 2.0 * (s_phi * z6)
@@ -256,7 +257,8 @@ def accelerations(
         z11 = z9 * z10
         z12 = z3 - c_phi * z8
         z13 = z9 * z11 - z12
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if -z13 is
+        # nearly 0
         if not abs(-z13) > 1e-13 * z12:
             raise _refuse(abs(-z13), 1e-13 * z12, 2, "accelerations")
         z14 = 1.0 / s_theta
@@ -293,7 +295,7 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities (I.2.1)
+    """The state y from coordinates and velocities (I.2.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns y (5,).
@@ -301,10 +303,10 @@ def state(
     phi = float(q[0])  # precession [rad]
     theta = float(q[1])  # nutation [rad]
     psi = float(q[2])  # spin [rad]
-    theta_dot = float(qdot[1])
-    psi_dot = float(qdot[2])
+    theta_dot = float(qdot[1])  # theta' [rad/s]
+    psi_dot = float(qdot[2])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
         s_theta = math.sin(theta)
@@ -327,16 +329,16 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (3,).
     Returns r (1,).
     """
     theta = float(q[1])  # nutation [rad]
-    phi_dot = float(qdot[0])
-    psi_dot = float(qdot[2])
+    phi_dot = float(qdot[0])  # phi' [rad/s]
+    psi_dot = float(qdot[2])  # psi' [rad/s]
     try:
-        # from the state
+        # from the coordinates and velocities
         c_theta = math.cos(theta)
         r: list[float] = [
             # no_turn = 0 (I.1.1) 26:5
@@ -352,7 +354,7 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns lambda_ (1,).
@@ -361,8 +363,8 @@ def reactions(
     phi = float(y[0])  # precession [rad]
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w_x = float(y[3])
-    w_y = float(y[4])
+    w_x = float(y[3])  # [rad/s]
+    w_y = float(y[4])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
@@ -372,7 +374,7 @@ def reactions(
         k2 = I2 - I3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "reactions")
         s_psi = math.sin(psi)
@@ -389,7 +391,7 @@ def reactions(
         z6 = s_psi * c_theta
         z7 = k1 * (c_psi * z6)
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if -z8 is 0
         if not abs(-z8) > 0.0:
             raise _refuse(abs(-z8), 0.0, 2, "reactions")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
@@ -398,7 +400,8 @@ def reactions(
         z12 = z10 * z11
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if -z14 is
+        # nearly 0
         if not abs(-z14) > 1e-13 * z13:
             raise _refuse(abs(-z14), 1e-13 * z13, 2, "reactions")
         z15 = s_phi * w_x - c_phi * w_y
@@ -431,7 +434,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V [J]
+    """Energy T + V [J].
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns a scalar.
@@ -439,15 +442,15 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     phi = float(y[0])  # precession [rad]
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w_x = float(y[3])
-    w_y = float(y[4])
+    w_x = float(y[3])  # [rad/s]
+    w_y = float(y[4])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "energy")
         s_phi = math.sin(phi)
@@ -474,7 +477,7 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.2.15).
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
@@ -482,8 +485,8 @@ def jacobian(
     phi = float(y[0])  # precession [rad]
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w_x = float(y[3])
-    w_y = float(y[4])
+    w_x = float(y[3])  # [rad/s]
+    w_y = float(y[4])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
@@ -493,7 +496,7 @@ def jacobian(
         k2 = I2 - I3
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
         s_psi = math.sin(psi)
@@ -513,7 +516,7 @@ def jacobian(
         z9 = z8 * k1
         z10 = s_phi * z6 + 2.0 * (c_phi * z9)
         z11 = z3 - s_phi * z10
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if -z11 is 0
         if not abs(-z11) > 0.0:
             raise _refuse(abs(-z11), 0.0, 2, "jacobian")
         z12 = c_phi * z6 - 2.0 * (s_phi * z9)
@@ -522,7 +525,8 @@ def jacobian(
         z15 = z13 * z14
         z16 = z3 - c_phi * z12
         z17 = z13 * z15 - z16
-        # the mass matrix is singular, or the velocities that are kept are
+        # the mass matrix is singular, or the velocities that are kept are, if -z17 is
+        # nearly 0
         if not abs(-z17) > 1e-13 * z16:
             raise _refuse(abs(-z17), 1e-13 * z16, 2, "jacobian")
         z18 = 1.0 / s_theta
@@ -656,7 +660,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns out (2,).
@@ -664,15 +668,15 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     phi = float(y[0])  # precession [rad]
     theta = float(y[1])  # nutation [rad]
     psi = float(y[2])  # spin [rad]
-    w_x = float(y[3])
-    w_y = float(y[4])
+    w_x = float(y[3])  # [rad/s]
+    w_y = float(y[4])  # [rad/s]
     I1 = float(p[0])  # [kg*m^2]
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
         # from the state
         s_theta = math.sin(theta)
-        # the coframe is singular
+        # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "outputs")
         c_phi = math.cos(phi)

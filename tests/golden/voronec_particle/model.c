@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:310ab4ef02be4e77)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:b2c6214f5cd162a2)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -14,23 +14,30 @@
 #include <math.h>
 #include <string.h>
 
-const char *const voronec_particle_coordinate_names[] = {
+const char *const voronec_particle_coordinate_names[VORONEC_PARTICLE_NQ] = {
     "x",
     "y",
     "z"
 };
-const char *const voronec_particle_state_names[] = {
+const char *const voronec_particle_state_names[VORONEC_PARTICLE_NY] = {
     "x",
     "y",
     "z",
     "x'",
     "y'"
 };
-const char *const voronec_particle_parameter_names[] = {
+const char *const voronec_particle_parameter_names[1] = {
     /* no entry counts: C99 has no empty array */
     ""
 };
-const double voronec_particle_parameter_defaults[] = {
+const char *const voronec_particle_constraint_names[VORONEC_PARTICLE_NC] = {
+    "contact"
+};
+const char *const voronec_particle_output_names[1] = {
+    /* no entry counts: C99 has no empty array */
+    ""
+};
+const double voronec_particle_parameter_defaults[1] = {
     /* no entry counts: C99 has no empty array */
     0.0
 };
@@ -214,9 +221,9 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *res
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = y_2 * c_z;
@@ -252,11 +259,11 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *res
     dydt[4] = z24; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3]) <= DBL_MAX && fabs(z11) > 1e-13 * z7)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z5 is 0 */
         if (!(fabs(z5) > 0.0)) {
             return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z11 is nearly 0 */
         if (!(fabs(z11) > 1e-13 * z7)) {
             return voronec_particle_refuse(fabs(z11), 1e-13 * z7, VORONEC_PARTICLE_SINGULAR_2);
         }
@@ -276,9 +283,9 @@ int voronec_particle_velocities(double t, const double *y, const double *p, doub
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     /* (I.1.2) */
@@ -304,9 +311,9 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = y_2 * c_z;
@@ -346,11 +353,11 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
     qddot[2] = z15 - z1 * z29 + 0.5 * (z16 - z6 * z28); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[2]) <= DBL_MAX && fabs(z11) > 1e-13 * z7)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z5 is 0 */
         if (!(fabs(z5) > 0.0)) {
             return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z11 is nearly 0 */
         if (!(fabs(z11) > 1e-13 * z7)) {
             return voronec_particle_refuse(fabs(z11), 1e-13 * z7, VORONEC_PARTICLE_SINGULAR_2);
         }
@@ -364,16 +371,16 @@ int voronec_particle_state(double t, const double *q, const double *qdot, const 
     (void)t;
     (void)p;
 
-    /* from the state */
+    /* from the coordinates and velocities */
     const double x = q[0];
     y[0] = x;
-    const double y_2 = q[1];
+    const double y_2 = q[1]; /* y */
     y[1] = y_2;
     const double z = q[2];
     y[2] = z;
-    const double x_dot = qdot[0];
+    const double x_dot = qdot[0]; /* x' */
     y[3] = x_dot;
-    const double y_dot = qdot[1];
+    const double y_dot = qdot[1]; /* y' */
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
@@ -394,11 +401,11 @@ int voronec_particle_residuals(double t, const double *q, const double *qdot, co
     /* what else is read */
     const double x = q[0];
     const double y = q[1];
-    const double x_dot = qdot[0];
-    const double y_dot = qdot[1];
-    const double z_dot = qdot[2];
+    const double x_dot = qdot[0]; /* x' */
+    const double y_dot = qdot[1]; /* y' */
+    const double z_dot = qdot[2]; /* z' */
 
-    /* from the state */
+    /* from the coordinates and velocities */
     /* (I.1.1) 10:5 */
     r[0] = z_dot - (x_dot * (y * c_z) + 0.5 * (y_dot * (x * z))); /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -420,9 +427,9 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = y_2 * c_z;
@@ -462,11 +469,11 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
     lambda[0] = -z30; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z12) > 1e-13 * z8)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z5 is 0 */
         if (!(fabs(z5) > 0.0)) {
             return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z12 is nearly 0 */
         if (!(fabs(z12) > 1e-13 * z8)) {
             return voronec_particle_refuse(fabs(z12), 1e-13 * z8, VORONEC_PARTICLE_SINGULAR_2);
         }
@@ -487,9 +494,9 @@ double voronec_particle_energy(double t, const double *y, const double *p)
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = z * z;
@@ -522,9 +529,9 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
 
     /* what else is read */
     const double x = y[0];
-    const double y_2 = y[1];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
+    const double y_2 = y[1]; /* y */
+    const double x_dot = y[3]; /* x' */
+    const double y_dot = y[4]; /* y' */
 
     /* from the state */
     const double z1 = y_2 * c_z;
@@ -641,11 +648,11 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
     if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22]) <=
         DBL_MAX
         && fabs(z12) > 1e-13 * z8)) {
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z5 is 0 */
         if (!(fabs(z5) > 0.0)) {
             return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
-        /* the mass matrix is singular */
+        /* the mass matrix is singular, if z12 is nearly 0 */
         if (!(fabs(z12) > 1e-13 * z8)) {
             return voronec_particle_refuse(fabs(z12), 1e-13 * z8, VORONEC_PARTICLE_SINGULAR_2);
         }
@@ -692,7 +699,7 @@ static __attribute__((noinline)) void voronec_particle_rhs_lanes(const double *f
     const voronec_particle_lanes z9 = 1.0 / z5;
     const voronec_particle_lanes z10 = z8 * z9;
     const voronec_particle_lanes z11 = z7 - 0.25 * (z8 * z10);
-    /* the mass matrix is singular */
+    /* the mass matrix is singular, if z11 is nearly 0 */
     bad |= voronec_particle_misses(voronec_particle_size(VORONEC_PARTICLE_SPREAD(z11)), 1e-13 * z7);
     const voronec_particle_lanes z12 = x_dot * z1 + 0.5 * (y_dot * z6);
     const voronec_particle_lanes z13 = s_z * z12;

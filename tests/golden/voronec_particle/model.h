@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:e9c6da8083289603)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:0ecc51d1c28bbf32)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -67,10 +67,12 @@ enum {
     VORONEC_PARTICLE_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 
-extern const char *const voronec_particle_coordinate_names[];
-extern const char *const voronec_particle_state_names[];
-extern const char *const voronec_particle_parameter_names[];
-extern const double voronec_particle_parameter_defaults[];
+extern const char *const voronec_particle_coordinate_names[VORONEC_PARTICLE_NQ];
+extern const char *const voronec_particle_state_names[VORONEC_PARTICLE_NY];
+extern const char *const voronec_particle_parameter_names[1];
+extern const char *const voronec_particle_constraint_names[VORONEC_PARTICLE_NC];
+extern const char *const voronec_particle_output_names[1];
+extern const double voronec_particle_parameter_defaults[1];
 
 /*
  * right-hand side dy/dt = f(t, y; p) (I.4.9)

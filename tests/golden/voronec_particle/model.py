@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:39c77a25b774d348).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:21ed760aa945ebc7).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Čaplygin's hypotheses fail.
@@ -92,16 +92,16 @@ def _refuse(
 
 
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """right-hand side dy/dt = f(t, y; p) (I.4.9)
+    """Right-hand side dy/dt = f(t, y; p) (I.4.9).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns dydt (5,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         c_z = math.cos(z)
@@ -110,7 +110,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z3 = 1.0 + x * x
         z4 = 0.3 * c_z + z3 * z1
         z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
-        # the mass matrix is singular
+        # the mass matrix is singular, if z5 is 0
         if not abs(z5) > 0.0:
             raise _refuse(abs(z5), 0.0, 2, "rhs")
         s_z = math.sin(z)
@@ -120,7 +120,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z9 = 1.0 / z5
         z10 = z8 * z9
         z11 = z7 - 0.25 * (z8 * z10)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z11 is nearly 0
         if not abs(z11) > 1e-13 * z7:
             raise _refuse(abs(z11), 1e-13 * z7, 2, "rhs")
         z12 = x_dot * z1 + 0.5 * (y_dot * z6)
@@ -162,16 +162,16 @@ def velocities(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all velocities q' from the state (I.1.2)
+    """All velocities q' from the state (I.1.2).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qdot (3,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         c_z = math.cos(z)
@@ -193,16 +193,16 @@ def accelerations(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """all accelerations q'' on the motion (I.4.9)
+    """All accelerations q'' on the motion (I.4.9).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns qddot (3,).
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         c_z = math.cos(z)
@@ -211,7 +211,7 @@ def accelerations(
         z3 = 1.0 + x * x
         z4 = 0.3 * c_z + z3 * z1
         z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
-        # the mass matrix is singular
+        # the mass matrix is singular, if z5 is 0
         if not abs(z5) > 0.0:
             raise _refuse(abs(z5), 0.0, 2, "accelerations")
         s_z = math.sin(z)
@@ -221,7 +221,7 @@ def accelerations(
         z9 = 1.0 / z5
         z10 = z8 * z9
         z11 = z7 - 0.25 * (z8 * z10)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z11 is nearly 0
         if not abs(z11) > 1e-13 * z7:
             raise _refuse(abs(z11), 1e-13 * z7, 2, "accelerations")
         z12 = y_dot * c_z
@@ -264,18 +264,18 @@ def state(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """the state y from coordinates and velocities
+    """The state y from coordinates and velocities.
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns y (5,).
     """
     x = float(q[0])
-    y_2 = float(q[1])
+    y_2 = float(q[1])  # y
     z = float(q[2])
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
+    x_dot = float(qdot[0])  # x'
+    y_dot = float(qdot[1])  # y'
     try:
-        # from the state
+        # from the coordinates and velocities
         y: list[float] = [x, y_2, z, x_dot, y_dot]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -288,7 +288,7 @@ def residuals(
     qdot: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """left minus right side of each constraint, zero on every motion (I.1.1)
+    """Left minus right side of each constraint, zero on every motion (I.1.1).
 
     Arguments: t (scalar), q (3,), qdot (3,), p (0,).
     Returns r (1,).
@@ -296,11 +296,11 @@ def residuals(
     x = float(q[0])
     y = float(q[1])
     z = float(q[2])
-    x_dot = float(qdot[0])
-    y_dot = float(qdot[1])
-    z_dot = float(qdot[2])
+    x_dot = float(qdot[0])  # x'
+    y_dot = float(qdot[1])  # y'
+    z_dot = float(qdot[2])  # z'
     try:
-        # from the state
+        # from the coordinates and velocities
         c_z = math.cos(z)
         r: list[float] = [
             # contact = 0 (I.1.1) 10:5
@@ -316,17 +316,17 @@ def reactions(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[float]:
-    """reactions lambda of the constraints (I.4.1)
+    """Reactions lambda of the constraints (I.4.1).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns lambda_ (1,).
     Q_i gains lambda_a a_ai, where a_ai is the coefficient of q'_i in constraint a.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         c_z = math.cos(z)
@@ -335,7 +335,7 @@ def reactions(
         z3 = 1.0 + x * x
         z4 = 0.3 * c_z + z3 * z1
         z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
-        # the mass matrix is singular
+        # the mass matrix is singular, if z5 is 0
         if not abs(z5) > 0.0:
             raise _refuse(abs(z5), 0.0, 2, "reactions")
         s_z = math.sin(z)
@@ -346,7 +346,7 @@ def reactions(
         z10 = 1.0 / z5
         z11 = z9 * z10
         z12 = z8 - 0.25 * (z9 * z11)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z12 is nearly 0
         if not abs(z12) > 1e-13 * z8:
             raise _refuse(abs(z12), 1e-13 * z8, 2, "reactions")
         z13 = y_dot * c_z
@@ -383,16 +383,16 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """energy T + V
+    """Energy T + V.
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         z1 = z * z
@@ -416,16 +416,16 @@ def jacobian(
     y: Sequence[float],
     p: Sequence[float] = DEFAULTS,
 ) -> list[list[float]]:
-    """Jacobian matrix of rhs, d rhs_i / d y_j (I.4.9)
+    """Jacobian matrix of rhs, d rhs_i / d y_j (I.4.9).
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
     """
     x = float(y[0])
-    y_2 = float(y[1])
+    y_2 = float(y[1])  # y
     z = float(y[2])
-    x_dot = float(y[3])
-    y_dot = float(y[4])
+    x_dot = float(y[3])  # x'
+    y_dot = float(y[4])  # y'
     try:
         # from the state
         c_z = math.cos(z)
@@ -434,7 +434,7 @@ def jacobian(
         z3 = 1.0 + x * x
         z4 = 0.3 * c_z + z3 * z1
         z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
-        # the mass matrix is singular
+        # the mass matrix is singular, if z5 is 0
         if not abs(z5) > 0.0:
             raise _refuse(abs(z5), 0.0, 2, "jacobian")
         s_z = math.sin(z)
@@ -445,7 +445,7 @@ def jacobian(
         z10 = 1.0 / z5
         z11 = z9 * z10
         z12 = z8 - 0.25 * (z9 * z11)
-        # the mass matrix is singular
+        # the mass matrix is singular, if z12 is nearly 0
         if not abs(z12) > 1e-13 * z8:
             raise _refuse(abs(z12), 1e-13 * z8, 2, "jacobian")
         z13 = x_dot * s_z
@@ -589,7 +589,7 @@ def jacobian(
 
 
 def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
-    """the spec's outputs
+    """The spec's outputs.
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns out (0,).
