@@ -12,7 +12,7 @@ product is rather kept than a sum, in which digits may cancel.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from nhc.algebra.exact.field import FieldPoint, Unlucky
 from nhc.algebra.exact.residues import PRIMES, circle_points
@@ -68,6 +68,25 @@ class ArbitraryPoint(FieldPoint):
         if op in _ARBITRARY:
             return self._generator(op, *(self.values[child] for child in self.graph.kids[node]))
         return super()._other(op, node)
+
+
+def find_equal(graph: Graph, nodes: Sequence[Node], first: Collection[Node] = ()) -> dict[Node, Node]:
+    """For each of these nodes that has the value of another one, that other: one of ``first``, or the one that was made sooner.
+
+    None has itself below it, so each may take the other's place.
+    """
+    keys: dict[Node, tuple[int, ...]] = dict.fromkeys(nodes, ())
+    for index in range(_POINTS):
+        point = draw_point(graph, index, reachable(graph, nodes))
+        if point is None:
+            return {}
+        keys = {node: (*key, point.values[node]) for node, key in keys.items()}
+    found, kept = dict[Node, Node](), dict[tuple[int, ...], Node]()
+    for node in sorted(nodes, key=lambda node: (node not in first, node)):
+        same = kept.setdefault(keys[node], node)
+        if same != node and node not in reachable(graph, [same]):
+            found[node] = same
+    return found
 
 
 def share_values(graph: Graph, roots: Sequence[Node]) -> list[Node]:

@@ -6,7 +6,7 @@ odd in print, such as ``(R c^2 + R s^2)/b``: between the nodes that get a name e
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -16,6 +16,7 @@ from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import rebuild, substitute
 from nhc.algebra.rewriting.joined import find_whole, join_sums
 from nhc.algebra.rewriting.orthonormal import Orthonormal
+from nhc.algebra.rewriting.values import find_equal
 from nhc.algebra.walks import count, reachable
 from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftSheet, Part
 
@@ -46,7 +47,7 @@ def tidy(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
                 break
         if printed < start:
             break
-    return _square_cosines(desk.graph, _join_angles(desk.graph, best, owners), owners)
+    return _name_once(desk.graph, _square_cosines(desk.graph, _join_angles(desk.graph, best, owners), owners), owners)
 
 
 def list_roots(drafts: Iterable[DraftSheet]) -> list[Node]:
@@ -132,14 +133,14 @@ def _by_orthonormal_rows(desk: Desk, drafts: Sequence[DraftSheet], owners: Colle
         if node in whole and node not in names and g.op[made] == ADD and g.depends(made, rule.mask):
             closed = substitute(g, [made], names, named=False)[0]
             new[node] = substitute(g, [rule.shorten(closed, desk.size)], meaning, named=False)[0]
-    return _change_sides(drafts, lambda parts: tuple((new.get(node, node), factors) for node, factors in parts))
+    return _put(drafts, new)
 
 
 def _join_angles(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
     """With cos(a - b) where the addition theorem is written out; what the user named stays as it is."""
     roots = list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
     new = dict(zip(roots, join_sums(graph, roots, {node: node for node in owners}), strict=True))
-    return _change_sides(drafts, lambda parts: tuple((new.get(node, node), factors) for node, factors in parts))
+    return _put(drafts, new)
 
 
 def _square_cosines(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
@@ -156,6 +157,26 @@ def _square_cosines(graph: Graph, drafts: Sequence[DraftSheet], owners: Collecti
     if all(node == made for node, made in changed.items()):
         return tuple(drafts)
     new = dict(zip(roots, substitute(graph, roots, changed), strict=True))
+    return _put(drafts, new)
+
+
+def _name_once(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
+    """With one name for what has one value, however it was made: that of the user, or the first."""
+    best = tuple(drafts)
+    for _ in range(_ROUNDS):  # what is used more often then may get a name, too
+        roots = list_roots(best)
+        chosen = choose_names(graph, reachable(graph, roots), owners)
+        changed = {node: same for node, same in find_equal(graph, sorted(chosen), owners).items() if node not in owners}
+        if not changed:
+            break
+        kept = substitute(graph, list(changed.values()), changed)  # what stays may contain what goes
+        new = substitute(graph, roots, dict(zip(changed, kept, strict=True)))
+        best = _put(best, dict(zip(roots, new, strict=True)))
+    return best
+
+
+def _put(drafts: Sequence[DraftSheet], new: Mapping[Node, Node]) -> tuple[DraftSheet, ...]:
+    """With other nodes in the place of some."""
     return _change_sides(drafts, lambda parts: tuple((new.get(node, node), factors) for node, factors in parts))
 
 
@@ -196,7 +217,7 @@ def _shorten_parts(
         elif node in chosen or node in ends:
             made = new[node] = shortener.shorten(made, kept, share)
             kept.update(part for part in _list_kept(g, made) if size(part) >= _PART)
-    return _change_sides(drafts, lambda parts: tuple((new.get(node, node), factors) for node, factors in parts))
+    return _put(drafts, new)
 
 
 def _count_printed(graph: Graph, drafts: Iterable[DraftSheet], owners: Collection[Node]) -> int:
