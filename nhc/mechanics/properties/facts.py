@@ -310,6 +310,7 @@ def _spell(integral: Integral) -> str:
 def _dependent(system: System, formulation: Formulation, choice: Choice, by_name: bool, facts: Facts, bag: Bag) -> None:
     names = [f"{system.q_names[i]}'" for i in choice.dependent]
     who = "given" if set(system.dependent) == set(choice.dependent) else "chosen"
+    unused = " for Voronec's equations" if who == "chosen" and formulation.dependent is None else ""
     # the choice is made by itself where it is regular, or stays so on walks along all that the mechanism can reach; so it is for
     # a name that says no more than `auto` would
     usual = formulation.dependent is not None and choice.dependent == checked_dependent(system).dependent
@@ -321,13 +322,14 @@ def _dependent(system: System, formulation: Formulation, choice: Choice, by_name
         limit = "the determinant is too large to print"
     else:
         limit = f"determinant ${named_text(system, choice.determinant)}$"
-        if not never and limit.endswith("…$"):
-            where = f"singular where {where_zero(system, choice.determinant, '$')}"
-            limit, regular = "the determinant is long", f"{where}{aside}"
+        if limit.endswith("…$"):
+            limit = "the determinant is long"
+            if not never:
+                regular = f"singular where {where_zero(system, choice.determinant, '$')}{aside}"
     facts.say(
         "dependent",
         [system.q_names[i] for i in choice.dependent],
-        f"dependent velocities ({who}): {_list_marked(names)}; {limit}, {regular}",
+        f"dependent velocities ({who}{unused}): {_list_marked(names)}; {limit}, {regular}",
     )
     if system.dependent and who == "chosen":
         warn_of_dependent(system, checked_dependent(system), bag)
