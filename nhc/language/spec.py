@@ -73,20 +73,6 @@ class Body:
 
 
 @record
-class Point:
-    """A point as the spec says it, for people: ``at`` on the axes of the body ``on``, where matter of the body ``of`` moves.
-
-    Either is empty where it is space.
-    """
-
-    name: str
-    on: str
-    at: tuple[str, ...]
-    of: str
-    about: str
-
-
-@record
 class Parameter:
     """A constant of the system: a number, a constant expression (``pi/10``), or None where each scene gives it."""
 
@@ -257,7 +243,6 @@ class Spec:
     key_spans: tuple[tuple[str, Span], ...]
     rotations: tuple[Rotation, ...] = ()
     bodies: tuple[Body, ...] = ()
-    points: tuple[Point, ...] = ()
     velocities: frozenset[str] = frozenset()
 
     @cached_property

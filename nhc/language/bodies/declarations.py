@@ -48,29 +48,28 @@ class Body:
     def told(self) -> Told:
         """What a person is told of it."""
         turning, inertia = self.turns, self.inertia
-        turns = () if isinstance(turning, Turning) else tuple((AXES[s.axis], shown(s.angle)) for s in turning)
+        turns = () if isinstance(turning, Turning) else tuple((AXES[s.axis], _shown(s.angle)) for s in turning)
         entries: tuple[tuple[str, str], ...] = ()
         if inertia is not None:
-            texts = [shown(piece) for piece in (*inertia.diagonal, *inertia.products)]
-            same = len(set(texts[:3])) == 1
-            kept = [(key, text) for key, text in zip(_ENTRIES, texts, strict=True) if text != "0"]
-            entries = (("", texts[0]), *kept[3:]) if same else tuple(kept)
+            shown = [_shown(piece) for piece in (*inertia.diagonal, *inertia.products)]
+            same = len(set(shown[:3])) == 1
+            kept = [(key, text) for key, text in zip(_ENTRIES, shown, strict=True) if text != "0"]
+            entries = (("", shown[0]), *kept[3:]) if same else tuple(kept)
         return Told(
             name=self.name.value,
             on=self.on,
-            at=tuple(map(shown, self.at)) if any(not x.is_zero for x in self.at) else (),
+            at=tuple(map(_shown, self.at)) if any(not x.is_zero for x in self.at) else (),
             turns=turns,
             rotation=turning.name if isinstance(turning, Turning) else "",
-            mass=shown(self.mass) if self.mass is not None else "",
-            centre=tuple(map(shown, self.centre)) if any(not x.is_zero for x in self.centre) else (),
+            mass=_shown(self.mass) if self.mass is not None else "",
+            centre=tuple(map(_shown, self.centre)) if any(not x.is_zero for x in self.centre) else (),
             inertia=entries,
             about=self.about,
             place=self.weighed,
         )
 
 
-def shown(piece: Piece) -> str:
-    """An expression as a person is told of it."""
+def _shown(piece: Piece) -> str:
     return piece.shown.text
 
 

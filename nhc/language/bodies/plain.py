@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from nhc.language.spec import Body, Point
+from nhc.language.spec import Body
 from nhc.language.yaml_tree.nodes import Table
 from nhc.records import record
 
 
 @record
 class Plain:
-    """A spec without bodies: ``offered`` are all names that they declare, used or not; a derivation shows ``bodies`` and
-    ``points``.
+    """A spec without bodies: ``offered`` are all names that they declare, used or not; a derivation shows ``bodies``.
 
     ``velocities`` are the names among those offered that stand for components of velocities.
     """
@@ -18,5 +17,4 @@ class Plain:
     root: Table
     offered: tuple[str, ...] = ()
     bodies: tuple[Body, ...] = ()
-    points: tuple[Point, ...] = ()
     velocities: frozenset[str] = frozenset()

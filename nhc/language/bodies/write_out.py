@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from nhc.diagnostics import Bag, Span, nearest, quote
 from nhc.language.advice import meant_body_key
 from nhc.language.bodies import kinematics, pieces
-from nhc.language.bodies.declarations import Body, BodyReader, shown
+from nhc.language.bodies.declarations import Body, BodyReader
 from nhc.language.bodies.draw_on import put_into_space
 from nhc.language.bodies.kinematics import AXES, Frame, Ledger
 from nhc.language.bodies.pieces import Piece, Triple, add, each, multiply, piece_of
@@ -21,7 +21,6 @@ from nhc.language.expressions.parser import parse_expression
 from nhc.language.keys import BODILY, POINT_KEYS
 from nhc.language.rotation import entry_names, foretell_rotations
 from nhc.language.shape import Shapes
-from nhc.language.spec import Point
 from nhc.language.yaml_tree.extend import declared_names
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
@@ -37,8 +36,7 @@ def write_out(root: Table, bag: Bag, asked: str = "") -> Plain:
     """
     writer = _Writer(root, bag, asked)
     root, made = writer.run(), writer.ledger
-    told = tuple(body.told for body in writer.bodies)
-    return Plain(root, tuple(made.made), told, tuple(writer.points), frozenset(made.velocities))
+    return Plain(root, tuple(made.made), tuple(body.told for body in writer.bodies), frozenset(made.velocities))
 
 
 class _Writer:
@@ -49,7 +47,6 @@ class _Writer:
         self.declared: frozenset[str] = frozenset()
         self.frames: dict[str, Frame] = {"": kinematics.space()}
         self.bodies: list[Body] = []
-        self.points: list[Point] = []
         self.energies: list[Piece] = []
         self.weights: list[Piece] = []
 
@@ -149,7 +146,7 @@ class _Writer:
         if table is None:
             return
         self.reader.shapes.check_keys(table, POINT_KEYS, what, name.span, meant_body_key)
-        about = self.reader.shapes.line(table.get("about"))
+        self.reader.shapes.line(table.get("about"))
         at = self.reader.vector(table.get("at"), name.span.start)
         parent, matter = self.reader.name_under(table, "parent"), self.reader.name_under(table, "of")
         for text in (parent, matter):
@@ -159,7 +156,6 @@ class _Writer:
         of = fold(matter.value) if matter is not None else on
         if at is not None and on in self.frames and of in self.frames:
             folded = Text(fold(name.value), name.span, True)
-            self.points.append(Point(name.value, on, tuple(map(shown, at)), of, about or ""))
             kinematics.place_point(folded, self.frames[on], self.frames[of] if of else None, at, self.ledger)
 
     # --- the plain spec ---

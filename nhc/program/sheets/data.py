@@ -23,13 +23,10 @@ def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
     _parameters(desk, sheet, scene)
     _rotations(desk, sheet)
     _bodies(desk, sheet)
-    _points(desk, sheet)
     sheet.say("The kinetic energy is")
     sheet.add(Draft(desk.name(desk.own("T")), desk.plain(desk.by_entries(system.T)), place=system.places["T"]))
     if desk.graph.zero != system.U:
-        sheet.say(
-            "and the force function, whose derivatives are the forces of the potential (the potential energy is $V = -U$),"
-        )
+        sheet.say("and the force function, whose derivatives are the forces of the potential,")
         sheet.add(
             Draft(desk.name(desk.own("U")), desk.plain(desk.by_entries(system.U)), place=system.places.get("U", ""))
         )
@@ -85,7 +82,6 @@ def _bodies(desk: Desk, sheet: DraftSheet) -> None:
     """Where bodies stand, how they turn, what they weigh; the letters of T and of the constraints follow from that."""
     bodies = desk.system.spec.bodies
     if bodies:
-        sheet.say(_NAMES_OF_BODIES)
         sheet.say(
             "The bodies, each with what it stands on, its turns from there one after another, and its mass on its own axes:"
         )
@@ -101,31 +97,15 @@ def _bodies(desk: Desk, sheet: DraftSheet) -> None:
             parts.append(f"; {_moments(body.inertia)}")
         inside = f" ({body.about.rstrip('.')})." if body.about[:1].islower() else f". {body.about}".rstrip()
         sheet.say(f"- {''.join(parts)}{inside}")
+    if bodies:
+        sheet.say(NAMES_OF_BODIES)
 
 
-def _points(desk: Desk, sheet: DraftSheet) -> None:
-    """Where points stand, and whose matter moves there."""
-    points = desk.system.spec.points
-    if points:
-        sheet.say(_NAMES_OF_POINTS)
-        sheet.say(
-            "The points, each with the axes on which it is placed, and the body that moves there if it is another one:"
-        )
-    for point in points:
-        on = f"on `{point.on}`" if point.on else "in space"
-        matter = f", of `{point.of}`" if point.of != point.on else ""
-        about = f" ({point.about.rstrip('.')})" if point.about else ""
-        sheet.say(f"- `{point.name}` {on} at {_vector(point.at)}{matter}{about}.")
-
-
-_NAMES_OF_BODIES = (
+NAMES_OF_BODIES = (
     "Indices at the name of a body: x, y, z are the coordinates of its origin in space; cx, cy, cz those of its centre of mass;"
     " x1 to z3 the components of its axes; w1, w2, w3 its angular velocity on these axes; angle the angle of its last turn; T its"
-    " kinetic energy."
-)
-_NAMES_OF_POINTS = (
-    "Indices at the name of a point: x, y, z are its coordinates in space; vx, vy, vz the velocity of the matter there; v1, v2, v3"
-    " the same velocity on the axes on which the point is placed."
+    " kinetic energy. Indices at the name of a point: x, y, z are its coordinates in space; vx, vy, vz the velocity of the"
+    " matter there; v1, v2, v3 the same velocity on the axes on which the point is placed."
 )
 
 

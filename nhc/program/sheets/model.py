@@ -120,13 +120,8 @@ class Sheet:
 
     @property
     def lets_at(self) -> int:
-        """The item before which the abbreviations stand: after the tables, and after the lists that come before any statement."""
-        first = next((k for k, item in enumerate(self.items) if isinstance(item, Statement)), len(self.items))
-        ends = [k + 1 for k, item in enumerate(self.items) if isinstance(item, Table)]
-        lists = [
-            k + 1 for k, item in enumerate(self.items[:first]) if isinstance(item, Prose) and item.text.startswith("- ")
-        ]
-        return max(ends + lists, default=0)
+        """The item before which the abbreviations stand: after the tables."""
+        return max((k + 1 for k, item in enumerate(self.items) if isinstance(item, Table)), default=0)
 
 
 RANK_STEP = 1000
