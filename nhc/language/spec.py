@@ -73,6 +73,17 @@ class Body:
 
 
 @record
+class Point:
+    """A point as the spec says it, for people: ``at`` on the axes of ``on`` (empty: space), with the matter of ``of`` there."""
+
+    name: str
+    on: str
+    of: str
+    at: tuple[str, ...]
+    about: str
+
+
+@record
 class Parameter:
     """A constant of the system: a number, a constant expression (``pi/10``), or None where each scene gives it."""
 
@@ -243,6 +254,7 @@ class Spec:
     key_spans: tuple[tuple[str, Span], ...]
     rotations: tuple[Rotation, ...] = ()
     bodies: tuple[Body, ...] = ()
+    points: tuple[Point, ...] = ()
     velocities: frozenset[str] = frozenset()
 
     @cached_property

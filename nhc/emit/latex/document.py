@@ -14,7 +14,7 @@ from nhc.emit.latex.names import name_document
 from nhc.emit.latex.spelling import count_shown, escape, escape_breakable, spell_unit, split_shown
 from nhc.emit.latex.width import estimate, widest_group
 from nhc.emit.layout import Piece, fill, total
-from nhc.emit.prose import clean, fold_ascii
+from nhc.emit.prose import clean, fold_ascii, wrap
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Statement, Table
 from nhc.records import record
 from nhc.stamp import PLACEHOLDER
@@ -28,6 +28,7 @@ _ZERO = 24.0  # the end "= 0" of a row
 _MOST_ROWS = 40  # of a table on one page
 _LONG_NOTE, _LONG_PHRASE = 100.0, 320.0  # points of a name or a sentence beside a formula
 _PARAGRAPH = 40  # characters that may make another line of a cell
+_PHRASE = 65  # of a sentence below a formula
 _LONG_NAME, _LONG_FORMULA = 15, 250  # letters of a name and of a formula in a sentence that leave no good end of a line
 _WIDE_GROUP = 60.0  # points of a part of such a formula within which no line ends
 _LONG_CELL = 55  # characters from which a column is set as a paragraph
@@ -229,9 +230,13 @@ class _Printer:
         label = "" if statement.label is None else rf"{self.spelling.print_mark(statement.label)}\colon\quad "
         relation = {"=": "=", "!=": r"\neq"}[statement.relation]
         wide = max(7.0 * len(statement.note), estimate(escape(statement.note)))
-        if wide > (_LONG_PHRASE if " " in statement.note else _LONG_NOTE):
+        phrase = " " in statement.note
+        beside = not phrase or total(right) <= _LINE - _TAG - wide - column - 14.0
+        if wide > (_LONG_PHRASE if phrase else _LONG_NOTE) or not beside:
             rows = self._rows(replace(statement, note=""), left, column, tag)
-            return rows + [rf"&\quad \text{{{part}}}" for part in split_shown(f"({statement.note})", _PARAGRAPH)]
+            lines = wrap(clean(f"({statement.note})"), _PHRASE) if phrase else [f"({statement.note})"]
+            parts = [part for line in lines for part in split_shown(line, _PHRASE if phrase else _PARAGRAPH)]
+            return rows + [rf"&\quad \text{{{part}}}" for part in parts]
         note = rf"\qquad \text{{({escape(statement.note)})}}" if statement.note else ""
         tail = note + (rf" \tag{{{tag}}}" if tag else "")
         space = _LINE - _TAG - wide
