@@ -266,6 +266,11 @@ class Spec:
         """Return the place of a top-level key (``constraints``); the spec's start where it is not written."""
         return dict(self.key_spans).get(key, Span(0, 0))
 
+    def is_brought(self, name: str) -> bool:
+        """Whether the name is one that a body or a point brings, as ``wheel_x``."""
+        placed = [*(body.name for body in self.bodies), *(point.name for point in self.points)]
+        return any(name.startswith(f"{own}_") for own in placed)
+
     @property
     def named_values(self) -> list[tuple[str, Syntax]]:
         """Definitions and quasi-velocities in ``named_order``."""

@@ -110,6 +110,8 @@ class _Printer:
         self.math = LatexMath(derivation.symbols, self.spelling)
         system = derivation.system
         self.names = {*system.q_names, *(p.name for p in system.spec.parameters)}
+        self.placed = {body.name for body in system.spec.bodies} | {point.name for point in system.spec.points}
+        self.constraints = {form.name for form in system.constraints}
         self.names |= {f"{name}{dots}" for name in system.q_names for dots in ("'", "''")}
 
     def section(self, sheet: Sheet) -> Section:
@@ -166,9 +168,15 @@ class _Printer:
 
     def _name(self, name: str) -> str:
         if name not in self.names:
-            return rf"\emph{{{escape(name)}}}"
+            own = "" if name in self.placed else self._constraint(name)
+            return own or rf"\emph{{{escape(name)}}}"
         bare = name.rstrip("'")
         return f"${self.spelling.print_mark(Mark(bare, dots=len(name) - len(bare)))}$"
+
+    def _constraint(self, name: str) -> str:
+        """The name of a constraint as it stands at forms, momenta and reactions; empty where it is none, or long."""
+        shown = self.spelling.print_index(name) if name in self.constraints else ""
+        return f"${shown}$" if shown and estimate(shown) <= _LONG_NOTE else ""
 
     def _tables(self, table: Table) -> list[str]:
         """The table in parts that fit a page."""
@@ -237,7 +245,8 @@ class _Printer:
             lines = wrap(clean(f"({statement.note})"), _PHRASE) if phrase else [f"({statement.note})"]
             parts = [part for line in lines for part in split_shown(line, _PHRASE if phrase else _PARAGRAPH)]
             return rows + [rf"&\quad \text{{{part}}}" for part in parts]
-        note = rf"\qquad \text{{({escape(statement.note)})}}" if statement.note else ""
+        shown = self._constraint(statement.note) or escape(statement.note)
+        note = rf"\qquad \text{{({shown})}}" if shown else ""
         tail = note + (rf" \tag{{{tag}}}" if tag else "")
         space = _LINE - _TAG - wide
         if column:

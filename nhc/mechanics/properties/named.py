@@ -25,7 +25,7 @@ def named_text(system: System, node: Node, longest: int = 200) -> str:
     g, defined = system.graph, _defined(system)
     outputs = {output: name for name, output in system.outputs}
     labelled = {node: name for node, name in g.labels.items() if name in defined}
-    own = [name for name in labelled.values() if not _is_written_out(system, name)]
+    own = [name for name in labelled.values() if not system.spec.is_brought(name)]
     names = {whole: name for whole, name in (outputs | labelled).items() if count(g, [whole]) >= _NAMED}
     if node in names:
         return names[node]
@@ -76,12 +76,6 @@ def entry_text(system: System, node: Node) -> str:
 def _defined(system: System) -> frozenset[str]:
     spec = system.spec
     return frozenset(entry.name for entry in (*spec.definitions, *spec.quasi_velocities))
-
-
-def _is_written_out(system: System, name: str) -> bool:
-    """Whether the name is one that a body or a point brings, as ``wheel_x``."""
-    placed = [*(body.name for body in system.spec.bodies), *(point.name for point in system.spec.points)]
-    return any(name.startswith(f"{own}_") for own in placed)
 
 
 def energy_name(system: System) -> str:

@@ -86,6 +86,7 @@ class Desk:
             self.matrices.append([symbols[k : k + 3] for k in (0, 3, 6)])
         spec = system.spec
         self.defined = frozenset(entry.name for entry in spec.definitions)
+        self.named = self.defined | {entry.name for entry in spec.quasi_velocities}
         groups = (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities, spec.outputs)
         self._taken = {_split_name(entry.name) for group in groups for entry in group}
         self.reshaped: dict[Mark, None] = {}
