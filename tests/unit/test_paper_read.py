@@ -123,3 +123,21 @@ def test_a_coordinate_in_the_reason_is_set_as_one_and_a_determinant_as_a_product
     text = print_derivation(derive(TYRE, "voronec"))
     assert "determinant (r + R*cos(theta))*(R + r*cos(theta))" in " ".join(text.split())
     assert "Delta = yawed_z*(R + r*cos(theta))" in text
+
+
+SOLVED = (
+    "Solved for the rates:",
+    "Solved for the rates the equations are too long",
+    "completed by the rates of the constraints",
+)
+GALLERY = sorted((Path(__file__).resolve().parents[1] / "golden").glob("*/derivation.tex"))
+
+
+@pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.parent.name)
+def test_equations_are_solved_for_the_rates_or_it_is_said_why_not(path: Path) -> None:
+    text = path.read_text()
+    section = text.partition(r"\section{The equations of motion}")[2].partition(r"\section")[0]
+    lefts = re.findall(r"^  (.*?) &?= ", section, re.MULTILINE)
+    plain = [left.lstrip("& ") for left in lefts]
+    solved = all(re.fullmatch(r"\\d?dot\{\S*\}(_\S+)?", left) for left in plain)
+    assert any(said in section for said in SOLVED) or solved, plain
