@@ -15,7 +15,7 @@ from types import FunctionType
 from typing import Any, TypeVar, cast, dataclass_transform
 
 T = TypeVar("T")
-WIDEST = 25  # fields of a record
+WIDEST = 26  # fields of a record
 _NOTHING: Any = object()
 
 
@@ -179,6 +179,7 @@ _21: Any = None
 _22: Any = None
 _23: Any = None
 _24: Any = None
+_25: Any = None
 
 
 def _none(self: Any) -> None:
@@ -230,7 +231,7 @@ def _wide(
     a6: Any, a7: Any, a8: Any, a9: Any, a10: Any, a11: Any,
     a12: Any, a13: Any, a14: Any, a15: Any, a16: Any, a17: Any,
     a18: Any, a19: Any, a20: Any, a21: Any, a22: Any, a23: Any,
-    a24: Any,
+    a24: Any, a25: Any,
 ) -> None:
     _0(self, a0)
     _1(self, a1)
@@ -257,6 +258,7 @@ def _wide(
     _22(self, a22)
     _23(self, a23)
     _24(self, a24)
+    _25(self, a25)
 # fmt: on
 
 

@@ -11,18 +11,19 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import accumulate
+from itertools import accumulate, product
 from math import comb
 
 from nhc.algebra.bridge import Powers, shared_factors
 from nhc.algebra.exact.residues import PRIMES
 from nhc.algebra.expand import Expander, Polynomial, TooLarge
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.polynomial import normalise, polynomial, to_node
 
 _TERMS = 150
 _HIGHEST = 24  # degree in one unknown
 _UNKNOWNS = 16
+_MOST_FACTORS, _POWERS = 4, 3  # of what is written as a product
 _FIRST = 3  # of many, the shortest: most share nothing
 
 
@@ -37,6 +38,36 @@ def find_shared(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
     except TooLarge:
         return []
     return found
+
+
+def factor(graph: Graph, node: Node) -> Node:
+    """The node as a product where it is one that was multiplied out (exactly, sin^2 + cos^2 being 1), else the node itself."""
+    try:
+        p = polynomial(graph, node, _TERMS)
+        if len(p) < 2:
+            return node
+        terms = [dict(monomial) for monomial in p]
+        outer = {atom: min(term.get(atom, 0) for term in terms) for atom in sorted(set().union(*terms))}
+        before = graph.product(graph.power(atom, n) for atom, n in outer.items())
+        rest = polynomial(graph, graph.div(node, before), _TERMS)
+        inner = _as_product(graph, rest)
+        return node if inner is None else graph.mul(before, inner)
+    except TooLarge:
+        return node
+
+
+def _as_product(graph: Graph, p: Polynomial) -> Node | None:
+    """The polynomial as a number times powers of its factors; None if that is not found."""
+    factors = find_shared(graph, [to_node(graph, p)])
+    if not 0 < len(factors) <= _MOST_FACTORS:
+        return None
+    for powers in sorted(product(range(1, _POWERS + 1), repeat=len(factors)), key=sum):
+        made = graph.product(graph.power(base, n) for base, n in zip(factors, powers, strict=True))
+        q = polynomial(graph, made, _TERMS)
+        number = Fraction(p[min(p)]) / Fraction(q[min(p)]) if min(p) in q else Fraction(0)
+        if p == {monomial: number * k for monomial, k in q.items()}:
+            return graph.mul_number(number, made)
+    return None
 
 
 def _shared(graph: Graph, polynomials: Sequence[Polynomial]) -> list[Node]:

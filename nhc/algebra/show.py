@@ -66,8 +66,9 @@ def _write_power(r: Reading, base: Node, n: int, budget: list[int]) -> tuple[str
 
 
 def _write_product(r: Reading, node: Node, budget: list[int]) -> tuple[str, int]:
-    """One fraction line: ``3*a*(x + y)/(2*b)``."""
+    """One fraction line, parameters first: ``3*a*(x + y)/(2*b)``."""
     g, number, over, under, stack = r.graph, Fraction(1), list[str](), list[str](), [node]
+    constants = 0  # of those above the line
     while stack:
         part = stack.pop()
         if g.op[part] in (MUL, NEG):
@@ -80,7 +81,9 @@ def _write_product(r: Reading, node: Node, budget: list[int]) -> tuple[str, int]
         elif g.op[part] == POW and g.b[part] < 0:
             under.append(_wrap(_write_power(r, g.a[part], -g.b[part], budget), _POWER))
         else:
-            over.append(_wrap(_write(r, part, budget), _PRODUCT))
+            place = constants if _is_parameter(g, part) else len(over)
+            constants += _is_parameter(g, part)
+            over.insert(place, _wrap(_write(r, part, budget), _PRODUCT))
     above, below = abs(number).numerator, number.denominator
     over = [str(above), *over] if above != 1 or not over else over
     under = [str(below), *under] if below != 1 else under
@@ -88,6 +91,11 @@ def _write_product(r: Reading, node: Node, budget: list[int]) -> tuple[str, int]
     if under:
         text += f"/{under[0]}" if len(under) == 1 else f"/({'*'.join(under)})"
     return (f"-{text}", _SUM) if number < 0 else (text, _PRODUCT)
+
+
+def _is_parameter(graph: Graph, factor: Node) -> bool:
+    symbol = graph.symbol_of(graph.a[factor] if graph.op[factor] == POW else factor)
+    return symbol is not None and symbol.kind == "parameter"
 
 
 def _wrap(written: tuple[str, int], least: int) -> str:

@@ -122,6 +122,7 @@ class _Decoder:
             key_spans=tuple((text.value, text.span) for text, _ in self.root.entries),
             rotations=tuple(rotations),
             bodies=self.plain.bodies,
+            points=self.plain.points,
             velocities=self.plain.velocities,
         )
         if not self.bag.has_errors or (kinetic is not None and not self.scope.open):

@@ -73,6 +73,17 @@ class Body:
 
 
 @record
+class Point:
+    """A point as the spec says it, for people: ``at`` on the axes of ``on`` (empty: space), with the matter of ``of`` there."""
+
+    name: str
+    on: str
+    of: str
+    at: tuple[str, ...]
+    about: str
+
+
+@record
 class Parameter:
     """A constant of the system: a number, a constant expression (``pi/10``), or None where each scene gives it."""
 
@@ -243,6 +254,7 @@ class Spec:
     key_spans: tuple[tuple[str, Span], ...]
     rotations: tuple[Rotation, ...] = ()
     bodies: tuple[Body, ...] = ()
+    points: tuple[Point, ...] = ()
     velocities: frozenset[str] = frozenset()
 
     @cached_property
@@ -253,6 +265,11 @@ class Spec:
     def key_span(self, key: str) -> Span:
         """Return the place of a top-level key (``constraints``); the spec's start where it is not written."""
         return dict(self.key_spans).get(key, Span(0, 0))
+
+    def is_brought(self, name: str) -> bool:
+        """Whether the name is one that a body or a point brings, as ``wheel_x``."""
+        placed = [*(body.name for body in self.bodies), *(point.name for point in self.points)]
+        return any(name.startswith(f"{own}_") for own in placed)
 
     @property
     def named_values(self) -> list[tuple[str, Syntax]]:

@@ -13,6 +13,7 @@ from nhc.language import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.system import System
+from nhc.program.sheets.bodies import explain_names
 from nhc.program.sheets.data import add_letters, data_sheet, reason_sheet
 from nhc.program.sheets.draft import Desk, DraftSheet
 from nhc.program.sheets.forms import energy_sheet, form_sheet, make_forms
@@ -70,4 +71,5 @@ def derivation(
     drafts = [sheet for make in makers if (sheet := make()) is not None]
     add_letters(desk, next(sheet for sheet in drafts if sheet.key == "formulation"))
     sheets, symbols, lets = write_sheets(desk, drafts)
+    sheets = explain_names(system.spec, sheets, symbols)
     return Derivation(system, formulation.name, equations.number, sheets, symbols, lets)

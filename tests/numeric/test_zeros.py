@@ -6,6 +6,7 @@ import pytest
 
 from nhc.diagnostics import Source
 from nhc.language import decode
+from nhc.mechanics.properties.named import is_cut, product_text
 from nhc.mechanics.properties.zeros import where_all_zero, where_zero
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
@@ -48,3 +49,26 @@ def test_factors_that_all_have_are_told_first() -> None:
     together = "$sin(x) = 0$, or where 2 minors, long expressions, vanish together"
     assert where_all_zero(system, [system.U, other], texts, 6, "$") == together
     assert where_all_zero(system, [system.U, other], ["a", "b"], 6, "$") == "$a = b = 0$"
+
+
+@pytest.mark.parametrize(
+    ("expression", "told"),
+    [
+        ("a^2*cos(x)*y + a*y^2*cos(x) + a*y*(2 - sin(x)^2)*y + y^2*a*sin(x)^2 - 2*a*y^2", "a*y*cos(x)*(a + y)"),
+        ("a^2*cos(x) + y^2*cos(x) + a*y*(2 - sin(x)^2)", "(a + y*cos(x))*(y + a*cos(x))"),
+        ("a*(x^2 - y^2)", "a*(x + y)*(x - y)"),
+        ("x^2 + y", "y + x^2"),
+        (f"a*{LONG}", "…"),
+    ],
+)
+def test_a_determinant_is_a_product_where_it_is_one(expression: str, told: str) -> None:
+    system = spot(expression)
+    text = product_text(system, system.U, 100)
+    assert sorted(text) == sorted(told) if told != "…" else is_cut(text)
+
+
+def test_cut_texts_are_not_shown() -> None:
+    system = spot("cos(x)")
+    assert where_all_zero(system, [system.U] * 7, ["cos(…"] * 7, 6, "$").endswith(
+        "7 minors, long expressions, vanish together"
+    )

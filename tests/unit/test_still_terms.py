@@ -26,7 +26,7 @@ constraints:
         ("theta'^2", "theta'^2 + exp(x'*W)", "T: no polynomial of degree 2 in the velocities"),
         ("theta)*y' = 0", "theta)*y' = 0", "constraints: homogeneous, scleronomic;"),
         ("theta)*y' = 0", "theta)*y = 0", "constraints: affine (without velocities y*cos(theta) in `slip`);"),
-        ("y' = 0", "y' = x*W\n  - x' = 3", "affine (without velocities -x*W in `slip` and in 1 more);"),
+        ("y' = 0", "y' = x*W\n  - x' = 3", "affine (without velocities -W*x in `slip` and in 1 more);"),
     ],
 )
 def test_terms_without_velocities_are_named(right: str, wrong: str, said: str) -> None:

@@ -14,7 +14,7 @@ from nhc.emit.latex.names import name_document
 from nhc.emit.latex.spelling import count_shown, escape, escape_breakable, spell_unit, split_shown
 from nhc.emit.latex.width import estimate, widest_group
 from nhc.emit.layout import Piece, fill, total
-from nhc.emit.prose import clean, fold_ascii
+from nhc.emit.prose import clean, fold_ascii, wrap
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Statement, Table
 from nhc.records import record
 from nhc.stamp import PLACEHOLDER
@@ -28,6 +28,7 @@ _ZERO = 24.0  # the end "= 0" of a row
 _MOST_ROWS = 40  # of a table on one page
 _LONG_NOTE, _LONG_PHRASE = 100.0, 320.0  # points of a name or a sentence beside a formula
 _PARAGRAPH = 40  # characters that may make another line of a cell
+_PHRASE = 65  # of a sentence below a formula
 _LONG_NAME, _LONG_FORMULA = 15, 250  # letters of a name and of a formula in a sentence that leave no good end of a line
 _WIDE_GROUP = 60.0  # points of a part of such a formula within which no line ends
 _LONG_CELL = 55  # characters from which a column is set as a paragraph
@@ -109,6 +110,8 @@ class _Printer:
         self.math = LatexMath(derivation.symbols, self.spelling)
         system = derivation.system
         self.names = {*system.q_names, *(p.name for p in system.spec.parameters)}
+        self.placed = {body.name for body in system.spec.bodies} | {point.name for point in system.spec.points}
+        self.constraints = {form.name for form in system.constraints}
         self.names |= {f"{name}{dots}" for name in system.q_names for dots in ("'", "''")}
 
     def section(self, sheet: Sheet) -> Section:
@@ -165,9 +168,15 @@ class _Printer:
 
     def _name(self, name: str) -> str:
         if name not in self.names:
-            return rf"\emph{{{escape(name)}}}"
+            own = "" if name in self.placed else self._constraint(name)
+            return own or rf"\emph{{{escape(name)}}}"
         bare = name.rstrip("'")
         return f"${self.spelling.print_mark(Mark(bare, dots=len(name) - len(bare)))}$"
+
+    def _constraint(self, name: str) -> str:
+        """The name of a constraint as it stands at forms, momenta and reactions; empty where it is none, or long."""
+        shown = self.spelling.print_index(name) if name in self.constraints else ""
+        return f"${shown}$" if shown and estimate(shown) <= _LONG_NOTE else ""
 
     def _tables(self, table: Table) -> list[str]:
         """The table in parts that fit a page."""
@@ -229,10 +238,15 @@ class _Printer:
         label = "" if statement.label is None else rf"{self.spelling.print_mark(statement.label)}\colon\quad "
         relation = {"=": "=", "!=": r"\neq"}[statement.relation]
         wide = max(7.0 * len(statement.note), estimate(escape(statement.note)))
-        if wide > (_LONG_PHRASE if " " in statement.note else _LONG_NOTE):
+        phrase = " " in statement.note
+        beside = not phrase or total(right) <= _LINE - _TAG - wide - column - 14.0
+        if wide > (_LONG_PHRASE if phrase else _LONG_NOTE) or not beside:
             rows = self._rows(replace(statement, note=""), left, column, tag)
-            return rows + [rf"&\quad \text{{{part}}}" for part in split_shown(f"({statement.note})", _PARAGRAPH)]
-        note = rf"\qquad \text{{({escape(statement.note)})}}" if statement.note else ""
+            lines = wrap(clean(f"({statement.note})"), _PHRASE) if phrase else [f"({statement.note})"]
+            parts = [part for line in lines for part in split_shown(line, _PHRASE if phrase else _PARAGRAPH)]
+            return rows + [rf"&\quad \text{{{part}}}" for part in parts]
+        shown = self._constraint(statement.note) or escape(statement.note)
+        note = rf"\qquad \text{{({shown})}}" if shown else ""
         tail = note + (rf" \tag{{{tag}}}" if tag else "")
         space = _LINE - _TAG - wide
         if column:

@@ -40,6 +40,10 @@ class Names:
             text = self._printed[mark] = self._print(mark)
         return text
 
+    def print_index(self, name: str) -> str:
+        """A name as it stands below or above a letter."""
+        return self._index(name)
+
     def _print(self, mark: Mark) -> str:
         base, own = self._base(mark.base)
         if mark.dots:

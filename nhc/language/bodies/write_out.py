@@ -21,6 +21,7 @@ from nhc.language.expressions.parser import parse_expression
 from nhc.language.keys import BODILY, POINT_KEYS
 from nhc.language.rotation import entry_names, foretell_rotations
 from nhc.language.shape import Shapes
+from nhc.language.spec import Point
 from nhc.language.yaml_tree.extend import declared_names
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
 from nhc.language.yaml_tree.reader import is_empty
@@ -36,7 +37,8 @@ def write_out(root: Table, bag: Bag, asked: str = "") -> Plain:
     """
     writer = _Writer(root, bag, asked)
     root, made = writer.run(), writer.ledger
-    return Plain(root, tuple(made.made), tuple(body.told for body in writer.bodies), frozenset(made.velocities))
+    bodies, points = tuple(body.told for body in writer.bodies), tuple(writer.points)
+    return Plain(root, tuple(made.made), bodies, points, frozenset(made.velocities))
 
 
 class _Writer:
@@ -47,6 +49,7 @@ class _Writer:
         self.declared: frozenset[str] = frozenset()
         self.frames: dict[str, Frame] = {"": kinematics.space()}
         self.bodies: list[Body] = []
+        self.points: list[Point] = []
         self.energies: list[Piece] = []
         self.weights: list[Piece] = []
 
@@ -146,7 +149,7 @@ class _Writer:
         if table is None:
             return
         self.reader.shapes.check_keys(table, POINT_KEYS, what, name.span, meant_body_key)
-        self.reader.shapes.line(table.get("about"))
+        about = self.reader.shapes.line(table.get("about"))
         at = self.reader.vector(table.get("at"), name.span.start)
         parent, matter = self.reader.name_under(table, "parent"), self.reader.name_under(table, "of")
         for text in (parent, matter):
@@ -157,6 +160,7 @@ class _Writer:
         if at is not None and on in self.frames and of in self.frames:
             folded = Text(fold(name.value), name.span, True)
             kinematics.place_point(folded, self.frames[on], self.frames[of] if of else None, at, self.ledger)
+            self.points.append(Point(folded.value, on, of, tuple(piece.shown.text for piece in at), about))
 
     # --- the plain spec ---
 

@@ -16,8 +16,8 @@ from nhc.mechanics.properties.coframe import warn_of_dependent, warn_of_quasi_ve
 from nhc.mechanics.properties.conserved import Integral, find_conserved
 from nhc.mechanics.properties.inertia import warn_of_inertia
 from nhc.mechanics.properties.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
-from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals
-from nhc.mechanics.properties.named import named_text
+from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals, quote_integral, tell_integral
+from nhc.mechanics.properties.named import LONG, is_cut, product_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
 from nhc.mechanics.properties.singular import find_rank_loss
 from nhc.mechanics.properties.still import depends_on_time, describe_affine, describe_kinetic
@@ -29,7 +29,7 @@ from nhc.mechanics.system import System
 
 _UNDECIDED = "not decided (too many nested roots for the exact test)"
 _UNKNOWN = "; nhc has found none in elementary functions"
-_SHOWN = 6  # minors that are written out
+_SHOWN, _READABLE = 6, 400  # minors that are written out; characters of one
 
 
 @dataclass
@@ -184,12 +184,7 @@ def _integrals(system: System, found: Integrability, facts: Facts, given: str = 
     data = [{"integral": i.whole, "constraints": list(i.names)} for i in integrals]
     lost = found.hidden - len(integrals)
     declared = {form.name for form in system.constraints if form.equation is not None}
-    lines = [
-        f"that of `{i.names[0]}`, as declared"  # too long to be shown, and the spec has it in the user's words
-        if i.text.endswith("…") and len(i.names) == 1 and i.names[0] in declared
-        else f"${i.text} = const$ (from {' and '.join(f'`{name}`' for name in i.names)})"
-        for i in integrals
-    ]
+    lines = [tell_integral(i, declared) for i in integrals]
     if lost:
         lines.append(f"{lost} not found in elementary functions")
     where = " with the parameters' values in the spec" if given else ""
@@ -237,7 +232,7 @@ def _warn_integrable(
     if combined > 0:
         growth, verb = ", ".join(str(r) for r in found.growth), "is" if combined == 1 else "are"
         aside = " where they do not jump" if any(name in torn for name in spans if name not in found.closed) else ""
-        texts = [f"an integral is `{i.text} = const`" for i in integrals if len(i.names) > 1]
+        texts = [f"an integral is {quote_integral(i)}" for i in integrals if len(i.names) > 1]
         bag.warning(
             "W0410",
             f"{several(combined, 'combination')} of the constraints {verb} integrable{given}{aside} (holonomic in disguise)",
@@ -252,14 +247,14 @@ def _shown(name: str, integrals: Sequence[PositionIntegral]) -> tuple[str, ...]:
     for found in sorted((i for i in integrals if name in i.names), key=lambda i: len(i.names)):
         others = " and ".join(f"`{other}`" for other in found.names if other != name)
         whose = f"with that of {others} it makes" if others else "its integral is"
-        return (f"{whose} `{found.text} = const`",)
+        return (f"{whose} {quote_integral(found)}",)
     return ()
 
 
 def _rank_loss(system: System, facts: Facts) -> None:
     found, full = find_rank_loss(system), None
     signed = [(minor, system.graph.neg(minor)) for minor in found.minors]  # what is zero has no sign
-    minors = [min((named_text(system, one, 100) for one in pair), key=len) for pair in signed]
+    minors = [min((product_text(system, one, _READABLE) for one in pair), key=len) for pair in signed]
     where = where_all_zero(system, found.minors, minors, _SHOWN, "$") if minors else ""
     if found.regular is None:
         text = "too large to decide where it is lost"
@@ -269,7 +264,8 @@ def _rank_loss(system: System, facts: Facts) -> None:
         text, full = f"lost where {where}: the motion is undefined there", False
     else:
         text = f"full wherever it was tried; it would be lost where {where}"
-    facts.say("rank", {"full": full, "lost_where_all_vanish": minors}, f"rank of the constraints: {text}")
+    whole = [LONG if is_cut(minor) else minor for minor in minors]
+    facts.say("rank", {"full": full, "lost_where_all_vanish": whole}, f"rank of the constraints: {text}")
 
 
 def _conserved(system: System, formulation: Formulation, integrals: tuple[PositionIntegral, ...], facts: Facts) -> None:
@@ -321,11 +317,10 @@ def _dependent(system: System, formulation: Formulation, choice: Choice, by_name
     if choice.determinant is None:
         limit = "the determinant is too large to print"
     else:
-        limit = f"determinant ${named_text(system, choice.determinant)}$"
-        if limit.endswith("…$"):
-            limit = "the determinant is long"
-            if not never:
-                regular = f"singular where {where_zero(system, choice.determinant, '$')}{aside}"
+        shown = product_text(system, choice.determinant)
+        limit = "the determinant is long" if is_cut(shown) else f"determinant ${shown}$"
+        if not never and is_cut(shown):
+            regular = f"singular where {where_zero(system, choice.determinant, '$')}{aside}"
     facts.say(
         "dependent",
         [system.q_names[i] for i in choice.dependent],

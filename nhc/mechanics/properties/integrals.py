@@ -23,7 +23,7 @@ from nhc.algebra.walks import reachable
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.properties.candidates import Candidate, combine
 from nhc.mechanics.properties.leaf import Leaf, has_values, leaf_of, parts_on, rank_on
-from nhc.mechanics.properties.named import named_text
+from nhc.mechanics.properties.named import LONG, is_cut, named_text
 from nhc.mechanics.properties.primitives import find_primitives
 from nhc.mechanics.system import Form, System
 from nhc.records import record
@@ -59,7 +59,7 @@ def find_position_integrals(
     held = [(form.equation, form.name) for form in system.constraints if form.equation is not None]
     for k in _new(system, leaf, [], [node for node, _ in held]):
         node, name = held[k]
-        found.append(PositionIntegral(node, *_texts(system, node), (name,)))
+        found.append(PositionIntegral(node, *_texts(system, node, declared=True), (name,)))
     for candidates in _stages(system, closed):
         if len(found) >= hidden:
             break
@@ -92,10 +92,27 @@ def _find_own(system: System, closed: Sequence[str], known: Collection[tuple[str
     return own
 
 
-def _texts(system: System, node: Node) -> tuple[str, str]:
-    plain = system.graph.split_coefficient(node)[1]
+def tell_integral(integral: PositionIntegral, declared: Collection[str]) -> str:
+    """An integral, marked as in a derivation, and where it comes from; what is declared is zero, not just some constant."""
+    names = [f"`{name}`" for name in integral.names]
+    own = len(names) == 1 and integral.names[0] in declared
+    if is_cut(integral.text):  # the spec has it in the user's words
+        return f"that of {names[0]}, as declared" if own else f"{LONG} (from {' and '.join(names)})"
+    if own:
+        return f"${integral.text} = 0$ (`{integral.names[0]}`, as declared)"
+    return f"${integral.text} = const$ (from {' and '.join(names)})"
+
+
+def quote_integral(integral: PositionIntegral) -> str:
+    """An integral as an equation in a message."""
+    return f"{LONG}, which `check --json` has whole" if is_cut(integral.text) else f"`{integral.text} = const`"
+
+
+def _texts(system: System, node: Node, *, declared: bool = False) -> tuple[str, str]:
+    """Without its number in front, and its sign, unless the spec has them."""
+    plain = node if declared else system.graph.split_coefficient(node)[1]
     text = named_text(system, plain, _LONGEST)
-    return text, named_text(system, plain, _WHOLE) if text.endswith("…") else text
+    return text, named_text(system, plain, _WHOLE) if is_cut(text) else text
 
 
 def _new(system: System, leaf: Leaf, known: Sequence[Node], nodes: Sequence[Node], most: int = 0) -> list[int]:

@@ -7,22 +7,48 @@ from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.rewriting.joined import join_sums
+from nhc.algebra.shared import factor
 from nhc.algebra.show import to_text
+from nhc.algebra.walks import count
 from nhc.mechanics.system import System
+
+LONG = "a long expression"
+_NAMED = 2  # operations of what is told by its name
+_SHORT = 60  # characters up to which no names of outputs are needed
 
 
 def named_text(system: System, node: Node, longest: int = 200) -> str:
-    """A node as text in the spec's names: in coordinates, or with definitions and outputs by name, whichever is shorter; sums of
-    angles are joined.
+    """A node as text in the spec's names: in coordinates, or with definitions by name, whichever is shorter; where that is long,
+    with outputs and what bodies bring, too.  Sums of angles are joined.  A name that stands for the cosine of an angle is longer
+    to look up than to read.
     """
-    g = system.graph
-    names = {output: name for name, output in system.outputs if g.children(output)}
-    names.update({labelled: name for labelled, name in g.labels.items() if name in _defined(system)})
+    g, defined = system.graph, _defined(system)
+    outputs = {output: name for name, output in system.outputs}
+    labelled = {node: name for node, name in g.labels.items() if name in defined}
+    own = [name for name in labelled.values() if not system.spec.is_brought(name)]
+    names = {whole: name for whole, name in (outputs | labelled).items() if count(g, [whole]) >= _NAMED}
     if node in names:
         return names[node]
-    symbols = {part: g.symbol(name) for part, name in sorted(names.items())}
-    forms = (node, *join_sums(g, [node, substitute(g, [node], symbols)[0]]))
-    return min((to_text(g, each, longest) for each in dict.fromkeys(forms)), key=len)
+    texts = []
+    for known in ({whole: name for whole, name in names.items() if name in own}, names):
+        symbols = {part: g.symbol(name) for part, name in sorted(known.items())}
+        forms = (node, *join_sums(g, [node, substitute(g, [node], symbols)[0]]))
+        texts.append(min((to_text(g, each, longest) for each in dict.fromkeys(forms)), key=len))
+        if len(texts[-1]) <= _SHORT:
+            break
+    return min(texts, key=len)
+
+
+def product_text(system: System, node: Node, longest: int = 200) -> str:
+    """The same of a determinant, as a product where it is one: its factors tell where it vanishes."""
+    made = factor(system.graph, node)
+    text = named_text(system, made, longest)
+    return named_text(system, node, longest) if made != node and is_cut(text) else text
+
+
+def is_cut(text: str) -> bool:
+    """Whether a node's text has not all of it: nobody is shown such a text as a formula."""
+    return text.endswith("…")
 
 
 def zero_text(system: System, node: Node) -> str:

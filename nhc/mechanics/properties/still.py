@@ -8,7 +8,7 @@ from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.solving.linear import degrees, depends
-from nhc.mechanics.properties.named import named_text
+from nhc.mechanics.properties.named import LONG, is_cut, named_text
 from nhc.mechanics.system import System
 
 _LONGEST = 60  # characters
@@ -26,7 +26,7 @@ def describe_kinetic(system: System, explain: bool) -> str:
     still, *momenta = substitute(g, [system.T, *gradient(g, system.T, system.v)], rest, named=False)
     if all(are_zero(g, [still, *momenta])):
         return f"homogeneous {text}"
-    shown = "" if is_zero(g, still) else f" (without velocities ${_shown(system, still)}$)"
+    shown = "" if is_zero(g, still) else f" (without velocities {_shown(system, still)})"
     return f"{text}, with terms of lower degree{shown}"
 
 
@@ -37,13 +37,14 @@ def describe_affine(system: System) -> str:
     if not moved:
         return "affine"
     more = f" and in {len(moved) - 1} more" if len(moved) > 1 else ""
-    return f"affine (without velocities ${_shown(system, moved[0].constant)}$ in `{moved[0].name}`{more})"
+    return f"affine (without velocities {_shown(system, moved[0].constant)} in `{moved[0].name}`{more})"
 
 
 def _shown(system: System, node: Node) -> str:
     node = _at_start(system, node)
     forms = dict.fromkeys((node, normalise_angles(system.graph, node, _TERMS)))
-    return min((named_text(system, form, _LONGEST) for form in forms), key=len)
+    text = min((named_text(system, form, _LONGEST) for form in forms), key=len)
+    return LONG if is_cut(text) else f"${text}$"
 
 
 def depends_on_time(system: System, node: Node) -> bool:

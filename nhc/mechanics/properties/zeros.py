@@ -9,7 +9,7 @@ from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.graph import Node
 from nhc.algebra.parts import split_powers
 from nhc.algebra.rewriting.angles import normalise_angles
-from nhc.mechanics.properties.named import zero_text
+from nhc.mechanics.properties.named import LONG, is_cut, zero_text
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.system import System
 
@@ -35,14 +35,14 @@ def where_zero(system: System, node: Node, quote: str, text: str = "") -> str:
     short, long = _told(system, _forms(system, node)[0])
     told = [f"{quote}{factor} = 0{quote}" for factor in short]
     if long or not told:
-        told.append("another factor, a long expression, vanishes" if told else "a long expression vanishes")
+        told.append("another factor, a long expression, vanishes" if told else f"{LONG} vanishes")
     return f"{', '.join(told[:-1])} or {told[-1]}" if len(told) > 1 else told[0]
 
 
 def where_all_zero(system: System, nodes: Sequence[Node], texts: Sequence[str], most: int, quote: str) -> str:
     """The same for expressions that vanish together: all of them, or the factors that they share, and what else there is."""
     shown = " = ".join(texts[:most])
-    if len(shown) <= 2 * _WHOLE:
+    if len(shown) <= 2 * _WHOLE and not any(map(is_cut, texts[:most])):
         others = f", where {len(texts) - most} other minors vanish, too" if len(texts) > most else ""
         return f"{quote}{shown} = 0{quote}{others}"
     every = [{base for form in _forms(system, node) for base in form} for node in nodes]

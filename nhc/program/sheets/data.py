@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import re
 from fractions import Fraction
 
 from nhc.language import Scene
 from nhc.language.expressions.unparse import show_number, unparse
 from nhc.mechanics.formulations.chaplygin import mark_letters
+from nhc.program.sheets.bodies import say_bodies
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
 from nhc.program.sheets.formulas import NOTATION
 from nhc.program.sheets.model import OTHER, Mark, Table
@@ -18,18 +20,20 @@ def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
     sheet = DraftSheet("data", "The system")
     system = desk.system
     sheet.say("The coordinates are")
-    rows = [(Mark(c.name), c.about, c.unit) for c in system.spec.coordinates]
-    sheet.add(_table(("coordinate", "meaning", "unit"), rows))
+    rows = [(Mark(c.name), c.about, c.unit, _interval(c.range)) for c in system.spec.coordinates]
+    sheet.add(_table(("coordinate", "meaning", "unit", "range"), rows))
     _parameters(desk, sheet, scene)
+    say_bodies(desk.system.spec, sheet)
     _rotations(desk, sheet)
-    _bodies(desk, sheet)
     sheet.say("The kinetic energy is")
     sheet.add(Draft(desk.name(desk.own("T")), desk.plain(desk.by_entries(system.T)), place=system.places["T"]))
     if desk.graph.zero != system.U:
-        sheet.say("and the force function, whose derivatives are the forces of the potential,")
+        sheet.say("and the force function $U = -V$, whose derivatives are the forces of the potential,")
         sheet.add(
             Draft(desk.name(desk.own("U")), desk.plain(desk.by_entries(system.U)), place=system.places.get("U", ""))
         )
+    else:
+        sheet.say("No force has a potential: the force function $U$ and the potential energy $V = -U$ are zero.")
     _forces(desk, sheet)
     _constraints(desk, sheet)
     return sheet
@@ -45,8 +49,21 @@ def _parameters(desk: Desk, sheet: DraftSheet, scene: Scene | None) -> None:
     for parameter in parameters:
         value = given.get(parameter.name, parameter.value)
         shown = "" if value is None else show_number(value) if isinstance(value, Fraction) else unparse(value)
-        rows.append((Mark(parameter.name), shown or "given by each scene", parameter.unit, parameter.about))
-    sheet.add(_table(("parameter", "value", "unit", "meaning"), rows))
+        rows.append((Mark(parameter.name), parameter.about, parameter.unit, shown or "given by each scene"))
+    sheet.add(_table(("parameter", "meaning", "unit", "value"), rows))
+
+
+def _interval(limits: tuple[Fraction, Fraction] | None) -> str:
+    return "" if limits is None else f"{_limit(limits[0])} to {_limit(limits[1])}"
+
+
+def _limit(value: Fraction) -> str:
+    """A number, or a simple part of pi, which the language has rounded."""
+    part = Fraction(float(value) / math.pi).limit_denominator(12)
+    if not value or abs(float(value) - float(part) * math.pi) > 1e-14 * abs(float(value)):
+        return show_number(value)
+    above = {1: "pi", -1: "-pi"}.get(part.numerator, f"{part.numerator} pi")
+    return above if part.denominator == 1 else f"{above}/{part.denominator}"
 
 
 def _forces(desk: Desk, sheet: DraftSheet) -> None:
@@ -78,54 +95,9 @@ def _rotations(desk: Desk, sheet: DraftSheet) -> None:
             sheet.add(Draft(desk.name(Mark(name)), desk.plain(node)))
 
 
-def _bodies(desk: Desk, sheet: DraftSheet) -> None:
-    """Where bodies stand, how they turn, what they weigh; the letters of T and of the constraints follow from that."""
-    bodies = desk.system.spec.bodies
-    if bodies:
-        sheet.say(
-            "The bodies, each with what it stands on, its turns from there one after another, and its mass on its own axes:"
-        )
-    for body in bodies:
-        place = f", its origin at {_vector(body.at)}" if body.at else ""
-        turns = [f"by ${angle}$ about {axis}" for axis, angle in body.turns]
-        turned = f", turned {', '.join(turns)}" if turns else f", turned by `{body.rotation}`" if body.rotation else ""
-        parts = [f"`{body.name}` on `{body.on}`" if body.on else f"`{body.name}` in space", place, turned]
-        if body.mass:
-            centre = f" with its centre at {_vector(body.centre)}" if body.centre else ""
-            parts.append(f"; mass ${body.mass}${centre}")
-        if body.inertia:
-            parts.append(f"; {_moments(body.inertia)}")
-        inside = f" ({body.about.rstrip('.')})." if body.about[:1].islower() else f". {body.about}".rstrip()
-        sheet.say(f"- {''.join(parts)}{inside}")
-    if bodies:
-        sheet.say(NAMES_OF_BODIES)
-
-
-NAMES_OF_BODIES = (
-    "Indices at the name of a body: x, y, z are the coordinates of its origin in space; cx, cy, cz those of its centre of mass;"
-    " x1 to z3 the components of its axes; w1, w2, w3 its angular velocity on these axes; angle the angle of its last turn; T its"
-    " kinetic energy. Indices at the name of a point: x, y, z are its coordinates in space; vx, vy, vz the velocity of the"
-    " matter there; v1, v2, v3 the same velocity on the axes on which the point is placed."
-)
-
-
-def _moments(entries: tuple[tuple[str, str], ...]) -> str:
-    keys = [key for key, _ in entries]
-    if keys == [""]:
-        return f"moment of inertia ${entries[0][1]}$"
-    if keys == ["xx", "yy", "zz"]:
-        return f"moments of inertia {_vector(tuple(text for _, text in entries))}"
-    return "inertia matrix " + ", ".join(f"${text}$ at {key}" for key, text in entries)
-
-
-def _vector(parts: tuple[str, ...]) -> str:
-    shown = parts[:2] if parts[2] == "0" else parts
-    return f"({', '.join(f'${part}$' for part in shown)})"
-
-
 def _table(
     head: tuple[str, ...],
-    rows: list[tuple[Mark | str, ...]] | list[tuple[Mark, str, str]] | list[tuple[Mark, str, str, str]],
+    rows: list[tuple[Mark | str, ...]] | list[tuple[Mark, str, str, str]],
 ) -> Table:
     """The table without the columns that hold nothing."""
     kept = [k for k in range(len(head)) if any(row[k] != "" for row in rows)]
@@ -166,7 +138,10 @@ def reason_sheet(desk: Desk) -> DraftSheet:
     sheet = DraftSheet("formulation", "The formulation")
     title = TITLES[formulation.name]
     velocities = "|".join(map(re.escape, desk.system.q_names))
-    names = "|".join([rf"(?:{velocities})'(?!\w)", *(rf"{re.escape(name)}(?=[,:]|$)" for name in formulation.added)])
+    turned = rf"(?<=turn with )(?:{velocities})(?!\w)"
+    names = "|".join(
+        [rf"(?:{velocities})'(?!\w)", turned, *(rf"{re.escape(name)}(?=[,:]|$)" for name in formulation.added)]
+    )
     reason = re.sub(rf"(?<!\w)({names})", r"$\1$", formulation.reason.rstrip("."))
     sheet.say(f"The equations are {title}. Why these: {reason}.")
     if formulation.name == "chaplygin":

@@ -7,9 +7,11 @@ from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass, field, replace
 
 from nhc.algebra.exact.modular import are_zero
-from nhc.algebra.graph import NEG, Node
+from nhc.algebra.graph import ADD, NEG, Node
+from nhc.algebra.parts import split_powers
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.paper import shortest
+from nhc.algebra.shared import factor
 from nhc.algebra.walks import count
 from nhc.exterior import Form
 from nhc.language.spec import reaction_name
@@ -84,6 +86,7 @@ class Desk:
             self.matrices.append([symbols[k : k + 3] for k in (0, 3, 6)])
         spec = system.spec
         self.defined = frozenset(entry.name for entry in spec.definitions)
+        self.named = self.defined | {entry.name for entry in spec.quasi_velocities}
         groups = (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities, spec.outputs)
         self._taken = {_split_name(entry.name) for group in groups for entry in group}
         self.reshaped: dict[Mark, None] = {}
@@ -206,6 +209,12 @@ class Desk:
         """The node alone, in short form."""
         node = self.short(node)
         return () if node == self.graph.zero else ((node, ()),)
+
+    def determinant(self, node: Node) -> tuple[Part, ...]:
+        """The node as a product of sums where it is one: the factors tell where it vanishes."""
+        made = factor(self.graph, self.by_entries(node))
+        sums = [base for base in split_powers(self.graph, made)[1] if self.graph.op[base] == ADD]
+        return self.plain(made) if len(sums) > 1 and self.size(made) <= _WORTH else self.value(node)
 
     def plain(self, node: Node) -> tuple[Part, ...]:
         """The node as it stands."""

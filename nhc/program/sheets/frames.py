@@ -51,7 +51,7 @@ def _solved_constraints(desk: Desk, frame: Frame) -> DraftSheet:
     else:
         note = "never zero for these parameters and ranges" if choice.regular else "where it vanishes, choose others"
         sheet.say(f"The choice is regular where {_name_determinant(one).lower()} does not vanish:")
-        sheet.add(Draft(desk.name(desk.own("Delta")), desk.value(choice.determinant), note=note))
+        sheet.add(Draft(desk.name(desk.own("Delta")), desk.determinant(choice.determinant), note=note))
     return sheet
 
 
@@ -103,7 +103,7 @@ def _inverse(desk: Desk, frame: Frame, sheet: DraftSheet) -> None:
     if guards:
         sheet.say("which needs that these do not vanish:")
         for k, guard in enumerate(guards):
-            sheet.add(Draft(desk.name(desk.own("Delta", str(k + 1))), desk.value(guard)))
+            sheet.add(Draft(desk.name(desk.own("Delta", str(k + 1))), desk.determinant(guard)))
 
 
 def _structure(desk: Desk, frame: Frame, sheet: DraftSheet) -> None:

@@ -120,8 +120,9 @@ class Sheet:
 
     @property
     def lets_at(self) -> int:
-        """The item before which the abbreviations stand: after the tables."""
-        return max((k + 1 for k, item in enumerate(self.items) if isinstance(item, Table)), default=0)
+        """The item before which the abbreviations stand: the sentence of the first statement."""
+        first = next((k for k, item in enumerate(self.items) if isinstance(item, Statement)), 0)
+        return first - 1 if first and isinstance(self.items[first - 1], Prose) else first
 
 
 RANK_STEP = 1000

@@ -32,8 +32,9 @@ from nhc.program.sheets.formulas import (
 )
 from nhc.program.sheets.model import Mark
 
-_SOLVED = 3  # rates up to which the system is solved on paper
+_SOLVED = 6  # rates up to which the system is solved on paper
 _SHORT = 60  # operations of a solved rate that is still worth printing
+_MORE = 90  # operations of all rates together that the equations do not have
 _WORTH = 300  # operations of mass and force up to which solving is tried
 _CONTRACTIONS = {"euler-lagrange": CONTRACTION_QUASI, "newton": CONTRACTION_NEWTON}
 
@@ -162,32 +163,44 @@ def _kinematics(desk: Desk, sheet: DraftSheet) -> None:
 
 
 def _solution(desk: Desk, sheet: DraftSheet) -> None:
-    equations, g = desk.equations, desk.graph
-    rates = equations.motion.rates
+    equations, rates = desk.equations, desk.equations.motion.rates
     if not rates or _already_solved(desk):
         return
-    nodes = [x for row in equations.mass for x in row] + list(equations.force)
-    if len(rates) <= _SOLVED and count(g, nodes) <= _WORTH:
-        try:
-            (values,) = solve(g, equations.mass, [list(equations.force)]).unknowns
-        except Singular:
-            values = []
-        short = [desk.short(value) for value in values]
-        if short and all(desk.size(value) <= _SHORT for value in short):
-            sheet.say("Solved for the rates:")
-            for rate, value in zip(rates, short, strict=True):
-                sheet.add(Draft(desk.name(desk.mark(rate)), desk.value(value)))
-            return
+    solved = _solve(desk)
+    if solved:
+        sheet.say("Solved for the rates:")
+        for rate, value in zip(rates, solved, strict=True):
+            sheet.add(Draft(desk.name(desk.mark(rate)), desk.value(value)))
+        return
+    long = "Solved for the rates the equations are too long to be read: the emitted code solves them at each state"
     if equations.definite:
         sheet.say(
             "The matrix on the left is symmetric and, for the values of the parameters in the spec and its scenes, positive"
-            " wherever the motion is regular. The emitted code solves the system without pivoting."
+            f" wherever the motion is regular. {long}, without pivoting."
         )
     else:
         sheet.say(
             "The matrix on the left is symmetric, but not positive everywhere for the values of the parameters in the spec and its"
-            " scenes, as far as nhc can tell; the emitted code solves the system with row pivoting."
+            f" scenes, as far as nhc can tell. {long}, with row pivoting."
         )
+
+
+def _solve(desk: Desk) -> list[Node]:
+    """The rates where they are short, or little is to be read beside the equations themselves; else nothing."""
+    equations, g = desk.equations, desk.graph
+    nodes = [x for row in equations.mass for x in row] + list(equations.force)
+    before = count(g, nodes)
+    if len(equations.motion.rates) > _SOLVED or before > _WORTH:
+        return []
+    try:
+        (values,) = solve(g, equations.mass, [list(equations.force)]).unknowns
+    except Singular:
+        return []
+    short = [desk.short(value) for value in values]
+    if all(desk.size(value) <= _SHORT for value in short):
+        return short
+    known = [desk.short(node) for node in nodes]
+    return short if count(g, [*known, *short]) - count(g, known) <= _MORE else []
 
 
 def _already_solved(desk: Desk) -> bool:

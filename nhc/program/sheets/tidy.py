@@ -21,7 +21,7 @@ from nhc.algebra.walks import count, reachable
 from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftSheet, Part
 
 _REPEATED = 8  # operations from which a repeated expression gets a name
-_LONG = 40  # operations beyond which any expression does
+_LONG = 80  # operations, on some five lines, beyond which any expression does
 _NAMED = 2  # operations from which a name of the user's is kept
 _PART = 4  # operations from which a part is not looked into
 _ROUNDS, _LITTLE = 4, 30  # at most so many, and none after one that gained less than this part
@@ -32,7 +32,7 @@ _GIVEN = ("data",)  # the sheet of what the spec says
 
 def tidy(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
     """The drafts without sums that vanish, and with shorter parts; no value changes."""
-    owners = find_owners(desk.graph)
+    owners = find_owners(desk)
     best = _by_orthonormal_rows(desk, _drop_zeros(desk, drafts), owners)
     printed = start = _count_printed(desk.graph, best, owners)
     shortener = _Shortener(desk)
@@ -59,14 +59,16 @@ def list_roots(drafts: Iterable[DraftSheet]) -> list[Node]:
 # --- which nodes get a name -------------------------------------------------------------------------------------
 
 
-def find_owners(graph: Graph) -> set[Node]:
+def find_owners(desk: Desk) -> set[Node]:
     """The node that got each of the user's names first: what follows from it by substitution is no longer it.
 
-    It need not be the first node: what is left of y' + a*c' where y' is zero was there before the sum.
+    It need not be the first node: what is left of y' + a*c' where y' is zero was there before the sum.  Names that a derivation
+    has made for itself say nothing to a reader.
     """
     first: dict[str, Node] = {}
-    for node, label in graph.labels.items():
-        first.setdefault(label, node)
+    for node, label in desk.graph.labels.items():
+        if label in desk.named or label.removesuffix("_dot") in desk.named:
+            first.setdefault(label, node)
     return set(first.values())
 
 

@@ -6,7 +6,7 @@ user named under ``define:``, for what is long and used more than once, and for 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from nhc.algebra.graph import ADD, NEG, SYM, Node
 from nhc.algebra.reading import Reading
@@ -37,13 +37,16 @@ class PaperLowering(Lowering):
     """One lowering for all sheets, so that an abbreviation means the same everywhere."""
 
     def __init__(self, desk: Desk, roots: Sequence[Node]) -> None:
+        self.owners = find_owners(desk)
+        self.bases = _find_bases(desk, roots, self.owners)
+        roots = [*roots, *self.bases.values()]
         targets = tuple(Target(k, root) for k, root in enumerate(roots))
         plan = FunctionPlan("derivation", "", "", (), None, {}, targets)
         super().__init__(desk.graph, plan, desk.system.p)
         self.desk = desk
         self.symbols: dict[str, Symbol] = {}
-        self.owners = find_owners(desk.graph)
         self.chosen = choose_names(desk.graph, self.needed, self.owners)
+        self.chosen |= {node: self.chosen.get(node, 1) for node in self.bases.values() if desk.graph.children(node)}
         self.letter = self._free_letter()
         system = desk.system
         quasi = desk.formulation.frame.omega if desk.formulation.frame is not None else ()
@@ -69,6 +72,7 @@ class PaperLowering(Lowering):
     def lets_below(self, roots: Iterable[Node]) -> list[tuple[str, Statement]]:
         """The abbreviations that the roots need and that have not been made yet, in order."""
         inner = [child for root in roots for child in self.graph.children(self._body(root))]
+        inner += [self.bases[node] for node in reachable(self.graph, inner) if node in self.bases]
         found = []
         for node in reachable(self.graph, inner):
             if node not in self.chosen or node in self.names:
@@ -121,6 +125,19 @@ class PaperLowering(Lowering):
 
     def _power(self, base: Node, n: int) -> Expr:
         return super()._power(base, n) if n <= 1 else Power(self.expression(base), n)
+
+
+def _find_bases(desk: Desk, roots: Sequence[Node], owners: Collection[Node]) -> dict[Node, Node]:
+    """For rates of what the user has defined the definition itself: who reads of its rate wants to know whose.
+
+    What a body brings is explained in words.
+    """
+    labels, own = desk.graph.labels, {}
+    for node in owners:
+        own[labels[node]] = node
+    rates = [node for node in reachable(desk.graph, roots) if node in owners and labels[node] not in desk.named]
+    bases = {node: labels[node].removesuffix("_dot") for node in rates}
+    return {node: own[name] for node, name in bases.items() if name in own and not desk.system.spec.is_brought(name)}
 
 
 def _side(lowering: PaperLowering, parts: Sequence[Part]) -> tuple[Term, ...]:
