@@ -77,7 +77,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
         energy = euler_lagrange.quasi_energy(frame)
         on = {w: g.zero for w in frame.omega[: system.l]}
         nodes = substitute(g, [energy, *gradient(g, energy, frame.omega)], on)
-        sheet.add(Draft(desk.name(replace(desk.own("T"), star=bool(system.l))), desk.value(nodes[0])))
+        sheet.add(Draft(desk.name(replace(desk.own("T"), star=bool(system.l))), desk.energy(nodes[0], g.zero)))
         if system.l:
             sheet.say(
                 "The momenta belong to the full $T$, in all quasi-velocities; the constraints are used after differentiation:"
@@ -88,7 +88,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
             sheet.add(Draft(desk.name(Mark("p", (form.name,), star=True)), desk.value(node)))
         return sheet
     reduced = _reduced(desk)
-    sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.value(reduced.T_star)))
+    sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.energy(reduced.T_star, g.zero)))
     if len(reduced.alpha) == 1:
         sheet.say("The momentum of the dependent velocity is that of the full $T$, on the constraint:")
     else:
