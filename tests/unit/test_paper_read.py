@@ -141,3 +141,23 @@ def test_equations_are_solved_for_the_rates_or_it_is_said_why_not(path: Path) ->
     plain = [left.lstrip("& ") for left in lefts]
     solved = all(re.fullmatch(r"\\d?dot\{\S*\}(_\S+)?", left) for left in plain)
     assert any(said in section for said in SOLVED) or solved, plain
+
+
+@pytest.mark.parametrize(
+    ("name", "formulation", "wanted"),
+    [
+        ("routh_sphere", "chaplygin", "Omega = Omega_c + Omega_d   (III.3)"),
+        ("routh_sphere", "multipliers", "Omega = Omega_c + Omega_d + Omega_r   (II.3)"),
+        ("pendulum", "lagrange", "Omega = -m*l^2 dtheta ^ dtheta'"),
+    ],
+)
+def test_a_long_form_is_the_sum_of_its_parts(name: str, formulation: str, wanted: str) -> None:
+    assert wanted in print_derivation(derive((SPECS / f"{name}.yaml").read_text(), formulation))
+
+
+def test_energies_on_paper_are_as_short_as_in_emitted_code() -> None:
+    """The speed of a point is v^2 + v2^2 on axes that turn, whatever it is in space."""
+    text = print_derivation(derive(TYRE))
+    for left in ("T*", "E"):
+        shown = " ".join(re.findall(rf"^  {re.escape(left)} = (.*(?:\n      .*)*)", text, re.MULTILINE)[0].split())
+        assert shown.startswith("(m*(v^2 + v2^2 + ") and "sin(phi)" not in shown

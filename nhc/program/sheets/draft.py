@@ -11,6 +11,7 @@ from nhc.algebra.graph import ADD, NEG, Node
 from nhc.algebra.parts import split_powers
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.paper import shortest
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.shared import factor
 from nhc.algebra.walks import count
 from nhc.exterior import Form
@@ -18,7 +19,7 @@ from nhc.language.spec import reaction_name
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.rotations.rotation import name_entries
-from nhc.mechanics.rotations.turning import rows_in_base
+from nhc.mechanics.rotations.turning import moving, rows_in_base
 from nhc.mechanics.system import Form as VelocityForm
 from nhc.mechanics.system import System
 from nhc.program.sheets.model import LATIN, OTHER, Formula, Mark, Prose, Table
@@ -215,6 +216,19 @@ class Desk:
         made = factor(self.graph, self.by_entries(node))
         sums = [base for base in split_powers(self.graph, made)[1] if self.graph.op[base] == ADD]
         return self.plain(made) if len(sums) > 1 and self.size(made) <= _WORTH else self.value(node)
+
+    def energy(self, node: Node, still: Node) -> tuple[Part, ...]:
+        """An energy on the motion: as it is, or as T in the words of the axes on which the rows were made, plus ``still``.
+
+        The shorter one, shortened as in emitted code.
+        """
+        g, kinetic = self.graph, None if self.matrices else self.equations.kinetic()
+        forms = [node, *shorten(g, [node])]
+        if kinetic is not None:
+            (whole,) = substitute(g, [g.add(kinetic, still)], moving(self.system, self.equations.motion.velocities))
+            forms += [whole, *shorten(g, [whole])]
+        shown = [self.short(form) for form in dict.fromkeys(forms)]
+        return self.plain(min(shown, key=lambda form: (count(g, [form]), self.size(form))))
 
     def plain(self, node: Node) -> tuple[Part, ...]:
         """The node as it stands."""

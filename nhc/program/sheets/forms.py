@@ -11,13 +11,14 @@ from nhc.algebra.walks import count
 from nhc.exterior import Form, basis_form, one_form, wedge
 from nhc.mechanics.formulations import euler_lagrange, lagrange, multipliers, voronec
 from nhc.mechanics.rows import omega_of
-from nhc.program.sheets.draft import Desk, Draft, DraftSheet
+from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
 from nhc.program.sheets.formulas import OMEGA, THETA, THETA_QUASI
 from nhc.program.sheets.model import Mark
 from nhc.records import record
 
 MOST_TERMS = 400
 """Nonzero coefficients of Omega beyond which it is printed in factored form only."""
+_READ = 40  # terms and operations of Omega up to which it is read at once
 _MOST_OPERATIONS = 2500  # of all coefficients together
 _MOST_WORK = 1500  # operations of T times coordinates, beyond which the coefficients are not even computed
 
@@ -76,7 +77,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
         energy = euler_lagrange.quasi_energy(frame)
         on = {w: g.zero for w in frame.omega[: system.l]}
         nodes = substitute(g, [energy, *gradient(g, energy, frame.omega)], on)
-        sheet.add(Draft(desk.name(replace(desk.own("T"), star=bool(system.l))), desk.value(nodes[0])))
+        sheet.add(Draft(desk.name(replace(desk.own("T"), star=bool(system.l))), desk.energy(nodes[0], g.zero)))
         if system.l:
             sheet.say(
                 "The momenta belong to the full $T$, in all quasi-velocities; the constraints are used after differentiation:"
@@ -87,7 +88,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
             sheet.add(Draft(desk.name(Mark("p", (form.name,), star=True)), desk.value(node)))
         return sheet
     reduced = _reduced(desk)
-    sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.value(reduced.T_star)))
+    sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.energy(reduced.T_star, g.zero)))
     if len(reduced.alpha) == 1:
         sheet.say("The momentum of the dependent velocity is that of the full $T$, on the constraint:")
     else:
@@ -126,9 +127,27 @@ def form_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     sheet.say("Together they make up the 2-form")
     sheet.add(OMEGA[name])
     if (forms.exact.terms and forms.dynamic.terms) or name == "multipliers":
-        sheet.say("which here is")
-        sheet.add(Draft(desk.name(desk.form_mark("Omega")), desk.form(forms.whole), equation=whole))
+        clear = _is_clear(desk, forms)
+        sheet.say("which here is the sum of what stands above" if clear else "which here is")
+        right = _sum_of_parts(desk, name) if clear else desk.form(forms.whole)
+        sheet.add(Draft(desk.name(desk.form_mark("Omega")), right, equation=whole))
     return sheet
+
+
+def _sum_of_parts(desk: Desk, name: str) -> tuple[Part, ...]:
+    letters = ("c", "d", "r") if name == "multipliers" else ("c", "d")
+    return tuple((desk.graph.one, (desk.form_mark("Omega", letter),)) for letter in letters)
+
+
+def _is_clear(desk: Desk, forms: Forms) -> bool:
+    """Whether Omega is long and one of its parts nearly as a whole: a reader would compare the terms one by one."""
+    assert forms.whole is not None and forms.exact is not None and forms.dynamic is not None
+    terms, sizes = desk.shortened(forms.whole).terms, dict[Node, int]()
+    for node in terms.values():
+        sizes[node] = desk.size(desk.short(node))
+    own = [desk.shortened(part).terms for part in (forms.exact, forms.dynamic)]
+    same = [sum(part.get(index) == node for index, node in terms.items()) for part in own]
+    return len(terms) + sum(sizes.values()) > _READ and 2 * max(same) >= len(terms)
 
 
 _NUMBERS = {

@@ -238,7 +238,7 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     reactions = [form.constant for form in system.constraints]
     reactions_matter = any(desk.nonzero(reactions))
     changes, differs, mixed = desk.nonzero([change, g.sub(energy, whole), g.sub(g.sub(slope, system.T), system.T)])
-    sheet.add(Draft(desk.name(desk.own("E")), desk.value(energy)))
+    sheet.add(Draft(desk.name(desk.own("E")), desk.energy(energy, g.neg(system.U))))
     constant = not changes and not reactions_matter and not differs
     where = " where it does not jump" if constant and has_jumps(system, [system.energy], undecided=False) else ""
     if constant and not mixed and not _contains_time(desk) and not any(desk.nonzero(system.Q)):
