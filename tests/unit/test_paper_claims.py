@@ -287,15 +287,9 @@ def test_what_determines_the_accelerations_is_said_in_full() -> None:
 
 @pytest.mark.parametrize(("sign", "wanted"), [("+", True), ("-", False)])
 def test_a_matrix_is_called_positive_for_the_values_in_the_spec(sign: str, wanted: bool) -> None:
-<<<<<<< HEAD
-    coordinates = ", ".join(f"q{k}" for k in range(1, 9))
-    chain = " + ".join(f"(q{k}' + cos(q{k + 1})*q{k + 1}')^2" for k in range(1, 8))
-    text = f"{HEAD}coordinates: [{coordinates}]\nT: m/2*({chain} {sign} q8'^2/2)\n"
-=======
     coordinates = ", ".join(f"q{k}" for k in range(1, 8))
     chain = " + ".join(f"(q{k}' + cos(q{k + 1})*q{k + 1}')^2" for k in range(1, 7))
     text = f"{HEAD}coordinates: [{coordinates}]\nT: m/2*({chain} {sign} q7'^2/2)\n"
->>>>>>> h44c
     words = said(derive(text, "lagrange"))
     assert (
         "for the values of the parameters in the spec and its scenes, positive wherever the motion is regular" in words
