@@ -24,6 +24,7 @@ _TERMS = 150
 _HIGHEST = 24  # degree in one unknown
 _UNKNOWNS = 16
 _MOST_FACTORS, _POWERS = 4, 3  # of what is written as a product
+_SOON = 16, 9  # terms and unknowns of what is soon written as a product
 _FIRST = 3  # of many, the shortest: most share nothing
 
 
@@ -50,6 +51,8 @@ def factor(graph: Graph, node: Node) -> Node:
         outer = {atom: min(term.get(atom, 0) for term in terms) for atom in sorted(set().union(*terms))}
         before = graph.product(graph.power(atom, n) for atom, n in outer.items())
         rest = polynomial(graph, graph.div(node, before), _TERMS)
+        if len(rest) > _SOON[0] or len({atom for monomial in rest for atom, _ in monomial}) > _SOON[1]:
+            return node  # a second for a bicycle's
         inner = _as_product(graph, rest)
         return node if inner is None else graph.mul(before, inner)
     except TooLarge:
