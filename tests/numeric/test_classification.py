@@ -742,7 +742,7 @@ def test_the_time_in_a_square_that_does_not_depend_on_it_is_not_told() -> None:
         assert system.graph.depends(system.T, system.graph.deps[system.t])  # by sight
         facts = describe(system, formulate(system), Bag(system.spec.origin))
         (line,) = [line for line in facts.lines if line.startswith("T: ")]
-        assert facts.data["rheonomic"] is False and line.endswith("(without velocities (r*W)^2/2)"), line
+        assert facts.data["rheonomic"] is False and line.endswith("(without velocities (W*r)^2/2)"), line
         (energy,) = [line for line in facts.lines if line.startswith("energy: ")]
         assert ("contains the time" in energy) == timed and timed_parts(system) == (["V"] if timed else [])
     late = text.replace("cos(W*t)", "cos(W*t^2)").replace("sin(W*t)", "sin(W*t^2)").replace("VALUE", "0*r")

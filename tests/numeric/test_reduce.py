@@ -198,7 +198,7 @@ def test_what_is_left_out_has_its_reason() -> None:
     assert left["theta"].startswith("integrated: theta = theta_0 + t*theta', where theta_0 is a parameter")
     assert sorted(left) == ["phi", "phi'", "theta", "theta'"]
     left = {omission.name: omission.reason for omission in reduction("diff_drive", "reference").reduction.left}
-    assert left["p_L"].startswith("integrated: p_L = p_L_0 + p_R - 2*theta*b/r, where")
+    assert left["p_L"].startswith("integrated: p_L = p_L_0 + p_R - 2*b*theta/r, where")
     left = {omission.name: omission.reason for omission in reduction("rolling_disk", "lean").reduction.left}
     assert left["psi"].startswith("cyclic and not needed")
     assert left["phi"] == "decoupled: only what is left out depends on it (x, y)"
