@@ -35,7 +35,7 @@ def build_program(
     planner = Planner(equations, formulation)
     spec = system.spec
     wanted = [s for s in spec.scenes if s.name == scene or (scenes and not scene)]
-    starts = tuple(made for s in wanted if (made := _scene(system, planner, s, scene, driver)))
+    starts, refused = _scenes(system, planner, wanted, scene, driver)
     chosen = next((s for s in starts if s.name == scene), None)
     driving = NO_DRIVING
     if driver:
@@ -61,7 +61,7 @@ def build_program(
         functions=build_functions(planner, only),
         scenes=starts,
         notes=_notes(formulation),
-        warnings=warn_of_coframe(planner, wanted if scene else spec.scenes) if not only or "rhs" in only else (),
+        warnings=(*refused, *_warnings(planner, wanted if scene else spec.scenes, only)),
         driving=driving,
     )
 
@@ -74,14 +74,39 @@ def _default(parameter: Parameter, index: int, scene: SceneData | None) -> Fract
     return parameter_value(parameter.value)
 
 
-def _scene(system: System, planner: Planner, scene: Scene, asked: str, driver: bool) -> SceneData | None:
-    """The scene's start; a scene that cannot start is left out unless it was asked for by name."""
-    try:
-        start = start_of(system, scene)
-    except SpecError:
-        if asked == scene.name:
-            raise
-        return None
+def _warnings(planner: Planner, scenes: Sequence[Scene], only: Sequence[str]) -> tuple[str, ...]:
+    return warn_of_coframe(planner, scenes) if not only or "rhs" in only else ()
+
+
+def _scenes(
+    system: System, planner: Planner, wanted: Sequence[Scene], asked: str, driver: bool
+) -> tuple[tuple[SceneData, ...], tuple[str, ...]]:
+    """The starts of the scenes, and what a driver leaves out, since it cannot start.
+
+    Raises:
+        SpecError: a scene that was asked for by name cannot start, or none of a driver's.
+    """
+    starts, refused, first = list[SceneData](), list[str](), None
+    for scene in wanted:
+        try:
+            starts.append(_scene(system, planner, scene, driver))
+        except SpecError as error:
+            if asked == scene.name:
+                raise
+            first = first or error
+            refused.append(f"the scene `{scene.name}` is left out of the driver: {error.diagnostics[0].message}")
+    if driver and first is not None and not starts:
+        raise first
+    return tuple(starts), tuple(refused) if driver else ()
+
+
+def _scene(system: System, planner: Planner, scene: Scene, driver: bool) -> SceneData:
+    """The scene's start.
+
+    Raises:
+        SpecError: it cannot start.
+    """
+    start = start_of(system, scene)
     y = (*start.q, *kept_velocities(system, planner.kept_forms(), start))
     need = tuple(entry.name for entry in scene.need)
     stops: tuple[Stop, ...] = ()

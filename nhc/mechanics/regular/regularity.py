@@ -149,13 +149,17 @@ def _choose(system: System) -> Choice:
     own = _own_columns(system, samples)
     scored = score(candidates, samples, begun, _JUDGED)
     best: Choice | None = None
-    for first, weak, _, _, columns in scored[:_JUDGED]:
+    for k, (first, weak, _, _, columns) in enumerate(scored):
+        if k >= _JUDGED and best is not None:
+            break
         choice = judge(system, tuple(columns))
+        if choice.determinant == system.graph.zero:
+            continue  # rows that are nearly one another: all choices look alike in numbers
         if best is None or (choice.regular and not best.regular):
             best = choice
         if best.regular or (first, weak) > scored[0][:2]:
             break
-    assert best is not None
+    best = best or judge(system, tuple(scored[0][-1]))
     if own and not all(set(columns) & set(best.dependent) for columns in own):
         return judge(system, tuple(sorted(columns[0] for columns in own)))
     return best
