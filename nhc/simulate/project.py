@@ -68,7 +68,7 @@ def _refuse(system: System, scene: Scene, base: Start, refused: SpecError) -> Sp
     """Why a start cannot be projected: its velocities contradict each other, or else why it was refused at first."""
     bag = Bag(system.spec.origin)
     try:
-        given = initial_values(scene, start_values(system.spec, scene, base.p), bag)
+        given = initial_values(system, scene, start_values(system.spec, scene, base.p), bag)
         check_together(system, scene, base.values(system), given)
     except SpecError as error:
         return error

@@ -29,6 +29,23 @@ constraints: ["x' = 2*y'"]
 scenes:
   bad: {initial: {x': 1, y': 2}, time: [0, 1]}
 """
+LIGHT = """nhc: 1
+system: light
+coordinates: [x, y]
+parameters: {m: 2, M: 1}
+T: m/2*x'^2 + M/2*y'^2
+V: M*y
+scenes:
+  a: {MASStime: [0, 1], initial: {x': 1}, need: [y]}
+"""
+HELP = """nhc: 1
+system: help
+coordinates: [x, y, z]
+parameters: {m: 1, k: 2}
+T: m/2*(x'^2 + y'^2 + z'^2)
+V: x
+constraints: [x' + y' = k]
+"""
 
 
 @pytest.mark.parametrize("small", ["1e-2", "1e-3", "1e-6", "1e-16"])
@@ -51,3 +68,37 @@ def test_a_driver_says_which_scenes_it_leaves_out(tmp_path: Path, capsys: pytest
     assert "warning: the scene `bad` is left out of the driver: the initial velocities" in capsys.readouterr().err
     assert main([*command[:3], "c", "--force", "-o", str(tmp_path / "out")]) == 0
     assert "bad" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("V: x", "V: max(x,)", "write `max(x, y)`"),
+        ("V: x", "V: atan2()", "write `atan2(y, x)`"),
+        ("V: x", "V: floor(x)", "`nhc explain E0206` lists the functions"),
+        ("x' + y' = k", "x' + y' = m, x' + y' = k", "together they ask for a relation of parameters or the time alone"),
+        ("x' + y' = k", "x' + y' = 1, x' + y' = 2", "together they ask for `0 = 1`"),
+        ("x: 1", "x: log(-k)", "correct the expression, or the values of the parameters in the scene\n"),
+    ],
+)
+def test_what_helps_is_told(old: str, new: str, told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """As many arguments as a function takes, what constraints really ask for, no quaternion where there is none."""
+    spec = tmp_path / "help.yaml"
+    text = f"{HELP}scenes: {{a: {{initial: {{x: 1}}, time: [0, 1]}}}}\n"
+    assert old in text
+    spec.write_text(text.replace(old, new))
+    assert main(["check", str(spec)]) == 1
+    assert told in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("more", [[], ["-f", "newton"], ["--python"], ["--set", "m=0"]])
+def test_a_coordinate_without_inertia_has_no_motion_though_the_scene_does_not_need_it(
+    more: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The mass cancels in y'' = -1, and x'' is not determined; as `check` says it, and the driver."""
+    spec = tmp_path / "light.yaml"
+    mass = "" if "--set" in more else "parameters: {m: 0}, "
+    spec.write_text(LIGHT.replace("MASS", mass))
+    assert main(["run", str(spec), "--points", "2", *more]) == 3
+    found = capsys.readouterr()
+    assert "fails at t = 0.0" in found.err and "the mass matrix is singular" in found.err and not found.out

@@ -97,7 +97,9 @@ class _Parser:
             return ExpressionError("E0202", "the expression ends where a term is expected", at, help)
         if token.kind == ")" and self.frames and self.frames[-1].kind == "(" and self.frames[-1].function:
             name = self.frames[-1].function
-            return ExpressionError("E0206", f"`{name}` needs an argument", self._span(token), f"write `{name}(x)`")
+            return ExpressionError(
+                "E0206", f"`{name}` needs an argument", self._span(token), f"write `{_sample(name)}`"
+            )
         if token.kind == "=" and self.equals is not None and self.equals.end == token.start:
             return ExpressionError("E0208", "`==` in place of `=`", self._span(token), "write a single `=`")
         advice = {"+": "leave the `+` out", "prime": "the prime follows a name or a parenthesis: `x'`"}
@@ -194,7 +196,7 @@ class _Parser:
         meant = nearest(name.text, _ARITY)
         help = meant_call(name.text, self.text[name.end :].lstrip())
         if not help:
-            help = f"write `{name.text}*(...)` for a product"
+            help = f"write `{name.text}*(...)` for a product; `nhc explain E0206` lists the functions"
             help = f"did you mean `{meant}`? {help}" if meant and len(name.text) != 1 else help
         raise ExpressionError("E0206", f"`{name.text}` is not a function", self._span(name), help)
 
@@ -226,8 +228,7 @@ class _Parser:
         least, most = _ARITY[frame.function]
         if not least <= len(arguments) <= most:
             count = f"{least} argument{'s' if least > 1 else ''}"
-            shown = "y, x" if frame.function == "atan2" else ", ".join("xyz"[:least])
-            help = f"write `{frame.function}({shown})`"
+            help = f"write `{_sample(frame.function)}`"
             raise ExpressionError("E0206", f"`{frame.function}` takes {count}, found {len(arguments)}", span, help)
         call: Syntax = Prime(node, span) if frame.function == DOT else Call(frame.function, arguments, span)
         self._push(call, frame.token.start, token.end)
@@ -332,3 +333,8 @@ def parse_equation(text: str, locate: Locate, bag: Bag) -> tuple[Syntax, Syntax]
     """Parse ``left = right``; a mistake goes into ``bag`` and gives None."""
     sides = _run(text, locate, bag, equation=True)
     return (sides[0], sides[1]) if len(sides) == 2 else None
+
+
+def _sample(function: str) -> str:
+    """A call of a function with as many arguments as it takes."""
+    return f"{function}({'y, x' if function == 'atan2' else ', '.join('xyz'[: _ARITY[function][0]])})"

@@ -157,7 +157,10 @@ def _advise(system: System, form: Form, empty: bool) -> str:
             if empty
             else "remove it, or correct its terms: together they leave no velocity, and a relation of positions"
         )
-    return f"remove it, or correct its terms: {'it asks' if empty else 'together they ask'} for `0 = 1`"
+    asked = "it asks" if empty else "together they ask"
+    free = any(g.deps[row.constant] for row in system.constraints)
+    what = "a relation of parameters or the time alone" if free else "`0 = 1`"
+    return f"remove it, or correct its terms: {asked} for {what}"
 
 
 def _is_apart(g: Graph, system: System, form: Form, before: Sequence[Form]) -> bool:

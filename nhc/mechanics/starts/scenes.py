@@ -88,7 +88,7 @@ def _positions(
     """Parameters, the place of the start, and all that the scene gives."""
     p = _parameters(system, scene, bag)
     bag.raise_if_errors()
-    given = initial_values(scene, start_values(system.spec, scene, p), bag)
+    given = initial_values(system, scene, start_values(system.spec, scene, p), bag)
     bag.raise_if_errors()
     q = [given.get(("coordinate", c.name), float(c.start)) for c in system.spec.coordinates]
     place = {
@@ -105,16 +105,16 @@ def _near(system: System, scene: Scene) -> list[int]:
     return [system.q_names.index(entry.name) for entry in scene.initial if entry.near]
 
 
-def initial_values(scene: Scene, names: dict[str, float], bag: Bag) -> dict[tuple[str, str], float]:
+def initial_values(system: System, scene: Scene, names: dict[str, float], bag: Bag) -> dict[tuple[str, str], float]:
     """The numbers that the scene gives, for its values of the parameters."""
+    turned = {system.q_names[k] for rotation in system.rotations for k in rotation.places}
     given: dict[tuple[str, str], float] = {}
     for entry in scene.initial:
         value = _constant(entry.value, names)
         if not math.isfinite(value) and not any(d.labels[0].span == entry.span for d in bag.diagnostics):
             what = f"the start of `{entry.name}` in {scene.called} has no real, finite value"
-            advice = (
-                "correct the expression, or the values of the parameters in the scene; a quaternion must not be zero"
-            )
+            zero = "; a quaternion must not be zero" if entry.name in turned else ""
+            advice = f"correct the expression, or the values of the parameters in the scene{zero}"
             bag.error("E0313", what, entry.span, help=(advice,))
         given[entry.kind, entry.name] = value
     return given
