@@ -13,7 +13,8 @@ from itertools import combinations, islice
 from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
-from nhc.algebra.graph import MUL, POW, Graph, Node
+from nhc.algebra.graph import POW, Graph, Node
+from nhc.algebra.parts import split_powers
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.blocks import find_eliminated, without_sign
 from nhc.algebra.walks import count, reachable
@@ -112,8 +113,6 @@ def _is_sound(frame: Frame, made: Equations, equations: Equations) -> bool:
     """
     if any(without_sign(frame.graph, pivot) in find_eliminated(frame.graph) for pivot, _ in frame.guards):
         return False
-    if made.tree is not None:
-        return True
     system = equations.system
     g = system.graph
     allowed = _divisors(g, [system.T, *equations.motion.velocities])
@@ -121,17 +120,9 @@ def _is_sound(frame: Frame, made: Equations, equations: Equations) -> bool:
 
 
 def _divisors(g: Graph, nodes: Sequence[Node]) -> set[Node]:
-    found = set[Node]()
-    todo = [g.a[node] for node in reachable(g, nodes) if g.op[node] == POW and g.b[node] < 0]
-    while todo:
-        node = g.core[todo.pop()]
-        if g.op[node] == MUL:
-            todo += [g.a[node], g.b[node]]
-        elif g.op[node] == POW:
-            todo.append(g.a[node])
-        elif g.value(node) is None:
-            found.add(node)
-    return found
+    """The factors of all that stands below a fraction line, apart from numbers."""
+    below = (g.a[node] for node in reachable(g, nodes) if g.op[node] == POW and g.b[node] < 0)
+    return {base for node in below for base in split_powers(g, node)[1]}
 
 
 def _choose_forms(system: System, kinetic: Kinetic, kept: Sequence[Form]) -> Iterator[tuple[Form, ...]]:

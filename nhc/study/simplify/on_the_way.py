@@ -63,7 +63,7 @@ def _weakest(
     if not system.constraints:
         return math.inf, 0.0
     place = job.start.values(system)
-    symbols = {**dict(zip(system.q_names, system.q, strict=True))}
+    symbols = dict(zip(system.q_names, system.q, strict=True))
     kept = [(k, symbols[name]) for k, name in enumerate(names) if name in symbols]
     for t, row in zip(times, rows, strict=True):
         place |= {system.t: t, **{symbol: row[k] for k, symbol in kept}}
