@@ -10,7 +10,7 @@ import click
 
 from nhc.cli.options import explain_option, json_option, specs_argument, verb
 from nhc.cli.specs import open_spec
-from nhc.cli.terminal import Exit, put_json, put_text, wants_colour
+from nhc.cli.terminal import Exit, Failure, put_json, put_text, wants_colour
 from nhc.records import record
 
 if TYPE_CHECKING:
@@ -25,17 +25,17 @@ if TYPE_CHECKING:
 def command(specs: tuple[str, ...], explain: bool, concise: bool, as_json: bool) -> int:
     """Check specs and say what was found.
 
-    Prints all errors and warnings of each SPEC; the exit code is 1 when any has an error.
+    Prints all errors and warnings of each SPEC; the exit code is 1 when any has an error, 2 when any cannot be read.
     """
     if concise and as_json:
         raise click.UsageError("`--concise` and `--json` exclude one another")
-    results = [_check_one(spec, explain=explain or as_json) for spec in specs]
+    results = [_check_one(spec, explain=explain or as_json, others=len(specs) > 1) for spec in specs]
     if as_json:
         put_json("nhc.check/1", {"specs": [_as_json(result) for result in results]})
     else:
         for result in results:
             _print(result, explain=explain, concise=concise)
-    return Exit.DONE if all(result.ok for result in results) else Exit.FAILED
+    return max(result.exit for result in results)
 
 
 @record
@@ -43,13 +43,14 @@ class Result:
     """What ``check`` says of one spec; ``facts`` as lines, ``data`` as a tree for JSON."""
 
     source: Source
-    ok: bool
+    exit: Exit
     diagnostics: tuple[Diagnostic, ...]
     facts: tuple[str, ...]
     data: Mapping[str, Any]
 
 
-def _check_one(spec: str, *, explain: bool) -> Result:
+def _check_one(spec: str, *, explain: bool, others: bool) -> Result:
+    """What is found of one spec; where there are ``others``, a file that is not there is one finding among many."""
     from nhc.diagnostics import SpecError
     from nhc.pipeline import check
 
@@ -57,8 +58,19 @@ def _check_one(spec: str, *, explain: bool) -> Result:
         source = open_spec(spec)
         report = check(source, explain=explain)
     except SpecError as error:
-        return Result(error.source, False, error.diagnostics, (), {})
-    return Result(source, True, tuple(report.diagnostics), tuple(report.facts), report.data)
+        return Result(error.source, Exit.USAGE if error.is_usage else Exit.FAILED, error.diagnostics, (), {})
+    except Failure as failure:
+        if not others:
+            raise
+        return _report_missing(spec, failure)
+    return Result(source, Exit.DONE, tuple(report.diagnostics), tuple(report.facts), report.data)
+
+
+def _report_missing(spec: str, failure: Failure) -> Result:
+    from nhc.diagnostics import Diagnostic, Label, Severity, Source, Span
+
+    found = Diagnostic("E0101", Severity.ERROR, failure.message, (Label(Span(0, 0)),), failure.notes, failure.help)
+    return Result(Source(spec, ""), failure.exit, (found,), (), {})
 
 
 def _print(result: Result, *, explain: bool, concise: bool) -> None:
@@ -92,4 +104,4 @@ def _as_json(result: Result) -> dict[str, Any]:
     from nhc.diagnostics import to_json
 
     tree = to_json(result.source, result.diagnostics)
-    return {"ok": result.ok, **tree, "facts": list(result.facts), "data": result.data}
+    return {"ok": result.exit is Exit.DONE, **tree, "facts": list(result.facts), "data": result.data}

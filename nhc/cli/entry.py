@@ -189,7 +189,7 @@ def _report(error: Exception) -> Exit:
 
     if isinstance(error, SpecError):
         say(render_text(error.source, error.diagnostics, wants_colour(sys.stderr)))
-        return Exit.FAILED
+        return Exit.USAGE if error.is_usage else Exit.FAILED
     from nhc.algebra.exact.field import Unlucky
     from nhc.emit.options import EmitError
 

@@ -70,6 +70,9 @@ def _order(diagnostic: Diagnostic) -> tuple[int, int, str, str]:
     return (diagnostic.span.start, diagnostic.span.end, diagnostic.code, diagnostic.message)
 
 
+_USAGE = frozenset({"E0101", "E0503"})
+
+
 class SpecError(Exception):
     """A spec cannot be compiled; carries every diagnostic that was found, in the order of their places."""
 
@@ -77,6 +80,12 @@ class SpecError(Exception):
         self.diagnostics: tuple[Diagnostic, ...] = tuple(diagnostics)
         self.source = source
         super().__init__(self.diagnostics, source)
+
+    @property
+    def is_usage(self) -> bool:
+        """Whether nothing is wrong with a spec, but with what was asked: an option's text, a file or a scene that is not there."""
+        errors = {diagnostic.code for diagnostic in self.diagnostics if diagnostic.severity is Severity.ERROR}
+        return self.source.path.startswith("--") or errors <= _USAGE
 
     def __str__(self) -> str:
         parts = []

@@ -98,10 +98,8 @@ def _render_one(source: Source, diagnostic: Diagnostic, paint: _Paint) -> str:
     gutter = len(str(last))
     head = paint(_COLOURS[diagnostic.severity], f"{diagnostic.severity.value}[{diagnostic.code}]")
     out = [f"{head}{paint(_BOLD, ': ' + _clean(diagnostic.message))}"]
-    if not source.text:
-        out.append(f"{' ' * gutter}{paint(_BLUE, '-->')} {_clean(source.path)}")
-    else:
-        out.append(f"{' ' * gutter}{paint(_BLUE, '-->')} {_clean(source.path)}:{line}:{column}")
+    out.append(f"{' ' * gutter}{paint(_BLUE, '-->')} {_clean(source.path)}:{line}:{column}")
+    if source.text:
         out.extend(_snippet(source, diagnostic, paint, gutter))
     tail = [("note", note) for note in diagnostic.notes] + [("help", text) for text in diagnostic.help]
     if tail and source.text:

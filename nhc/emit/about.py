@@ -20,7 +20,7 @@ def describe_program(program: Program) -> list[str]:
     number = f" ({program.equation})" if program.equation else ""
     texts = [
         program.about,
-        f"Source: {program.source}" if program.source else "",
+        f"Spec: sha256 {program.source}" if program.source else "",
         f"Equations of motion: {program.formulation}{number}",
         f"Why: {program.reason}" if program.reason else "",
         *(f"Note: {note}" for note in program.notes),

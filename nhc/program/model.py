@@ -45,7 +45,7 @@ def build_program(
     return Program(
         system=spec.system,
         about=spec.about,
-        source=spec.origin.path.rsplit("/", 1)[-1],
+        source=", ".join(spec.origin.digests()),
         formulation=formulation.name,
         equation=formulation.number,
         reason=formulation.reason,

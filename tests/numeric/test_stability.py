@@ -529,9 +529,9 @@ def test_the_interpreted_model_gives_the_same() -> None:
 
 
 def test_a_question_about_what_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["stability", "pendulum", "--scene", "nowhere"]) == 1
+    assert main(["stability", "pendulum", "--scene", "nowhere"]) == 2
     assert "no scene `nowhere`" in capsys.readouterr().err
-    assert main(["stability", "pendulum", "--sweep", "nothing=0:1"]) == 1
+    assert main(["stability", "pendulum", "--sweep", "nothing=0:1"]) == 2
     assert main(["stability", "pendulum", "--sweep", "theta=1:0"]) == 2
     assert main(["stability", "bead_on_rod", "--about", "r=5", "--hold", "r=5", "--sweep", "Omega=1:2"]) == 3
 

@@ -104,7 +104,7 @@ def test_a_mark_of_several_lines_ends_with_the_first() -> None:
 def test_a_file_that_was_not_read_has_no_lines() -> None:
     diagnostic = Diagnostic("E0101", Severity.ERROR, "cannot read", (Label(Span(0, 0)),), (), ("look",))
     assert render_text(Source("a.yaml", ""), [diagnostic]) == (
-        "error[E0101]: cannot read\n --> a.yaml\n  = help: look\n"
+        "error[E0101]: cannot read\n --> a.yaml:1:1\n  = help: look\n"
     )
 
 

@@ -127,12 +127,21 @@ def test_places_inside_of_scalars_are_exact(scalar: str) -> None:
     assert text[found.span.start : found.span.end] == "bad"
 
 
-def test_an_escaped_scalar_is_marked_as_a_whole() -> None:
-    text = START + 'forces:\n  x: "x + \\u0062ad"\n'
+@pytest.mark.parametrize("escape", ["\\u0062", "\\x62", "\\U00000062"])
+def test_places_behind_escapes_are_exact(escape: str) -> None:
+    text = START + f'forces:\n  x: "x\\t+ {escape}ad"\n'
     with pytest.raises(SpecError) as caught:
         decode(Source("a", text))
     (found,) = caught.value.diagnostics
-    assert text[found.span.start : found.span.end] == '"x + \\u0062ad"'
+    assert text[found.span.start : found.span.end] == f"{escape}ad"
+
+
+def test_a_scalar_with_an_escaped_line_end_is_marked_as_a_whole() -> None:
+    text = START + 'forces:\n  x: "x + \\\n    \\u0062ad"\n'
+    with pytest.raises(SpecError) as caught:
+        decode(Source("a", text))
+    (found,) = caught.value.diagnostics
+    assert text[found.span.start : found.span.end] == '"x + \\\n    \\u0062ad"'
     assert found.message == "unknown name `bad`"
 
 

@@ -300,5 +300,40 @@ def test_units_that_do_not_fit(line: str) -> None:
     assert {found.code for found in caught.value.diagnostics} == {"E0413"}
 
 
+PARTIAL = UNITS.replace(", w: {value: 1, unit: 1/s}", ", w: 1")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "T: m*x'^2 + w*m + w*x",
+        "T: m/2*x'^2*sin(x)\nV: m*9.81*x",
+        "T: m*x'",
+        "T: m/2*x'^2*m^t\nV: (x - 1)^2 + w*m + 4*x",
+        "T: m/2*x'^2*max(x, 1)\nV: m*(3*x)*t + m",
+        "T: m/2*x'^2\nconstraints: [\"x' = 2\"]",
+    ],
+)
+def test_where_units_lack_sums_of_what_has_none_are_no_errors(line: str) -> None:
+    make(PARTIAL + line + "\n")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "T: m*x'^2 + m",
+        "T: m/2*x'^2\nV: w*(x + x')",
+        "T: m/2*x'^2\nV: w*max(x, m)",
+        "T: m/2*x'^2\nforces: {x: w - m + x}",
+        "T: m/2*x'^2\noutputs: {o: 2*x - m}",
+        "T: m/2*x'^2\nconstraints: [\"x' = x\"]",
+    ],
+)
+def test_where_units_lack_sums_of_what_has_them_are_checked(line: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        make(PARTIAL + line + "\n")
+    assert [found.code for found in caught.value.diagnostics] == ["E0413"]
+
+
 def test_no_units_no_analysis() -> None:
-    make(UNITS.replace(", w: {value: 1, unit: 1/s}", ", w: 1") + "T: m*x'^2 + m + x\n")
+    make("nhc: 1\nsystem: s\ncoordinates: [x]\nparameters: {m: 1}\nT: m*x'^2 + m + x\n")

@@ -21,6 +21,7 @@ from nhc.records import fresh, structure
 DEEPEST = 200  # parentheses, calls, unary minus and right-hand powers inside one another
 _LEVEL = {"+": 10, "-": 10, "*": 20, "/": 20, "^": 40}
 _NEGATE = 30
+_UNCLOSED = "add `)`"
 _ARITY = {**FUNCTIONS, DOT: (1, 1)}
 
 
@@ -163,9 +164,10 @@ class _Parser:
     def _advise(self, token: Token, node: Syntax, right: str) -> str:
         """What was meant where a function stands without its parentheses, or a number as programming languages write it."""
         argument = within(self.text[token.start :]) if token.kind == "(" else right
+        goes_on = token.kind != "(" and self.text[token.end :].lstrip()[:1] in tuple("*/^")
         inner = node.operand if isinstance(node, Prime) else node
         if isinstance(inner, Name) and inner.name in _ARITY:
-            call = f"{inner.name}({argument})"
+            call = f"{inner.name}({'...' if goes_on else argument})"
             return f"write `{call if inner is node else f'{DOT}({call})'}`"
         if token.text == DOT and isinstance(node, Name):
             return f"write `{node.name}'`"
@@ -271,7 +273,7 @@ class _Parser:
         self._reduce(0)
         if self.frames:
             opening = self.frames[-1].token
-            raise ExpressionError("E0204", "`(` is never closed", self.locate(opening.start, opening.end), "add `)`")
+            raise ExpressionError("E0204", "`(` is never closed", self.locate(opening.start, opening.end), _UNCLOSED)
         if self.equation and self.equals is None:
             whole = self.locate(0, len(self.text))
             raise ExpressionError("E0208", "expected an equation, found no `=`", whole, "write `... = 0`")
@@ -319,7 +321,12 @@ def _run(text: str, locate: Locate, bag: Bag, equation: bool) -> list[Syntax]:
     try:
         return _Parser(text, locate, equation).run()
     except ExpressionError as error:
-        bag.error(error.code, error.message, error.span, help=(error.help,))
+        after = bag.source.text[locate(0, len(text)).end :].lstrip(" ")[:1]
+        cut = error.help == _UNCLOSED and after == ","  # which nothing but a list or a mapping in brackets has there
+        if cut and any(found.code == "E0109" for found in bag.diagnostics):
+            return []  # its other half, which has no value, was told
+        help = "a comma ends a text inside of `{}` and `[]`: put the whole text in quotes" if cut else error.help
+        bag.error(error.code, error.message, error.span, help=(help,))
         return []
 
 

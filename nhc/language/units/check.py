@@ -1,8 +1,8 @@
-"""Dimensional analysis, for specs that give every coordinate and parameter a unit."""
+"""Dimensional analysis: of everything where every coordinate and parameter has a unit, else of sums whose terms have them."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label, Span
@@ -34,6 +34,7 @@ from nhc.language.units.dimensions import (
 )
 from nhc.records import record
 
+_PLAINEST, _FINEST = 2, 4  # the largest of numbers by themselves that stand for no parameter; quarters
 _RATIO = "divide it by a parameter of the same unit"
 _SAME = ("abs", "min", "max")  # functions whose value has the dimension of their arguments
 _PER_SECOND = raise_to(SECOND, -1)
@@ -60,14 +61,15 @@ _UNKNOWN = Quantity(None)
 class Checker:
     """Measures expressions of a spec; what does not fit goes into the bag."""
 
-    def __init__(self, spec: Spec, bag: Bag) -> None:
+    def __init__(self, spec: Spec, bag: Bag, partial: bool = False) -> None:
         self.bag = bag
+        self.partial = partial  # some have no unit, and so may numbers and times stand for what has one: sums alone are checked
         self.loose = False  # in starts, where a number beside a quantity has that one's unit
         self.seen: set[int] = set()  # angles of rotations, each of which stands in several parts of a quaternion
         self.told: set[tuple[str, Span]] = set()  # sums that do not fit: a place of a body stands in its components
         self.rotations = spec.rotations
         self.moving = {name for rotation in spec.rotations for name in rotation.velocities}
-        self.names: dict[str, Quantity] = {TIME: Quantity(SECOND), PI: Quantity(ONE)}
+        self.names: dict[str, Quantity] = {TIME: _UNKNOWN if partial else Quantity(SECOND), PI: Quantity(ONE)}
         for name, unit in list_units(spec):
             self.names[name] = Quantity(parse_unit(unit)) if unit else _UNKNOWN
         for rotation in spec.rotations:
@@ -90,7 +92,8 @@ class Checker:
     def _visit(self, node: Syntax, parts: tuple[Quantity, ...]) -> Quantity:
         match node:
             case Number():
-                return Quantity(ONE, any=node.value == 0, number=node.value)
+                unknown = self.partial and not is_plain(node.value)
+                return Quantity(None if unknown else ONE, any=node.value == 0, number=node.value)
             case Name():
                 return self.names.get(node.name, _UNKNOWN)
             case Differential():
@@ -124,7 +127,7 @@ class Checker:
     def _common(self, node: Binary, left: Quantity, right: Quantity) -> Quantity:
         if left.any or right.any:
             return left if right.any else right
-        if self.loose and (left.number is None) != (right.number is None):
+        if (self.loose or self.partial) and (left.number is None) != (right.number is None):
             return right if right.number is None else left
         if left.dimension is None or right.dimension is None:
             return left if right.dimension is None else right
@@ -162,7 +165,8 @@ class Checker:
             for part, tree in known[1:]:
                 if None not in (part.dimension, known[0][0].dimension) and part.dimension != known[0][0].dimension:
                     rule = f"the arguments of `{node.function}` must have one unit"
-                    self._report(tree, part, rule, _lack(known[0][0].dimension or ONE, part.dimension or ONE))
+                    help = _lack(known[0][0].dimension or ONE, part.dimension or ONE)
+                    self._report(tree, part, rule, help, always=part.number is None and known[0][0].number is None)
                     return _UNKNOWN
             if node.function == "atan2":
                 return Quantity(ONE)
@@ -173,7 +177,9 @@ class Checker:
                     self._report(tree, part, f"the argument of `{node.function}` must have no unit", _RATIO)
         return Quantity(ONE)
 
-    def _report(self, tree: Syntax, quantity: Quantity, rule: str, help: str) -> None:
+    def _report(self, tree: Syntax, quantity: Quantity, rule: str, help: str, always: bool = False) -> None:
+        if self.partial and not always:
+            return
         shown = show(quantity.dimension or ONE)
         self.bag.error("E0413", f"units do not fit: {rule}, found {shown}", tree.span, shown, help=(help,))
 
@@ -191,6 +197,8 @@ class Checker:
     def equate(self, item: Constraint | Holonomic) -> None:
         """Measure both sides of an equation and report different ones."""
         left, right = self.measure(item.left), self.measure(item.right)
+        if self.partial and (left.number is not None or right.number is not None):
+            return
         if left.any or right.any or None in (left.dimension, right.dimension) or left.dimension == right.dimension:
             return
         message = f"units do not fit: {show(left.dimension or ONE)} = {show(right.dimension or ONE)}"
@@ -227,6 +235,11 @@ def combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction 
             return left / right
 
 
+def is_plain(number: Fraction) -> bool:
+    """Whether a number is one of mathematics: 2, 0.5 and 3/4 are, where 9.81 and 4 may stand for parameters."""
+    return number <= _PLAINEST and number.denominator <= _FINEST
+
+
 def list_units(spec: Spec) -> list[tuple[str, str]]:
     """Coordinates and parameters with their units' texts, empty where none is declared."""
     coordinates = [(coordinate.name, coordinate.unit) for coordinate in spec.coordinates]
@@ -234,7 +247,7 @@ def list_units(spec: Spec) -> list[tuple[str, str]]:
 
 
 def check_units(spec: Spec, bag: Bag, broken: Sequence[Span] = ()) -> None:
-    """Report what does not fit (E0413); says nothing where a coordinate or parameter has no unit.
+    """Report what does not fit (E0413); where a coordinate or parameter has no unit, only sums of what has one.
 
     Time is in seconds, numbers have no unit, 0 fits everything. T must be an energy (or an energy per mass or per
     moment of inertia), U and V the same as T, and a force times its coordinate too.  Expressions with a place in ``broken``,
@@ -246,7 +259,10 @@ def check_units(spec: Spec, bag: Bag, broken: Sequence[Span] = ()) -> None:
 
     turned = {name for rotation in spec.rotations for name in rotation.coordinates}
     units = [unit for name, unit in list_units(spec) if name not in turned]
-    if not units or not all(units):
+    if not any(units):
+        return
+    if not all(units):
+        _check_sums(Checker(spec, bag, partial=True), spec, sound)
         return
     checker = Checker(spec, bag)
     checker.measure_named(spec)
@@ -273,6 +289,19 @@ def check_units(spec: Spec, bag: Bag, broken: Sequence[Span] = ()) -> None:
                 _check_start(checker, start)
     checker.loose = False
     spec.memory["measured"] = checker, kinetic
+
+
+def _check_sums(checker: Checker, spec: Spec, sound: Callable[..., bool]) -> None:
+    """Report sums and equations of what does not fit, whatever the units are that are not declared."""
+    checker.measure_named(spec)
+    values = [spec.kinetic, *([spec.potential] if spec.potential is not None else [])]
+    for value in (*values, *(force.value for force in spec.forces), *(output.value for output in spec.outputs)):
+        if sound(value):
+            checker.measure(value)
+    equations: tuple[Constraint | Holonomic, ...] = (*spec.constraints, *spec.holonomic)
+    for equation in equations:
+        if sound(equation.left, equation.right):
+            checker.equate(equation)
 
 
 def measured(spec: Spec) -> tuple[Checker, Quantity]:

@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 
+_WIDTHS = {"x": 4, "u": 6, "U": 10}
+"""Characters of an escape by its letter; all others take two."""
+
+
 def align(text: str, start: int, end: int, value: str, style: str) -> Sequence[int]:
     """Return the offset in ``text`` of each character of a scalar's ``value``, and one for its end.
 
     ``[start, end)`` is the scalar's place with its quotes or block header. Line folding only trades white space, so all
-    other characters are met in their order. Empty where that is not so (escapes in double quotes).
+    other characters are met in their order. Empty where that is not so (a line end that is escaped in double quotes).
     """
     if style in ("'", '"'):
         start, end = start + 1, end - 1
@@ -18,11 +22,15 @@ def align(text: str, start: int, end: int, value: str, style: str) -> Sequence[i
         start = line + 1 if 0 <= line < end else end
     elif text[start:end] == value:
         return range(start, end + 1)
-    if style == '"' and "\\" in text[start:end]:
-        return ()
     offsets: list[int] = []
     at = start
     for character in value:
+        if style == '"' and text[at : at + 1] == "\\":
+            if text[at + 1] == "\n":
+                return ()
+            offsets.append(at)
+            at += _WIDTHS.get(text[at + 1], 2)
+            continue
         if character in " \t\n":
             offsets.append(min(at, end))
             if at < end and text[at] in " \t\n":

@@ -1,8 +1,8 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:52d5262a6ed7e991)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:ada47e71c593afc1)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
- * Source: ball_on_table.yaml
+ * Spec: sha256 6392f26831bea976
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the

@@ -1,9 +1,9 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:0b74268ab88d37a0).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:342dc97fa651e015).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
-Source: ball_on_table.yaml
+Spec: sha256 6392f26831bea976
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): the affine

@@ -1,7 +1,7 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:eedf38b0d7c497cd)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:e61d4f09a830a141)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
- * Source: bead_on_rod.yaml
+ * Spec: sha256 b9504d4326b11d3b
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * bead_on_rod.h says what each function does.

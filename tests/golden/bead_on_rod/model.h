@@ -1,7 +1,7 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:9687997825d16290)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:375f80d00665911a)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
- * Source: bead_on_rod.yaml
+ * Spec: sha256 b9504d4326b11d3b
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

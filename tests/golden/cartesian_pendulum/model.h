@@ -1,8 +1,8 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:a094c999b0cb1056)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:2cb198bc2a3cc5e4)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
- * Source: cartesian_pendulum.yaml
+ * Spec: sha256 8a6731a494d0c4e6
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v: the dependent velocities that nhc would choose (x') are singular
  *     somewhere

@@ -1,8 +1,8 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:d34d4971d9e3ea8c).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:2b0ad508cb5c7955).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
-Source: cartesian_pendulum.yaml
+Spec: sha256 8a6731a494d0c4e6
 Equations of motion: euler-lagrange (I.2.15)
 Why: coframe completed by nhc with v: the dependent velocities that nhc would choose
     (x') are singular somewhere

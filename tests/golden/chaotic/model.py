@@ -1,7 +1,7 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:114c89baf635ee74).
+"""chaotic, emitted by nhc 0.1.0 (nhc:6dc4030286d563f1).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
-Source: chaotic.yaml
+Spec: sha256 c695c3572ea78afe
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): a force

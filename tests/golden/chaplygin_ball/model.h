@@ -1,8 +1,8 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:4c7d826ef4b64485)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:bd66fffdd0182937)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
- * Source: chaplygin_ball.yaml
+ * Spec: sha256 22c24b56b0b7cdeb
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

@@ -1,8 +1,8 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:3ccc4535eb8d7d7d).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:db684e0cf6cedc5c).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
-Source: chaplygin_ball_quaternion.yaml
+Spec: sha256 635ef3d6831597f8
 Equations of motion: euler-lagrange (I.2.15)
 Why: angular velocities and quasi-velocities of the spec
 

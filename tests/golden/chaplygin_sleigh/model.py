@@ -1,7 +1,7 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:e34f4383b58fd9d9).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:5d02285ad3da2ea1).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
-Source: chaplygin_sleigh.yaml
+Spec: sha256 8cdcdc29398ae8ad
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

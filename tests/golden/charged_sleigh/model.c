@@ -1,7 +1,7 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:730319580d5f966d)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:1db7b8640aeb59d6)
  * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
- * Source: charged_sleigh.yaml
+ * Spec: sha256 769abd011b1ca2d3
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * charged_sleigh.h says what each function does.

@@ -1,8 +1,8 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:1460d7cf11e46b81).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:5b4ead1e1bff5327).
 
 Čaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends
     on x and y.
-Source: charged_sleigh.yaml
+Spec: sha256 769abd011b1ca2d3
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

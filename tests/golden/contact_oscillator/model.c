@@ -1,7 +1,7 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:2e1a46902bfc719c)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:27ddab361ac79aa1)
  * Three equal oscillators with one contact constraint; reversible and integrable.
- * Source: contact_oscillator.yaml
+ * Spec: sha256 b3ace2c33594b453
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

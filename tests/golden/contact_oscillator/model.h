@@ -1,7 +1,7 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:6e0d4023e5507cb7)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:0a5aa2c89046a40e)
  * Three equal oscillators with one contact constraint; reversible and integrable.
- * Source: contact_oscillator.yaml
+ * Spec: sha256 b3ace2c33594b453
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

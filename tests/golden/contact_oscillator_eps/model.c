@@ -1,7 +1,7 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:722c928616d36fa8)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:44eaca94133e7681)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
- * Source: contact_oscillator_eps.yaml
+ * Spec: sha256 ed6ede41a55ccd06
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

@@ -1,8 +1,8 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:19e4d933f6ad101e)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:7cb9a6496cc5f64d)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
- * Source: diff_drive.yaml
+ * Spec: sha256 fbb5864c7ef8b9d0
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * diff_drive.h says what each function does.

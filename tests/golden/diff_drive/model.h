@@ -1,8 +1,8 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:b85fd33e94310b50)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:3916974b31595c25)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
- * Source: diff_drive.yaml
+ * Spec: sha256 fbb5864c7ef8b9d0
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

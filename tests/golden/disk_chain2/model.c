@@ -1,8 +1,8 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:b9820a5ab87e99aa)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:777cadd567157b48)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
- * Source: disk_chain2.yaml
+ * Spec: sha256 75e467c245dc1d01
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

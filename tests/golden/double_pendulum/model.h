@@ -1,7 +1,7 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:554cfb182f789fb1)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:d7e1c2894248ee5f)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
- * Source: double_pendulum.yaml
+ * Spec: sha256 d4478b1ae00a8a18
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

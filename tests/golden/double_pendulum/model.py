@@ -1,8 +1,8 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:a7aa95bc5be24f32).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:b7de1442830d5de8).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
-Source: double_pendulum.yaml
+Spec: sha256 d4478b1ae00a8a18
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

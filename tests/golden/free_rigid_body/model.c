@@ -1,7 +1,7 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:1970f17cddcdc9a0)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:bb4ca2f9024f553b)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
- * Source: free_rigid_body.yaml
+ * Spec: sha256 a1bab11ba91c8975
  * Equations of motion: euler-lagrange (I.2.14)
  * Why: quasi-velocities of the spec
  * free_rigid_body.h says what each function does.

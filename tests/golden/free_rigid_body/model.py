@@ -1,8 +1,8 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:c3611a2507c09fe2).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:f478b790da722c9c).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
-Source: free_rigid_body.yaml
+Spec: sha256 a1bab11ba91c8975
 Equations of motion: euler-lagrange (I.2.14)
 Why: quasi-velocities of the spec
 

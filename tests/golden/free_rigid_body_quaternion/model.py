@@ -1,8 +1,8 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:aa1fa567b55bdd1c).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:3072150f27838dfb).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
-Source: free_rigid_body_quaternion.yaml
+Spec: sha256 4fdcfc0cc5313779
 Equations of motion: euler-lagrange (I.2.15)
 Why: angular velocities and quasi-velocities of the spec
 

@@ -1,7 +1,7 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:41b15b243dbb977f)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:0a33a72b897159af)
  * The symmetric top with a fixed point (Lagrange's top).
- * Source: heavy_top.yaml
+ * Spec: sha256 7ad1b14885c91a19
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * heavy_top.h says what each function does.

@@ -1,7 +1,7 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:815624d5b39786d9).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:3bec69766af9cf32).
 
 The symmetric top with a fixed point (Lagrange's top).
-Source: heavy_top.yaml
+Spec: sha256 7ad1b14885c91a19
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

@@ -1,7 +1,7 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:b7594775182556ec)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:43707464746a33a2)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
- * Source: holonomic_pendulum.yaml
+ * Spec: sha256 04e5151567e1ed93
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v: the dependent velocities that nhc would choose (x') are singular
  *     somewhere

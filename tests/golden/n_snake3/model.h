@@ -1,7 +1,7 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:746ef40e14089e45)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:9cd72fbab061754e)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
- * Source: n_snake3.yaml
+ * Spec: sha256 625bd6675ff9396b
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

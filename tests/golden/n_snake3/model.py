@@ -1,8 +1,8 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:7b84115265e6d228).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:18c44d10a031831f).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
-Source: n_snake3.yaml
+Spec: sha256 625bd6675ff9396b
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

@@ -1,7 +1,7 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:1978f6406f25af5d)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:80333cfacd2c1943)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
- * Source: n_trailer3.yaml
+ * Spec: sha256 367f8e614e52d024
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

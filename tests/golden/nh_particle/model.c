@@ -1,7 +1,7 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:ffb0ba582d818810)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:584b3b38c79e78d4)
  * A free particle with one velocity constraint that cannot be integrated.
- * Source: nh_particle.yaml
+ * Spec: sha256 18177076d6b478d2
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * nh_particle.h says what each function does.

@@ -1,7 +1,7 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:ddf6194c3d097724)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:a21ab1512f1c7342)
  * A free particle with one velocity constraint that cannot be integrated.
- * Source: nh_particle.yaml
+ * Spec: sha256 18177076d6b478d2
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  *

@@ -1,7 +1,7 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:14fd64ab1f77f395)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:cf34885177430910)
  * The nonholonomic particle with springs in x and y.
- * Source: nh_particle_pot.yaml
+ * Spec: sha256 e2131c4b1c110f6c
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * nh_particle_pot.h says what each function does.

@@ -1,7 +1,7 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:61ad6d6e29c8fb64)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:81b6dd826162ee86)
  * The nonholonomic particle with springs in x and y.
- * Source: nh_particle_pot.yaml
+ * Spec: sha256 e2131c4b1c110f6c
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  *

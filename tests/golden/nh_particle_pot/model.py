@@ -1,7 +1,7 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:d0a7a87ec40dd5b9).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:859ce92676dd0087).
 
 The nonholonomic particle with springs in x and y.
-Source: nh_particle_pot.yaml
+Spec: sha256 e2131c4b1c110f6c
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 

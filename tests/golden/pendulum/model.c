@@ -1,7 +1,7 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:b1ebdcafcb629d3d)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:8531d334fa9f229c)
  * The plane pendulum, large swings.
- * Source: pendulum.yaml
+ * Spec: sha256 9c39c3bd49e1ace5
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * pendulum.h says what each function does.

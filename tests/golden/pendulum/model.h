@@ -1,7 +1,7 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:a1417a4f59e7d89a)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:ce4951a173481165)
  * The plane pendulum, large swings.
- * Source: pendulum.yaml
+ * Spec: sha256 9c39c3bd49e1ace5
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

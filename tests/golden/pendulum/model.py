@@ -1,8 +1,8 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:488367d0c3903408).
+"""pendulum, emitted by nhc 0.1.0 (nhc:e6707ed8018808d6).
 
 The plane pendulum, large swings.
-Source: pendulum.yaml
+Spec: sha256 9c39c3bd49e1ace5
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

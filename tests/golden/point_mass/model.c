@@ -1,7 +1,7 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:20d44b27aee279b0)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:91d8a4c9da89e17e)
  * A point mass thrown in a uniform field of gravity, with linear drag.
- * Source: point_mass.yaml
+ * Spec: sha256 80b5b49aafa4b757
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * point_mass.h says what each function does.

@@ -1,7 +1,7 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:3033c49d9ccd65cc)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:d5460a8c7cfc232f)
  * A point mass thrown in a uniform field of gravity, with linear drag.
- * Source: point_mass.yaml
+ * Spec: sha256 80b5b49aafa4b757
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

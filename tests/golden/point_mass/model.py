@@ -1,7 +1,7 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:9772f489c2bf073b).
+"""point_mass, emitted by nhc 0.1.0 (nhc:362feaf02102f01c).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
-Source: point_mass.yaml
+Spec: sha256 80b5b49aafa4b757
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

@@ -1,9 +1,9 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:8fbe2023293b2254).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:ed083cd583645d4b).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
-Source: pumped_pendulum.yaml
+Spec: sha256 5f0547b9bd5caa5d
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

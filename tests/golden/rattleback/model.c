@@ -1,7 +1,7 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:0343db1e2dbe4a47)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:42037593e0528f7b)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
- * Source: rattleback.yaml
+ * Spec: sha256 3927947654d29557
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * rattleback.h says what each function does.

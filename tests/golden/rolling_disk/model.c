@@ -1,7 +1,7 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:96040dce3d9996b5)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:09465da6bee132cd)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
- * Source: rolling_disk.yaml
+ * Spec: sha256 6041fa11046ab8c9
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * rolling_disk.h says what each function does.

@@ -1,7 +1,7 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:33d79a5ed091bf41)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:370af682add7407f)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
- * Source: routh_sphere.yaml
+ * Spec: sha256 cd5ef7c3e33f8e4e
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  *

@@ -1,7 +1,7 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:9e4fba77e471123c)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:e48bedfbfa6e9f51)
  * The ball of routh_sphere on a plane without any friction.
- * Source: smooth_tippe_top.yaml
+ * Spec: sha256 3aecec3173ce9f15
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

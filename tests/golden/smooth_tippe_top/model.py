@@ -1,7 +1,7 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:7c254cadbe631f39).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:2bcc61208d91ed82).
 
 The ball of routh_sphere on a plane without any friction.
-Source: smooth_tippe_top.yaml
+Spec: sha256 3aecec3173ce9f15
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

@@ -1,7 +1,7 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:f7e92cea274b07d5)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:d38c24ee77b0229a)
  * A pendulum that swings in space.
- * Source: spherical_pendulum.yaml
+ * Spec: sha256 8e29ebbefc345e5f
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * spherical_pendulum.h says what each function does.

@@ -1,7 +1,7 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:c1dca698842b2589)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:241db63cfd6a99e7)
  * A pendulum that swings in space.
- * Source: spherical_pendulum.yaml
+ * Spec: sha256 8e29ebbefc345e5f
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

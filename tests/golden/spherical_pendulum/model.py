@@ -1,8 +1,8 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:431d13dceb2ff634).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:7478018e07492fe2).
 
 A pendulum that swings in space.
-Source: spherical_pendulum.yaml
+Spec: sha256 8e29ebbefc345e5f
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

@@ -1,7 +1,7 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:b51c3dd1b9d3b144).
+"""suslov, emitted by nhc 0.1.0 (nhc:4d2ae93465e3195b).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
-Source: suslov.yaml
+Spec: sha256 f0de417f295b7373
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

@@ -1,8 +1,8 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:08cdadbe3ca1a608).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:e55227336489a23c).
 
 A disk that stays upright and rolls without slipping.
-Source: vertical_disk.yaml
+Spec: sha256 0c086d1e31f2e56a
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 

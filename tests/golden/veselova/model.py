@@ -1,7 +1,7 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:08f22f5c7a65bccc).
+"""veselova, emitted by nhc 0.1.0 (nhc:7acbc24e466ff7ee).
 
 A rigid body with a fixed point that must not turn about the vertical.
-Source: veselova.yaml
+Spec: sha256 2ee90d13d9ff02b2
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

@@ -1,8 +1,8 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:21ed760aa945ebc7).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:d47632bbfd8755df).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Čaplygin's hypotheses fail.
-Source: voronec_particle.yaml
+Spec: sha256 75db84fba91b7079
 Equations of motion: voronec (I.4.9)
 Why: dependent velocities of the spec; Čaplygin's equations do not apply: T contains
     the dependent coordinate `z`
