@@ -29,7 +29,7 @@ class Source:
     bases: tuple[Source, ...] = ()
 
     def digests(self) -> tuple[str, ...]:
-        """The first 16 digits of the SHA-256 of the text, then of each base's; as ``sha256sum`` prints of a file with line feeds."""
+        """The first 16 digits of the SHA-256 of the text, then of each base's; as ``sha256sum`` prints of such a file."""
         return tuple(sha256(part.text.encode()).hexdigest()[:16] for part in (self, *self.bases))
 
     def find(self, offset: int) -> tuple[Source, int]:

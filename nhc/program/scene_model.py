@@ -27,6 +27,7 @@ from nhc.program.lowering.lower import lower_function
 from nhc.program.planning.planner import Planner
 from nhc.program.planning.rewrite import rewrite
 from nhc.program.planning.scene import ScenePlanner
+from nhc.program.runs.starting import refuse_massless
 from nhc.records import record
 
 ENTRY, DIVISION, CALL = 80, 8, 20
@@ -89,13 +90,14 @@ def scene_model(system: System, base: Formulation, scene: Scene, *, only_base: b
     is nearly singular at the start and another is not, that is what the others are compared with.
 
     Raises:
-        nhc.diagnostics.SpecError: the scene has no consistent start.
+        nhc.diagnostics.SpecError: the scene has no consistent start, or a coordinate no inertia there.
     """
     start = start_of(system, scene)
     kinetic = kinetic_structure(system)
     equations = equations_of(system, base, kinetic)
     search = _Search(system, scene, start, kinetic, _fold(system, start) if fold else {})
     full, other = Planner(equations, base), None
+    refuse_massless(full, start)
     if not only_base:
         other = search.find_start(equations, base)
     if other is not None:

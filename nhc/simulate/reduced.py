@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.algebra.evaluate import evaluate
 from nhc.algebra.walks import count
 from nhc.emit.statements import list_statuses
-from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
-from nhc.mechanics.frame import kept_forms
+from nhc.mechanics.starts.massless import is_massless
 from nhc.mechanics.starts.scenes import Start, kept_velocities
 from nhc.program.ir import Driving
 from nhc.program.model import build_program
@@ -39,25 +37,13 @@ def prepare_reduced(recipe: Recipe, formulation: Formulation, start: Start) -> J
     lengths = len(system.rotations)
     if equations.multipliers or sum(form.equation is not None for form in system.constraints) > lengths:
         return None  # a run holds the state on these constraints, and needs all of it
-    if equations.tree is None and _is_massless(equations, formulation, start):
+    if is_massless(equations, formulation.frame, start):
         return None  # what a scene needs may not feel it: the whole model says that nothing is determined
     planner = reduce_one(equations, formulation, start)
     turned = {place for rotation in system.rotations for place in rotation.places}
     if not planner.reduction.left or turned & {*planner.reduction.kept, *planner.reduction.constants}:
         return None
     return replace(job_of(planner, start, recipe.jacobian, weak=recipe.weak), recipe=recipe)
-
-
-def _is_massless(equations: Equations, formulation: Formulation, start: Start) -> bool:
-    """Whether the mass matrix is singular at the start with a diagonal entry that is zero: of a coordinate without inertia."""
-    system, w = equations.system, equations.motion.w
-    rates = kept_velocities(system, kept_forms(system, formulation.frame), start)
-    values = {**start.values(system), **dict(zip(w, rates, strict=True))}
-    try:
-        diagonal = evaluate(system.graph, [equations.mass[k][k] for k in range(len(w))], values)
-    except (ArithmeticError, ValueError, KeyError):
-        return False
-    return not all(float(x) for x in diagonal)
 
 
 def _exchanged(planner: ScenePlanner) -> list[Column]:

@@ -102,3 +102,17 @@ def test_a_coordinate_without_inertia_has_no_motion_though_the_scene_does_not_ne
     assert main(["run", str(spec), "--points", "2", *more]) == 3
     found = capsys.readouterr()
     assert "fails at t = 0.0" in found.err and "the mass matrix is singular" in found.err and not found.out
+
+
+@pytest.mark.parametrize("words", [["emit", "--lang", "c", "-o", "made"], ["reduce"]])
+def test_what_is_made_for_a_scene_without_inertia_is_refused(
+    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("light.yaml").write_text(LIGHT.replace("MASS", "parameters: {m: 0}, "))
+    assert main([words[0], "light.yaml", *words[1:], "--scene", "a"]) == 1
+    found = capsys.readouterr()
+    assert "error[E0404]" in found.err and "`m` is zero there" in found.err and not found.out
+    assert not Path("made").exists()
+    Path("light.yaml").write_text(LIGHT.replace("MASS", ""))
+    assert main([words[0], "light.yaml", *words[1:], "--scene", "a"]) == 0

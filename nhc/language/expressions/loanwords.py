@@ -110,7 +110,7 @@ def _meant_pair(text: str, at: int) -> str:
         return "write `=`"
     named = re.fullmatch(r"\s*([^\W\d]\w*)\s*", text[:at]) if text[at] == ":" else None
     if named:
-        return f"quotes go around the text alone: write `{named[1]}: \"...\"`"
+        return f'quotes go around the text alone: write `{named[1]}: "..."`'
     whose, index = re.search(r"[^\W\d]\w*$", text[:at]), re.match(r"\[(\d+)\]", text[at:])
     return f"there are no arrays here: write `{whose.group()}{index[1]}`" if whose and index else ""
 

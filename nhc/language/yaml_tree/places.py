@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-
 _WIDTHS = {"x": 4, "u": 6, "U": 10}
 """Characters of an escape by its letter; all others take two."""
 

@@ -17,6 +17,7 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.regular.given_rank import find_dependent_as_given, find_dependent_row, given_states
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.regular.undefined import find_pole, find_undefined
+from nhc.mechanics.starts.massless import is_massless
 from nhc.mechanics.starts.scenes import Start, kept_velocities, left_at_zero, place_of, start_of
 from nhc.program.planning.planner import Planner
 
@@ -94,6 +95,18 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
         notes=notes,
         help=(help, *_advise_flat(planner, values)),
     )
+
+
+def refuse_massless(planner: Planner, start: Start) -> None:
+    """Raise ``SpecError`` (E0404) where a coordinate has no inertia at the start: the least model may not feel it."""
+    if not is_massless(planner.full_equations, planner.formulation.frame, start):
+        return
+    bag = Bag(planner.system.spec.origin)
+    what, zero = find_undetermined(planner, start)
+    notes, help = _advise(planner, start, [planner.system.T], zero, ())
+    message = f"the scene `{start.scene.name}` cannot run: {what or 'the mass matrix is singular'} at its start"
+    bag.error("E0404", message, start.scene.span, notes=notes, help=(help,))
+    bag.raise_if_errors()
 
 
 def _advise_flat(planner: Planner, values: dict[Node, float]) -> tuple[str, ...]:
