@@ -7,6 +7,7 @@ from dataclasses import replace
 from nhc.algebra.walks import count
 from nhc.emit.statements import list_statuses
 from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.regular.given_rank import find_dependent_row
 from nhc.mechanics.starts.massless import is_massless
 from nhc.mechanics.starts.scenes import Start, kept_velocities
 from nhc.program.ir import Driving
@@ -37,7 +38,7 @@ def prepare_reduced(recipe: Recipe, formulation: Formulation, start: Start) -> J
     lengths = len(system.rotations)
     if equations.multipliers or sum(form.equation is not None for form in system.constraints) > lengths:
         return None  # a run holds the state on these constraints, and needs all of it
-    if is_massless(equations, formulation.frame, start):
+    if is_massless(equations, formulation.frame, start) or find_dependent_row(system, start.values(system)) is not None:
         return None  # what a scene needs may not feel it: the whole model says that nothing is determined
     planner = reduce_one(equations, formulation, start)
     turned = {place for rotation in system.rotations for place in rotation.places}

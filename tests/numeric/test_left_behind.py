@@ -116,3 +116,21 @@ def test_what_is_made_for_a_scene_without_inertia_is_refused(
     assert not Path("made").exists()
     Path("light.yaml").write_text(LIGHT.replace("MASS", ""))
     assert main([words[0], "light.yaml", *words[1:], "--scene", "a"]) == 0
+
+
+@pytest.mark.parametrize("more", [[], ["--python"]])
+def test_constraints_without_rank_are_refused_though_the_scene_does_not_need_them(
+    more: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """z falls by itself, but the motion of the other two is not determined; as `check` says it."""
+    spec = tmp_path / "rank.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: rank\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nV: z\n"
+        "constraints: [\"x*x' + y*y' = 0\"]\nquasi_velocities: {v: x', w: z'}\n"
+        "scenes: {a: {time: [0, 1], need: [z]}}\n"
+    )
+    assert main(["check", str(spec)]) == 0
+    assert "the scene `a` cannot run: the constraint `c1` restricts no velocity" in capsys.readouterr().out
+    assert main(["run", str(spec), *more]) == 3
+    found = capsys.readouterr()
+    assert "no formulation has a motion" in found.err and not found.out

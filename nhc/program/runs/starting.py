@@ -71,6 +71,25 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     """Add a warning (W0421) where a scene starts at a singular mass matrix, where the constraints lose their rank, or where an
     expression has no value or no slope.
     """
+    told = _tell_undetermined(planner, start)
+    if told is not None:
+        message, notes, help = told
+        bag.warning("W0421", message, start.scene.span, notes=notes, help=help)
+
+
+def refuse_massless(planner: Planner, start: Start) -> None:
+    """Raise ``SpecError`` (E0404) where a coordinate has no inertia at the start: the least model may not feel it."""
+    if not is_massless(planner.full_equations, planner.formulation.frame, start):
+        return
+    told = _tell_undetermined(planner, start)
+    if told is not None:
+        bag, (message, notes, help) = Bag(planner.system.spec.origin), told
+        bag.error("E0404", message, start.scene.span, notes=notes, help=help)
+        bag.raise_if_errors()
+
+
+def _tell_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, ...], tuple[str, ...]] | None:
+    """What keeps a scene from running at its start, with notes and help; None where nothing does."""
     system, values = planner.system, start.values(planner.system)
     nodes = [system.T, *(a for form in system.constraints for a in form.coefficients)]
     what, zero = _find_dependent(planner, start)
@@ -83,30 +102,13 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     if not what:
         what, _, part = find_pole(system, values)
     if not what:
-        return
+        return None
     held: tuple[str, ...] = ()
     if part is not None:
         nodes, held = [part], _held_by(planner, part)
     notes, help = _advise(planner, start, nodes, zero, held)
-    bag.warning(
-        "W0421",
-        f"the scene `{start.scene.name}` cannot run: {what} at its start",
-        start.scene.span,
-        notes=notes,
-        help=(help, *_advise_flat(planner, values)),
-    )
-
-
-def refuse_massless(planner: Planner, start: Start) -> None:
-    """Raise ``SpecError`` (E0404) where a coordinate has no inertia at the start: the least model may not feel it."""
-    if not is_massless(planner.full_equations, planner.formulation.frame, start):
-        return
-    bag = Bag(planner.system.spec.origin)
-    what, zero = find_undetermined(planner, start)
-    notes, help = _advise(planner, start, [planner.system.T], zero, ())
-    message = f"the scene `{start.scene.name}` cannot run: {what or 'the mass matrix is singular'} at its start"
-    bag.error("E0404", message, start.scene.span, notes=notes, help=(help,))
-    bag.raise_if_errors()
+    message = f"the scene `{start.scene.name}` cannot run: {what} at its start"
+    return message, notes, (help, *_advise_flat(planner, values))
 
 
 def _advise_flat(planner: Planner, values: dict[Node, float]) -> tuple[str, ...]:
