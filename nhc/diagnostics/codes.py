@@ -78,6 +78,7 @@ TITLES: dict[str, str] = {
     "W0426": "coordinate without inertia",
     "W0427": "inertia that no body has",
     "W0428": "prime that may be lost",
+    "W0429": "start outside of a declared range",
     "E0501": "file would be overwritten",
     "E0502": "unknown stage",
     "E0503": "no such scene",

@@ -15,6 +15,7 @@ from nhc.simulate.outcomes import describe_outcome, describe_valueless
 from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.peers import PEERS
 from nhc.simulate.prepare import Job
+from nhc.simulate.ranges import tell_ranges
 from nhc.simulate.stepping_over import tell_jumps
 from nhc.simulate.switching import Follower, Leg
 from nhc.simulate.task import DONE, EVENT, STOPPED, ModelError, Outcome, Task
@@ -119,6 +120,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     legs = follower.run(task)
     seconds = time.perf_counter() - before - workshop.seconds
     found = _gather(workshop, legs)
+    notes += tell_ranges(legs, found.headings, found.times, found.rows)
     if task.step > 0:
         notes += _tell_jumps(legs)
     if settings.step > 0:

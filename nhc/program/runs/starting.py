@@ -65,6 +65,25 @@ def check_starts(planner: Planner, bag: Bag) -> None:
         else:
             warn_undetermined(planner, start, bag)
             warn_negative(planner, start, bag)
+            _warn_outside(planner, start, bag)
+
+
+def _warn_outside(planner: Planner, start: Start, bag: Bag) -> None:
+    """Add a warning (W0429) where a coordinate starts outside of the range that is declared for it."""
+    for coordinate, value in zip(planner.system.spec.coordinates, start.q, strict=True):
+        if coordinate.range is None:
+            continue
+        low, high = map(float, coordinate.range)
+        if low <= value <= high or math.isclose(value, min(max(value, low), high), rel_tol=1e-12):
+            continue
+        given = [entry.value.span for entry in start.scene.initial if entry.name == coordinate.name]
+        bag.warning(
+            "W0429",
+            f"`{coordinate.name}` starts at {value:.6g}, outside of its range [{low:.6g}, {high:.6g}]",
+            given[0] if given else start.scene.span,
+            notes=("velocities are chosen so that they are regular where coordinates are expected to stay",),
+            help=("start it within, or declare where it goes",),
+        )
 
 
 def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
