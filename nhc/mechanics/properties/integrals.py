@@ -25,6 +25,7 @@ from nhc.mechanics.properties.candidates import Candidate, combine
 from nhc.mechanics.properties.leaf import Leaf, has_values, leaf_of, parts_on, rank_on
 from nhc.mechanics.properties.named import LONG, is_cut, named_text
 from nhc.mechanics.properties.primitives import find_primitives
+from nhc.mechanics.properties.separated import find_separated
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
@@ -162,6 +163,7 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
         [*coordinates, *scaled, *pairs],
         [*coordinates, *scaled, *products, *(g.mul(s, x) for s in parameters for x in products)],
         [*coordinates, *find_primitives(system)],
+        [*coordinates, *find_separated(system)],
         [*coordinates, *scaled, *_elementary(g, coordinates)],
         [*coordinates, *scaled, *(g.mul(s, x) for s in (g.one, *parameters) for x in _polar(system))],
     ]

@@ -31,11 +31,11 @@ def find_primitives(system: System) -> list[Node]:
                 terms = polynomial(g, a, _MOST, circle=False)
             except TooLarge:
                 continue
-            found += [node for term in terms for node in _integrate(g, term, x)]
+            found += [node for term in terms for node in integrate(g, term, x)]
     return list(dict.fromkeys(found))
 
 
-def _integrate(g: Graph, term: Monomial, x: Node) -> Iterator[Node]:
+def integrate(g: Graph, term: Monomial, x: Node) -> Iterator[Node]:
     """The terms of the integral of the product by x, up to numbers; those of its first rule that applies."""
     bases = [(g.a[node], g.b[node] * power) if g.op[node] == POW else (node, power) for node, power in term]
     inside = [(node, power) for node, power in bases if g.depends(node, g.deps[x])]
@@ -43,7 +43,7 @@ def _integrate(g: Graph, term: Monomial, x: Node) -> Iterator[Node]:
     if not inside:
         yield g.mul(outside, x)
         return
-    for rule in (_substitute, _by_parts, _by_waves, _by_squares):
+    for rule in (_substitute, _by_parts, _by_waves, _by_squares, _by_angles):
         found = list(rule(g, inside, x))
         if found:
             yield from (g.mul(normalise(g, g.mul(outside, factor), _MOST), node) for factor, node in found)
@@ -124,14 +124,49 @@ def _by_waves(g: Graph, inside: _Factors, x: Node) -> _Terms:
 
 
 def _by_squares(g: Graph, inside: _Factors, x: Node) -> _Terms:
-    """1/(a x^2 + b x + c) with numbers 4 a c - b^2 > 0: an arc tangent."""
+    """1/Q, and 1/sqrt(Q), of Q = a x^2 + b x + c with numbers: arc tangents and sines, and logarithms."""
     if len(inside) != 1 or inside[0][1] != -1:
         return
-    ((square, _),) = inside
+    ((base, _),) = inside
+    root = g.op[base] == "sqrt"
+    square = g.a[base] if root else base
     (rate,) = tangent(g, [square], {x: g.one})
     (curvature,) = tangent(g, [rate], {x: g.one})
-    size = g.value(normalise(g, g.sub(g.mul(g.mul_number(2, curvature), square), g.mul(rate, rate)), _MOST))
-    if g.value(curvature) is None or size is None or size <= 0:
+    twice = g.value(curvature)
+    size = g.value(normalise(g, g.sub(g.mul_number(2, g.mul(curvature, square)), g.mul(rate, rate)), _MOST))
+    if not twice or not size:
         return
-    width = g.function("sqrt", g.number(size))
-    yield g.one, g.function("atan", normalise(g, g.div(rate, width), _MOST))
+    width = g.function("sqrt", g.number(abs(size)))  # size = 4 a c - b^2
+    if root:
+        lead = g.function("sqrt", g.number(abs(twice) / 2))
+        if twice > 0:
+            inner = g.add(g.mul(g.mul_number(2, lead), base), rate)
+            made = g.function("log", g.function("abs", g.split_coefficient(inner)[1]))
+        elif size < 0:
+            made = g.function("asin", normalise(g, g.div(rate, width), _MOST))
+        else:
+            return  # without a real value
+        yield g.inverse(lead), made
+    elif size > 0:
+        yield g.inverse(width), g.function("atan", normalise(g, g.div(rate, width), _MOST))
+    else:
+        ends = (normalise(g, g.sub(rate, width), _MOST), normalise(g, g.add(rate, width), _MOST))
+        for end in ends:
+            yield g.inverse(width), g.function("log", g.function("abs", g.split_coefficient(end)[1]))
+
+
+def _by_angles(g: Graph, inside: _Factors, x: Node) -> _Terms:
+    """1/sin, 1/cos and 1/sin^2, 1/cos^2 of r x + s: of loxodromes."""
+    if len(inside) != 1 or g.op[inside[0][0]] not in ("sin", "cos") or inside[0][1] not in (-1, -2):
+        return
+    ((node, power),) = inside
+    angle = g.a[node]
+    ratio = _ratio(g, g.one, angle, x)
+    if ratio is None:
+        return
+    sine, cosine = g.function("sin", angle), g.function("cos", angle)
+    if power == -2:
+        yield ratio, g.div(cosine, sine) if node == sine else g.div(sine, cosine)
+        return
+    other = cosine if node == sine else sine  # tan(angle/2) without halves: (1 - cos)/sin
+    yield ratio, g.function("log", g.function("abs", g.div(g.sub(g.one, other), node)))
