@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from functools import cached_property
-from hashlib import sha256
 
 from nhc.records import record
 
@@ -27,10 +26,6 @@ class Source:
     path: str
     text: str
     bases: tuple[Source, ...] = ()
-
-    def digests(self) -> tuple[str, ...]:
-        """The first 16 digits of the SHA-256 of the text, then of each base's; as ``sha256sum`` prints of such a file."""
-        return tuple(sha256(part.text.encode()).hexdigest()[:16] for part in (self, *self.bases))
 
     def find(self, offset: int) -> tuple[Source, int]:
         """Return the text that an offset falls into, this one or one of its bases, and the offset of its start."""

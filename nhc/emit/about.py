@@ -16,11 +16,10 @@ CITES = (
 
 
 def describe_program(program: Program) -> list[str]:
-    """Where the program comes from, and which equations it has."""
+    """What the program is of, and which equations it has."""
     number = f" ({program.equation})" if program.equation else ""
     texts = [
         program.about,
-        f"Spec: sha256 {program.source}" if program.source else "",
         f"Equations of motion: {program.formulation}{number}",
         f"Why: {program.reason}" if program.reason else "",
         *(f"Note: {note}" for note in program.notes),

@@ -327,7 +327,6 @@ NO_DRIVING = Driving()
 class Program:
     system: str
     about: str
-    source: str  # sha256 of the spec's text, then of those that it extends; no path
     formulation: str
     equation: str  # the equations of motion's number, "I.2.15"
     reason: str  # why this formulation

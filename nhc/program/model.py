@@ -45,7 +45,6 @@ def build_program(
     return Program(
         system=spec.system,
         about=spec.about,
-        source=", ".join(spec.origin.digests()),
         formulation=formulation.name,
         equation=formulation.number,
         reason=formulation.reason,

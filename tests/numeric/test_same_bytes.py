@@ -1,4 +1,4 @@
-"""Emitted bytes depend on the spec, the options and nhc's version: not on hash seeds, folders or the spec's path."""
+"""Emitted bytes depend on the spec, the options and nhc's version: not on hash seeds, folders or the name and path of the spec's file."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def emitted(spec: str, folder: Path, seed: str) -> dict[str, bytes]:
 
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_same_bytes(name: str, tmp_path: Path) -> None:
-    elsewhere = tmp_path / "a folder" / f"{name}.yaml"
+    elsewhere = tmp_path / "a folder" / "another name.yml"
     elsewhere.parent.mkdir()
     shutil.copy(spec_path(name), elsewhere)
     first = emitted(str(spec_path(name)), tmp_path / "one" / "out", "0")

@@ -36,7 +36,7 @@ _UNARY, _POWER, _ATOM = 3, 4, 5
 def print_program(program: Program) -> str:
     """The quantities, then each function with its operation counts."""
     lines = [
-        f"program {program.system}  (spec {program.source})",
+        f"program {program.system}",
         f"formulation {program.formulation}  ({program.equation}): {program.reason}",
     ]
     groups = (

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
@@ -55,7 +54,7 @@ def write_source(
     starts side by side, where an explicit method without ``holds`` and linear systems allows it.
     """
     functions = {function.name: function for function in program.functions}
-    model = render(_anonymous(program), "c", EmitOptions(only=tuple(functions), trig=trig))
+    model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
     parts, watch, beats = list_parts(program), functions.get("watch"), program.driving.beats
     explicit = any(isinstance(method, Explicit) for method in methods)
     kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
@@ -159,7 +158,7 @@ def write_natural(program: Program, method: Scheme) -> dict[str, str]:
     """The same for a structure-preserving method: ``program`` has mass, slope, rows, total, velocities, state and needed."""
     used = tuple(f for f in program.functions if f.name in NATURAL and (f.name != "rows" or size(f)))
     used = tuple(f for f in used if f.name != "total" or method.name == "energy")
-    model = render(_anonymous(program), "c", EmitOptions(only=tuple(f.name for f in used)))
+    model = render(program, "c", EmitOptions(only=tuple(f.name for f in used)))
     context: dict[str, object] = {
         **_name(program),
         "declarations": tuple(declare(program.system, function) for function in used),
@@ -168,11 +167,6 @@ def write_natural(program: Program, method: Scheme) -> dict[str, str]:
         "constrained": any(function.name == "rows" for function in used),
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/natural.c.jinja", context))}
-
-
-def _anonymous(program: Program) -> Program:
-    """Without what names the spec's text: a model that stays the same is not compiled again."""
-    return replace(program, source="")
 
 
 def _name(program: Program) -> dict[str, object]:

@@ -1,8 +1,7 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:50443ed555d1b3f2)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:6cbe3932b0443142)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
- * Spec: sha256 4d845b5be08fa5e5
  * Equations of motion: voronec (I.4.9)
  * Why: dependent velocities of the spec; Caplygin's equations do not apply: T contains the dependent
  *     coordinate `z`

@@ -1,8 +1,7 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:d06366a6a4b5a7ab).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:6589ca38ca2d0ffa).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
-Spec: sha256 4d845b5be08fa5e5
 Equations of motion: voronec (I.4.9)
 Why: dependent velocities of the spec; Čaplygin's equations do not apply: T contains
     the dependent coordinate `z`

@@ -1,8 +1,7 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:76f03d3077488915)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:ed4288e4600ba81a)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
- * Spec: sha256 6392f26831bea976
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the

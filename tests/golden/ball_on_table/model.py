@@ -1,9 +1,8 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:342dc97fa651e015).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:32f296e355220656).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
-Spec: sha256 6392f26831bea976
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): the affine

@@ -1,7 +1,6 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:e61d4f09a830a141)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:5c8a6b38e877a398)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
- * Spec: sha256 b9504d4326b11d3b
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * bead_on_rod.h says what each function does.

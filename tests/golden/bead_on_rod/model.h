@@ -1,7 +1,6 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:375f80d00665911a)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:85b27d4f1a74e76a)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
- * Spec: sha256 b9504d4326b11d3b
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

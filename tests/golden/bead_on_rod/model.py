@@ -1,8 +1,7 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:72e41bdfd37624ec).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:1e1c51118c76392d).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
-Spec: sha256 b9504d4326b11d3b
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

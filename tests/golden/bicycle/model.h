@@ -1,7 +1,6 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:f99c82cdb41f071e)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:4203abee4435e3e1)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
- * Spec: sha256 0689954ffb9f6a17
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with roll', steer', thF': the dependent velocities of the spec (x', y', z',
  *     yaw', pitch', thF') are singular somewhere

@@ -1,8 +1,7 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:5b8c0f42f55c4197).
+"""bicycle, emitted by nhc 0.1.0 (nhc:a80d6fcf65793eaa).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
-Spec: sha256 0689954ffb9f6a17
 Equations of motion: euler-lagrange (I.2.15)
 Why: coframe completed by nhc with roll', steer', thF': the dependent velocities of
     the spec (x', y', z', yaw', pitch', thF') are singular somewhere

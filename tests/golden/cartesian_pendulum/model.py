@@ -1,8 +1,7 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:2b0ad508cb5c7955).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:d9a0066ed29b72b5).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
-Spec: sha256 8a6731a494d0c4e6
 Equations of motion: euler-lagrange (I.2.15)
 Why: coframe completed by nhc with v: the dependent velocities that nhc would choose
     (x') are singular somewhere

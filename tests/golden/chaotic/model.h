@@ -1,7 +1,6 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:9c4a25d4e55bd882)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:55cba38180e3c9e3)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
- * Spec: sha256 c695c3572ea78afe
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

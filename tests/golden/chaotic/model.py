@@ -1,7 +1,6 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:6dc4030286d563f1).
+"""chaotic, emitted by nhc 0.1.0 (nhc:ca49dacb4ce13574).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
-Spec: sha256 c695c3572ea78afe
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): a force

@@ -1,8 +1,7 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:550658413c125ea7)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:eeeb9baf9575acd1)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
- * Spec: sha256 22c24b56b0b7cdeb
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * chaplygin_ball.h says what each function does.

@@ -1,8 +1,7 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:bd66fffdd0182937)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:7d71889d60fd6ced)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
- * Spec: sha256 22c24b56b0b7cdeb
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

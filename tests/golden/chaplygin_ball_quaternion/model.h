@@ -1,8 +1,7 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:a6d6ddb225530563)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:87f0c7a014ec8ec4)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
- * Spec: sha256 635ef3d6831597f8
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: angular velocities and quasi-velocities of the spec
  *

@@ -1,7 +1,6 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:63309779c7fd0b90)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:cb8c4569d88aafe4)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
- * Spec: sha256 8cdcdc29398ae8ad
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * chaplygin_sleigh.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:2619790c66ca1a28)
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:b0d73f40592f72ad)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
- * Spec: sha256 8cdcdc29398ae8ad
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

@@ -1,7 +1,6 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:5d02285ad3da2ea1).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:f8a189e448afb3fb).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
-Spec: sha256 8cdcdc29398ae8ad
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

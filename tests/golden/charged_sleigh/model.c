@@ -1,7 +1,6 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:1db7b8640aeb59d6)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:f643ff24a8f59cea)
  * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
- * Spec: sha256 769abd011b1ca2d3
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * charged_sleigh.h says what each function does.

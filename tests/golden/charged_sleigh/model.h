@@ -1,7 +1,6 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:1c1097b88c72eef2)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:498c4242bfc47eb7)
  * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
- * Spec: sha256 769abd011b1ca2d3
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

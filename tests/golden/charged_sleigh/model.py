@@ -1,8 +1,7 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:5b4ead1e1bff5327).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:f6ccddf5fcd56a55).
 
 Čaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends
     on x and y.
-Spec: sha256 769abd011b1ca2d3
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

@@ -1,7 +1,6 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:0a5aa2c89046a40e)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:d934ea0f055bcb1e)
  * Three equal oscillators with one contact constraint; reversible and integrable.
- * Spec: sha256 b3ace2c33594b453
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

@@ -1,7 +1,6 @@
 /*
- * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:f6fa48bdc8933d4d)
+ * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:4b9bc27cf444d77c)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
- * Spec: sha256 ed6ede41a55ccd06
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

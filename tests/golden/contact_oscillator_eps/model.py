@@ -1,8 +1,7 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:f2fd211c9dc70118).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:165faca824e63a62).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
-Spec: sha256 ed6ede41a55ccd06
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): a force

@@ -1,7 +1,6 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:e941e27d300250a7)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:315f5d9f16c581a2)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
- * Spec: sha256 ce8c92ef4dbc6542
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

@@ -1,8 +1,7 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:42427f2a03dfe29e).
+"""cvt, emitted by nhc 0.1.0 (nhc:3b941f1fbfb61add).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
-Spec: sha256 ce8c92ef4dbc6542
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): a force

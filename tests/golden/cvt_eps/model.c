@@ -1,8 +1,7 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:00a7fb4a95213b9d)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:1699eba546e00e09)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
- * Spec: sha256 dbce025f4a114042
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

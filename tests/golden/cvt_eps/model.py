@@ -1,8 +1,7 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:7486ae2cd82b0f64).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:fa100734da68240e).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
-Spec: sha256 dbce025f4a114042
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): a force

@@ -1,8 +1,7 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:7cb9a6496cc5f64d)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:da22e17bb96de98a)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
- * Spec: sha256 fbb5864c7ef8b9d0
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * diff_drive.h says what each function does.

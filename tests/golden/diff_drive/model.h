@@ -1,8 +1,7 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:3916974b31595c25)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:c1ea6d183d986468)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
- * Spec: sha256 fbb5864c7ef8b9d0
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

@@ -1,9 +1,8 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:b0717d67f9658db1).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:72281fa5aff623d0).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
-Spec: sha256 fbb5864c7ef8b9d0
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

@@ -1,8 +1,7 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:4b9d0f06b9436d79)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:b31778948e7b79f5)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
- * Spec: sha256 75e467c245dc1d01
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent

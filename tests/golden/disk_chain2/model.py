@@ -1,9 +1,8 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:59ea211a8c0d7637).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:d6b235d8a12ba702).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
-Spec: sha256 75e467c245dc1d01
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 Note: hypothesis of I.3 that fails (the generalized equations are used): a force

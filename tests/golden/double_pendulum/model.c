@@ -1,7 +1,6 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:6a06cef3b021ad4b)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:50bebe581795ff06)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
- * Spec: sha256 d4478b1ae00a8a18
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * double_pendulum.h says what each function does.

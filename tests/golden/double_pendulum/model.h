@@ -1,7 +1,6 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:d7e1c2894248ee5f)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:e0d4b3b5f0fd6e99)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
- * Spec: sha256 d4478b1ae00a8a18
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

@@ -1,8 +1,7 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:b7de1442830d5de8).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:a2eb469e5b758d13).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
-Spec: sha256 d4478b1ae00a8a18
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

@@ -1,7 +1,6 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:bb4ca2f9024f553b)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:c9b8388949c3492b)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
- * Spec: sha256 a1bab11ba91c8975
  * Equations of motion: euler-lagrange (I.2.14)
  * Why: quasi-velocities of the spec
  * free_rigid_body.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:501aec8d34a20e77)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:a571c46d15f7b640)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
- * Spec: sha256 a1bab11ba91c8975
  * Equations of motion: euler-lagrange (I.2.14)
  * Why: quasi-velocities of the spec
  *

@@ -1,8 +1,7 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:f478b790da722c9c).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:d368a9a21899103e).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
-Spec: sha256 a1bab11ba91c8975
 Equations of motion: euler-lagrange (I.2.14)
 Why: quasi-velocities of the spec
 

@@ -1,7 +1,6 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:da9b3102fafcf6b8)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:27a5230300325600)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
- * Spec: sha256 4fdcfc0cc5313779
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: angular velocities and quasi-velocities of the spec
  * free_rigid_body_quaternion.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:0fc8b76573ed12bf)
+ * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:a5fa293c6e3ff910)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
- * Spec: sha256 4fdcfc0cc5313779
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: angular velocities and quasi-velocities of the spec
  *

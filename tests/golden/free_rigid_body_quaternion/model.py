@@ -1,8 +1,7 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:3072150f27838dfb).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:2ebb1391b1e43853).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
-Spec: sha256 4fdcfc0cc5313779
 Equations of motion: euler-lagrange (I.2.15)
 Why: angular velocities and quasi-velocities of the spec
 

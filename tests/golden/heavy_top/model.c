@@ -1,7 +1,6 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:0a33a72b897159af)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:0355796c0646d255)
  * The symmetric top with a fixed point (Lagrange's top).
- * Spec: sha256 7ad1b14885c91a19
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * heavy_top.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:695967fef16c4d51)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:945a14844d04cd89)
  * The symmetric top with a fixed point (Lagrange's top).
- * Spec: sha256 7ad1b14885c91a19
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

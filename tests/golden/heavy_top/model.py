@@ -1,7 +1,6 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:3bec69766af9cf32).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:114de5dd368963f5).
 
 The symmetric top with a fixed point (Lagrange's top).
-Spec: sha256 7ad1b14885c91a19
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

@@ -1,8 +1,7 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:8a4082dadc01af68)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:6c252dd8027a09a6)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
- * Spec: sha256 778b78919d8c23c3
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: angular velocities and quasi-velocities of the spec
  * heavy_top_quaternion.h says what each function does.

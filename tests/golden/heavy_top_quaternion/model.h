@@ -1,8 +1,7 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:fdd9cf6c493438ce)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:8929b67ac501a77f)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
- * Spec: sha256 778b78919d8c23c3
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: angular velocities and quasi-velocities of the spec
  *

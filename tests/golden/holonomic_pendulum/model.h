@@ -1,7 +1,6 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:43707464746a33a2)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:5e44fd0e2e24f98c)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
- * Spec: sha256 04e5151567e1ed93
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v: the dependent velocities that nhc would choose (x') are singular
  *     somewhere

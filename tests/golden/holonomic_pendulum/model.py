@@ -1,9 +1,8 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:fc5bcaddaef11f5d).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:96a9006b88a5e1e5).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
-Spec: sha256 04e5151567e1ed93
 Equations of motion: euler-lagrange (I.2.15)
 Why: coframe completed by nhc with v: the dependent velocities that nhc would choose
     (x') are singular somewhere

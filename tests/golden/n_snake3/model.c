@@ -1,7 +1,6 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:c85c17d2010d627c)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:d4b20ec301285332)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
- * Spec: sha256 625bd6675ff9396b
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * n_snake3.h says what each function does.

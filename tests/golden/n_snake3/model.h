@@ -1,7 +1,6 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:9cd72fbab061754e)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:0d1e8f8da0a5322a)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
- * Spec: sha256 625bd6675ff9396b
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

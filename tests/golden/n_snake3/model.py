@@ -1,8 +1,7 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:18c44d10a031831f).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:16e380a70ff730ec).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
-Spec: sha256 625bd6675ff9396b
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

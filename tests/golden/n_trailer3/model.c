@@ -1,7 +1,6 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:f72507b59eccc27e)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:a6987fa3a74622f7)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
- * Spec: sha256 367f8e614e52d024
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * n_trailer3.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:80333cfacd2c1943)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:0a97164f1c2c97ca)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
- * Spec: sha256 367f8e614e52d024
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

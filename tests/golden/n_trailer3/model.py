@@ -1,8 +1,7 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:36512ac09eb8a93e).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:6a3caa6bf6794c7e).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
-Spec: sha256 367f8e614e52d024
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

@@ -1,7 +1,6 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:584b3b38c79e78d4)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:453e34b4df80ded1)
  * A free particle with one velocity constraint that cannot be integrated.
- * Spec: sha256 18177076d6b478d2
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * nh_particle.h says what each function does.

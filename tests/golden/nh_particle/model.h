@@ -1,7 +1,6 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:a21ab1512f1c7342)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:e5240cae4c6342a5)
  * A free particle with one velocity constraint that cannot be integrated.
- * Spec: sha256 18177076d6b478d2
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  *

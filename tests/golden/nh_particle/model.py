@@ -1,7 +1,6 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:d890825069554cb7).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:9f3b58ee64ade117).
 
 A free particle with one velocity constraint that cannot be integrated.
-Spec: sha256 18177076d6b478d2
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 

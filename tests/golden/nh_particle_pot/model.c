@@ -1,7 +1,6 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:cf34885177430910)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:06e88d1439501f8f)
  * The nonholonomic particle with springs in x and y.
- * Spec: sha256 e2131c4b1c110f6c
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * nh_particle_pot.h says what each function does.

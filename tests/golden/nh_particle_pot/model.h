@@ -1,7 +1,6 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:81b6dd826162ee86)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:a53c2aa6efaa3634)
  * The nonholonomic particle with springs in x and y.
- * Spec: sha256 e2131c4b1c110f6c
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  *

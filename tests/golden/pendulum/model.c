@@ -1,7 +1,6 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:8531d334fa9f229c)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:c1f892db0b0521e8)
  * The plane pendulum, large swings.
- * Spec: sha256 9c39c3bd49e1ace5
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * pendulum.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:ce4951a173481165)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:40bdc1ecfe04c7bd)
  * The plane pendulum, large swings.
- * Spec: sha256 9c39c3bd49e1ace5
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

@@ -1,8 +1,7 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:e6707ed8018808d6).
+"""pendulum, emitted by nhc 0.1.0 (nhc:9a0d1f7172f4c879).
 
 The plane pendulum, large swings.
-Spec: sha256 9c39c3bd49e1ace5
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

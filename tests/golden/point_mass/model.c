@@ -1,7 +1,6 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:91d8a4c9da89e17e)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:1b8f7f5e69d52ec8)
  * A point mass thrown in a uniform field of gravity, with linear drag.
- * Spec: sha256 80b5b49aafa4b757
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * point_mass.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:d5460a8c7cfc232f)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:4957cb10ce637607)
  * A point mass thrown in a uniform field of gravity, with linear drag.
- * Spec: sha256 80b5b49aafa4b757
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

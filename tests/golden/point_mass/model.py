@@ -1,7 +1,6 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:362feaf02102f01c).
+"""point_mass, emitted by nhc 0.1.0 (nhc:94c21e76a579e2f5).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
-Spec: sha256 80b5b49aafa4b757
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

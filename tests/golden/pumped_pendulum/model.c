@@ -1,7 +1,6 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:80fe6d738c669dde)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:ae659b3ce5f92650)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
- * Spec: sha256 5f0547b9bd5caa5d
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * pumped_pendulum.h says what each function does.

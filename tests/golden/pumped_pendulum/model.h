@@ -1,7 +1,6 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:08d7e2748d00050d)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:c5db6b5e863ab9a1)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
- * Spec: sha256 5f0547b9bd5caa5d
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

@@ -1,9 +1,8 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:ed083cd583645d4b).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:80491f4f18741f56).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
-Spec: sha256 5f0547b9bd5caa5d
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

@@ -1,7 +1,6 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:42037593e0528f7b)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:f3b793dcebb56add)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
- * Spec: sha256 3927947654d29557
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * rattleback.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:bcd94442cb13c638)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:5814d69d78db9f6c)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
- * Spec: sha256 3927947654d29557
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

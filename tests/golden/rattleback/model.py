@@ -1,8 +1,7 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:0e881cc2fd1d1b53).
+"""rattleback, emitted by nhc 0.1.0 (nhc:65cae55095c29a35).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
-Spec: sha256 3927947654d29557
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

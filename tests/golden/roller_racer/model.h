@@ -1,7 +1,6 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:e999e222cd3eec91)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:90294a85a744f5f7)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
- * Spec: sha256 fcb42544ff9e5368
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, theta': the dependent velocities that nhc would choose (x', y') are
  *     singular somewhere

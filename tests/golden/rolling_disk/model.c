@@ -1,7 +1,6 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:09465da6bee132cd)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:aee3e5d0c25a8f5c)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
- * Spec: sha256 6041fa11046ab8c9
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * rolling_disk.h says what each function does.

@@ -1,7 +1,6 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:6793272717dd7c18).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:48aa844534525e78).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
-Spec: sha256 6041fa11046ab8c9
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

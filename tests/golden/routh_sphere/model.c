@@ -1,7 +1,6 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:7d4f087b2c65e769)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:290306a0603017b3)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
- * Spec: sha256 cd5ef7c3e33f8e4e
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * routh_sphere.h says what each function does.

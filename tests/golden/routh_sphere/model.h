@@ -1,7 +1,6 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:370af682add7407f)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:d16799ae532de2a3)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
- * Spec: sha256 cd5ef7c3e33f8e4e
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  *

@@ -1,8 +1,7 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:ffd5ca8a37c30adc).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:74f77ef1779647fb).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
-Spec: sha256 cd5ef7c3e33f8e4e
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 

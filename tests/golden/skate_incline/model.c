@@ -1,7 +1,6 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:27a5ef706c442ff8)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:3d5c7488d8f6fb40)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
- * Spec: sha256 52b3ad0bec4b4ba0
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, phi': the dependent velocities that nhc would choose (y') are
  *     singular somewhere

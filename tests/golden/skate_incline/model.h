@@ -1,7 +1,6 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:97e3750d0d376d7a)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:f598a06c2940e908)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
- * Spec: sha256 52b3ad0bec4b4ba0
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, phi': the dependent velocities that nhc would choose (y') are
  *     singular somewhere

@@ -1,8 +1,7 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:907a70a77d51ed94).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:128780d565d239c5).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
-Spec: sha256 52b3ad0bec4b4ba0
 Equations of motion: euler-lagrange (I.2.15)
 Why: coframe completed by nhc with v, phi': the dependent velocities that nhc would
     choose (y') are singular somewhere

@@ -1,7 +1,6 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:4ce487ca5865ef63)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:d56aff7bfd690729)
  * The ball of routh_sphere on a plane without any friction.
- * Spec: sha256 3aecec3173ce9f15
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * smooth_tippe_top.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:e48bedfbfa6e9f51)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:2e1ddc1536d8bc45)
  * The ball of routh_sphere on a plane without any friction.
- * Spec: sha256 3aecec3173ce9f15
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

@@ -1,7 +1,6 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:2bcc61208d91ed82).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:596df2742f42f6ce).
 
 The ball of routh_sphere on a plane without any friction.
-Spec: sha256 3aecec3173ce9f15
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

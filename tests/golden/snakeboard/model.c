@@ -1,7 +1,6 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:c9bde2145e91be49)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:85fac42474d7fd29)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
- * Spec: sha256 5dbf53e423181491
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, psi', p_b', p_f': the dependent velocities of the spec (x', y') are
  *     singular somewhere

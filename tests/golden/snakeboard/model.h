@@ -1,7 +1,6 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:7cbc6791a3ca3340)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:8e4c65db1ac63cc7)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
- * Spec: sha256 5dbf53e423181491
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, psi', p_b', p_f': the dependent velocities of the spec (x', y') are
  *     singular somewhere

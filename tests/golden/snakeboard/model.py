@@ -1,9 +1,8 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:113ebb710ce610cd).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:5e48500599014154).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
-Spec: sha256 5dbf53e423181491
 Equations of motion: euler-lagrange (I.2.15)
 Why: coframe completed by nhc with v, psi', p_b', p_f': the dependent velocities of
     the spec (x', y') are singular somewhere

@@ -1,7 +1,6 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:d38c24ee77b0229a)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:ddd18155c3336cc7)
  * A pendulum that swings in space.
- * Spec: sha256 8e29ebbefc345e5f
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  * spherical_pendulum.h says what each function does.

@@ -1,7 +1,6 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:241db63cfd6a99e7)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:d63fc2a083be7182)
  * A pendulum that swings in space.
- * Spec: sha256 8e29ebbefc345e5f
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
  *

@@ -1,8 +1,7 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:7478018e07492fe2).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:20b984da7bc9ea11).
 
 A pendulum that swings in space.
-Spec: sha256 8e29ebbefc345e5f
 Equations of motion: lagrange (II.3)
 Why: no constraints
 

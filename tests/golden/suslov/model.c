@@ -1,7 +1,6 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:6e6adb2b4c7a5081)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:e3cff58b6e6957c5)
  * A rigid body with a fixed point that must not turn about one of its own axes.
- * Spec: sha256 f0de417f295b7373
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * suslov.h says what each function does.

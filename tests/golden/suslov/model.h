@@ -1,7 +1,6 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:ec6af18f74f1a79f)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:76eab65b82f8ac99)
  * A rigid body with a fixed point that must not turn about one of its own axes.
- * Spec: sha256 f0de417f295b7373
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

@@ -1,7 +1,6 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:4d2ae93465e3195b).
+"""suslov, emitted by nhc 0.1.0 (nhc:4ec165752a85836e).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
-Spec: sha256 f0de417f295b7373
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

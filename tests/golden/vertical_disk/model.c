@@ -1,7 +1,6 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:b6746b2d6646d150)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:aa900d17ea24d72b)
  * A disk that stays upright and rolls without slipping.
- * Spec: sha256 0c086d1e31f2e56a
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  * vertical_disk.h says what each function does.

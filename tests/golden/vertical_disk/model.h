@@ -1,7 +1,6 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:6563f3b5eeab9bb1)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:b73ecedab1dc7c24)
  * A disk that stays upright and rolls without slipping.
- * Spec: sha256 0c086d1e31f2e56a
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
  *

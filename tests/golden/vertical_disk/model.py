@@ -1,8 +1,7 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:e55227336489a23c).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:6d92d73aaf98ba7b).
 
 A disk that stays upright and rolls without slipping.
-Spec: sha256 0c086d1e31f2e56a
 Equations of motion: chaplygin (III.3)
 Why: dependent velocities of the spec
 

@@ -1,7 +1,6 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:f05addf61380e1b4)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:b927db5250b0ccdd)
  * A rigid body with a fixed point that must not turn about the vertical.
- * Spec: sha256 2ee90d13d9ff02b2
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  * veselova.h says what each function does.

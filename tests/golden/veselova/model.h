@@ -1,7 +1,6 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:83af5f0628bb9469)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:e702248a7f1d73d2)
  * A rigid body with a fixed point that must not turn about the vertical.
- * Spec: sha256 2ee90d13d9ff02b2
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
  *

@@ -1,7 +1,6 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:7acbc24e466ff7ee).
+"""veselova, emitted by nhc 0.1.0 (nhc:9a86f9a4578f4f8c).
 
 A rigid body with a fixed point that must not turn about the vertical.
-Spec: sha256 2ee90d13d9ff02b2
 Equations of motion: euler-lagrange (I.2.15)
 Why: quasi-velocities of the spec
 

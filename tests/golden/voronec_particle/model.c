@@ -1,8 +1,7 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:36de69b7485d914b)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:579ea24530ac5923)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
- * Spec: sha256 75db84fba91b7079
  * Equations of motion: voronec (I.4.9)
  * Why: dependent velocities of the spec; Caplygin's equations do not apply: T contains the dependent
  *     coordinate `z`

@@ -1,8 +1,7 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:0a09a7fd16cbbcb5)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:f1419e60d0470744)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
- * Spec: sha256 75db84fba91b7079
  * Equations of motion: voronec (I.4.9)
  * Why: dependent velocities of the spec; Caplygin's equations do not apply: T contains the dependent
  *     coordinate `z`

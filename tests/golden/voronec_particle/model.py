@@ -1,8 +1,7 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:d47632bbfd8755df).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:f59ddd0565b78ef4).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Čaplygin's hypotheses fail.
-Spec: sha256 75db84fba91b7079
 Equations of motion: voronec (I.4.9)
 Why: dependent velocities of the spec; Čaplygin's equations do not apply: T contains
     the dependent coordinate `z`
