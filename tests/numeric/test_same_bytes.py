@@ -1,4 +1,4 @@
-"""Emitted bytes depend on the spec, the options and nhc's version: not on hash seeds, folders or the name and path of the spec's file."""
+"""Emitted bytes depend on the spec's text, the options and nhc's version: not on hash seeds, folders or the name of its file."""
 
 from __future__ import annotations
 
