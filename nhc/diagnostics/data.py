@@ -85,7 +85,7 @@ class SpecError(Exception):
     def is_usage(self) -> bool:
         """Whether nothing is wrong with a spec, but with what was asked: an option's text, a file or a scene that is not there."""
         errors = {diagnostic.code for diagnostic in self.diagnostics if diagnostic.severity is Severity.ERROR}
-        return self.source.path.startswith("--") or errors <= _USAGE
+        return self.source.path.startswith("--") or (bool(errors) and errors <= _USAGE)
 
     def __str__(self) -> str:
         parts = []

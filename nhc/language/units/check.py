@@ -64,7 +64,7 @@ class Checker:
     def __init__(self, spec: Spec, bag: Bag, partial: bool = False) -> None:
         self.bag = bag
         self.partial = (
-            partial  # some have no unit, and so may numbers and times stand for what has one: sums alone are checked
+            partial  # some have no unit; numbers and times may stand for what has one: sums alone are checked
         )
         self.loose = False  # in starts, where a number beside a quantity has that one's unit
         self.seen: set[int] = set()  # angles of rotations, each of which stands in several parts of a quaternion

@@ -76,7 +76,8 @@ def _warn_outside(planner: Planner, start: Start, bag: Bag) -> None:
         low, high = map(float, coordinate.range)
         if low <= value <= high or math.isclose(value, min(max(value, low), high), rel_tol=1e-12):
             continue
-        given = [entry.value.span for entry in start.scene.initial if entry.name == coordinate.name]
+        own = ("coordinate", coordinate.name)
+        given = [entry.value.span for entry in start.scene.initial if (entry.kind, entry.name) == own]
         bag.warning(
             "W0429",
             f"`{coordinate.name}` starts at {value:.6g}, outside of its range [{low:.6g}, {high:.6g}]",
