@@ -63,9 +63,7 @@ class Checker:
 
     def __init__(self, spec: Spec, bag: Bag, partial: bool = False) -> None:
         self.bag = bag
-        self.partial = (
-            partial  # some have no unit; numbers and times may stand for what has one: sums alone are checked
-        )
+        self.partial = partial  # some have no unit, for which numbers and times may stand: sums alone are checked
         self.loose = False  # in starts, where a number beside a quantity has that one's unit
         self.seen: set[int] = set()  # angles of rotations, each of which stands in several parts of a quaternion
         self.told: set[tuple[str, Span]] = set()  # sums that do not fit: a place of a body stands in its components
