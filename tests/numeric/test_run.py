@@ -291,12 +291,12 @@ def test_a_change_of_sign_through_a_pole_is_no_zero(
 @pytest.mark.parametrize(
     ("arguments", "code", "says"),
     [
-        (["--until", "thata"], 1, "did you mean `theta`?"),
-        (["--until", "theta +"], 1, "error[E0"),
+        (["--until", "thata"], 2, "did you mean `theta`?"),
+        (["--until", "theta +"], 2, "error[E0"),
         (["--until", "0.5"], 2, "`0.5` never crosses zero"),
         (["--until", "log(theta - 0.05)"], 3, "expression of `--until` has no value within the next step"),
         (["--need", "speeed"], 2, "did you mean `speed`?"),
-        (["--scene", "glyde"], 1, "did you mean `glide`?"),
+        (["--scene", "glyde"], 2, "did you mean `glide`?"),
         (["--tol", "-1"], 2, "must be positive"),
         (["--tol", "2"], 2, "relative accuracy"),
         (["--points", "1"], 2, "--points"),

@@ -266,17 +266,24 @@ scenes:
 """long is cos(phi) vx + sin(phi) vy = 0; either term with lat allows the same velocities but where the other one is all of it."""
 
 
-@pytest.mark.parametrize(("term", "when"), [("yawed_x1*contact_vx", "0"), ("yawed_y1*contact_vy", "2.575")])
-def test_what_takes_the_rank_of_constraints_on_the_way_stays(term: str, when: str) -> None:
-    """The model's own run passes the place unseen, since it goes by the velocities that are left: its error is 2e-8."""
+@pytest.mark.parametrize(
+    ("term", "why"),
+    [
+        ("yawed_x1*contact_vx", "the run without it ends at t = 0: .* the coframe is singular"),
+        ("yawed_y1*contact_vy", "the constraints lose their rank at t = 2.575"),
+    ],
+)
+def test_what_takes_the_rank_of_constraints_on_the_way_stays(term: str, why: str) -> None:
+    """The model's own run passes a place on its way unseen, since it goes by the velocities that are left: its error is 2e-8."""
     origin = source(TORUS)
     draft = draft_of(origin, decode(origin).scenes[0])
     meter = meter_of(origin, "roll", "", 1e-3)
     (candidate,) = (c for c in draft.candidates(meter.job.start) if c.about == f"term `{term}` of `define.contact_v1`")
     text = write_draft(draft, draft.change([candidate]), "")
-    with pytest.raises(measure.Refused, match=f"the constraints lose their rank at t = {when}$"):
+    with pytest.raises(measure.Refused, match=f"{why}$"):
         meter.measure(text)
-    assert max(replace(meter, way=replace(meter.way, weakest=0.0)).measure(text)[0]) < 1e-6
+    if "lose their rank" in why:
+        assert max(replace(meter, way=replace(meter.way, weakest=0.0)).measure(text)[0]) < 1e-6
 
 
 def test_a_term_of_a_constraint_goes_and_its_only_one_does_not() -> None:

@@ -124,7 +124,7 @@ def make_oscillator() -> Program:
     other = SceneData("rest", "", (0.0, 0.0), (4.0,), (1.0, 2.0), (), 1e-8)
     parameter = Quantity("k", "1/s^2", "stiffness", Fraction(1))
     return Program(
-        "oscillator", "A mass on a spring.", "oscillator.yaml", "lagrange", "I.2.3", "no constraints", quantities("x"),
+        "oscillator", "A mass on a spring.", "lagrange", "I.2.3", "no constraints", quantities("x"),
         quantities("x", "x'"), (parameter,), (), (), functions, (scene, other),
     )  # fmt: skip
 
@@ -192,7 +192,7 @@ def make_sleigh() -> Program:
         Quantity("lambda", "m", "offset", None),
     )
     return Program(
-        "sleigh", "A rigid body on a knife edge.", "sleigh.yaml", "euler-lagrange", "I.2.15", "cheapest",
+        "sleigh", "A rigid body on a knife edge.", "euler-lagrange", "I.2.15", "cheapest",
         quantities("x", "y", "theta"), quantities("x", "y", "theta", "v", "w"), given, quantities("slip"),
         quantities("lnv"), functions, (scene,), ("a note",),
     )  # fmt: skip
@@ -219,9 +219,7 @@ def make_solver(size: int = 3, band: int = 99) -> Program:
     solve = Solve(matrix, columns, found, 1e-13, 1, "the mass matrix is singular")
     stores = tuple(store("dydt", i, ref(f"a_{i}") + ref(f"b_{i}") if i else ref("a_0")) for i in range(size))
     rhs = function("rhs", (*loads("y", *names), solve, *stores), (size, 0), ("dydt", size))
-    return Program(
-        "solver", "", "solver.yaml", "multipliers", "", "", quantities(*names), quantities(*names), (), (), (), (rhs,)
-    )
+    return Program("solver", "", "multipliers", "", "", quantities(*names), quantities(*names), (), (), (), (rhs,))
 
 
 def make_calculator() -> Program:
@@ -248,7 +246,7 @@ def make_calculator() -> Program:
     names = tuple(f"out{i}" for i in range(len(values)))
     outputs = function("outputs", (*loads("y", "a", "b"), *stores), (2, 0), ("out", len(values)))
     return Program(
-        "calculator", "", "calculator.yaml", "newton", "", "", quantities("a"), quantities("a", "b"), (), (),
+        "calculator", "", "newton", "", "", quantities("a"), quantities("a", "b"), (), (),
         quantities(*names), (outputs,),
     )  # fmt: skip
 
@@ -279,7 +277,7 @@ def make_hostile() -> Program:
     rhs = Function("rhs", HOSTILE_TEXT, (T, Argument("y", size), Argument("p", 0)), Argument("dydt", size), body)
     scene = SceneData("s", HOSTILE_TEXT, (0.0,) * size, (), (0.0, 1.0), (), 1e-6)
     return Program(
-        "hostile", HOSTILE_TEXT, HOSTILE_TEXT, HOSTILE_TEXT, "", HOSTILE_TEXT, names[:3], names, (), names[:2],
+        "hostile", HOSTILE_TEXT, HOSTILE_TEXT, "", HOSTILE_TEXT, names[:3], names, (), names[:2],
         names[:1], (rhs,), (scene,), (HOSTILE_TEXT,),
     )  # fmt: skip
 

@@ -75,6 +75,6 @@ def make_long() -> Program:
     short = function("velocities", (*loads("y", "x", "v"), store("qdot", 0, ref("v"))), SIZES, ("qdot", 1))
     functions: tuple[Function, ...] = (rhs, short, accelerations, jacobian)
     return Program(
-        "long_chain", "", "long_chain.yaml", "newton", "", "", quantities("x"), quantities(*STATE), quantities("k"), (),
+        "long_chain", "", "newton", "", "", quantities("x"), quantities(*STATE), quantities("k"), (),
         (), functions,
     )  # fmt: skip

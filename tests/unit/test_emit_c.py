@@ -326,7 +326,7 @@ def test_the_driver_stops_at_a_blow_up_with_status_3(tmp_path: Path) -> None:
     rhs = function("rhs", (*loads("y", "x"), store("dydt", 0, ref("x") * ref("x"))), (1, 0), ("dydt", 1))
     x = quantities("x")
     scene = SceneData("burst", "", (1.0,), (), (0.0, 2.0), (), 1e-9)
-    program = Program("burst", "", "burst.yaml", "newton", "", "", x, x, (), (), (), (rhs,), (scene,))
+    program = Program("burst", "", "newton", "", "", x, x, (), (), (), (rhs,), (scene,))
     done = run_driver(program, tmp_path, "burst", "5")
     assert done.returncode == 3
     assert float(done.stdout.split("\n")[2].split(",")[1]) == pytest.approx(2.0, rel=1e-8)

@@ -70,7 +70,7 @@ def make_wide(terms: int = 3000) -> Program:
         store("dydt", 3, 1.0),
     )
     rhs = function("rhs", body, (4, 0), ("dydt", 4))
-    return Program("wide", "", "wide.yaml", "newton", "", "", (), quantities(*names), (), (), (), (rhs,))
+    return Program("wide", "", "newton", "", "", (), quantities(*names), (), (), (), (rhs,))
 
 
 PROGRAMS = CASES | {"wide": make_wide(), "long_chain": make_long()}
@@ -232,7 +232,7 @@ def test_hostile_names_and_texts_change_no_value() -> None:
     module = load(program)
     assert module.rhs(0.0, y) == [total * i for i in range(len(y))]
     assert "\\N{BULLET}" in module.__doc__
-    keyword = Program("lambda", "", "", "newton", "", "", (), (), (), (), (), ())
+    keyword = Program("lambda", "", "newton", "", "", (), (), (), (), (), ())
     assert list(render(keyword, "python", EmitOptions())) == ["lambda_.py"]
 
 
