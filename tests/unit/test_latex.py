@@ -188,7 +188,7 @@ if LATEX is not None:
     def test_hostile_texts_compile(tmp_path: Path) -> None:
         text = (
             "nhc: 1\nsystem: hostile\nabout: '50% \\\\end{document} $ & # _ ^ ~ {} ünder 雪 `x`'\n"
-            "coordinates:\n  lambda_1: {about: 'a & b', unit: m}\n  thetadotdot: {unit: m}\n"
+            "coordinates:\n  lambda_1: {about: 'a & b', unit: m}\n  thetadotdot: {unit: '1'}\n"
             "parameters: {Omega: 1, mass_of_the_thing: 2, S: 0.1}\n"
             "T: mass_of_the_thing/2*(lambda_1'^2 + exp(-S*lambda_1)*thetadotdot'^2)\n"
             "U: -Omega*abs(lambda_1) + sqrt(1 + thetadotdot^2) + atan2(lambda_1, 2)\n"

@@ -32,7 +32,7 @@ constraints: [slip: "x1' - sin(x_1)*y_' = 0", slip_: "y' - dy*sin(x1)*x_1' = 0"]
 LONG = """nhc: 1
 system: long
 about: A cart whose names are those of a program, with a_name_that_is_quite_long_and_then_goes_on_without_any_blank_at_all.
-coordinates: {cart_position: {unit: '1'}, pendulum_angle: {unit: rad}, second_pendulum_angle: {unit: rad}}
+coordinates: {cart_position: {unit: m}, pendulum_angle: {unit: rad}, second_pendulum_angle: {unit: rad}}
 parameters: {cart_mass_including_motor: 1, pendulum_moment_of_inertia: 2, pendulum_arm_length: 3, second_moment_of_inertia: 2,
   MANY: 1, жёлтые_шары: 0.1}
 T: cart_mass_including_motor*cart_position'^2/2 + pendulum_moment_of_inertia*pendulum_angle'^2/2

@@ -34,7 +34,6 @@ from nhc.language.units.dimensions import (
 )
 from nhc.records import record
 
-_PLAINEST, _FINEST = 2, 4  # the largest of numbers by themselves that stand for no parameter; quarters
 _RATIO = "divide it by a parameter of the same unit"
 _SAME = ("abs", "min", "max")  # functions whose value has the dimension of their arguments
 _PER_SECOND = raise_to(SECOND, -1)
@@ -92,8 +91,7 @@ class Checker:
     def _visit(self, node: Syntax, parts: tuple[Quantity, ...]) -> Quantity:
         match node:
             case Number():
-                unknown = self.partial and not is_plain(node.value)
-                return Quantity(None if unknown else ONE, any=node.value == 0, number=node.value)
+                return Quantity(None if self.partial else ONE, any=node.value == 0, number=node.value)
             case Name():
                 return self.names.get(node.name, _UNKNOWN)
             case Differential():
@@ -127,11 +125,13 @@ class Checker:
     def _common(self, node: Binary, left: Quantity, right: Quantity) -> Quantity:
         if left.any or right.any:
             return left if right.any else right
-        if (self.loose or self.partial) and (left.number is None) != (right.number is None):
+        if self.loose and (left.number is None) != (right.number is None):
             return right if right.number is None else left
         if left.dimension is None or right.dimension is None:
             return left if right.dimension is None else right
         if left.dimension != right.dimension:
+            if self.partial and _may_hide(left.dimension, right.dimension):
+                return _UNKNOWN
             word = "added to" if node.op == "+" else "less"
             what = f"{show(left.dimension)} {word} {show(right.dimension)}"
             if (what, node.operator) in self.told:
@@ -163,10 +163,10 @@ class Checker:
         if node.function in (*_SAME, "atan2"):
             known = [(part, tree) for part, tree in zip(parts, node.arguments, strict=True) if not part.any]
             for part, tree in known[1:]:
-                if None not in (part.dimension, known[0][0].dimension) and part.dimension != known[0][0].dimension:
+                first, own = known[0][0].dimension, part.dimension
+                if first is not None and own is not None and own != first:
                     rule = f"the arguments of `{node.function}` must have one unit"
-                    help = _lack(known[0][0].dimension or ONE, part.dimension or ONE)
-                    self._report(tree, part, rule, help, always=part.number is None and known[0][0].number is None)
+                    self._report(tree, part, rule, _lack(first, own), always=not _may_hide(first, own))
                     return _UNKNOWN
             if node.function == "atan2":
                 return Quantity(ONE)
@@ -197,14 +197,19 @@ class Checker:
     def equate(self, item: Constraint | Holonomic) -> None:
         """Measure both sides of an equation and report different ones."""
         left, right = self.measure(item.left), self.measure(item.right)
-        if self.partial and (left.number is not None or right.number is not None):
-            return
         if left.any or right.any or None in (left.dimension, right.dimension) or left.dimension == right.dimension:
+            return
+        if self.partial and _may_hide(left.dimension or ONE, right.dimension or ONE):
             return
         message = f"units do not fit: {show(left.dimension or ONE)} = {show(right.dimension or ONE)}"
         label = Label(item.left.span, show(left.dimension or ONE))
         help = (_lack_beside(left.dimension or ONE, right.dimension or ONE),)
         self.bag.error("E0413", message, item.right.span, show(right.dimension or ONE), labels=(label,), help=help)
+
+
+def _may_hide(left: Dimension, right: Dimension) -> bool:
+    """Whether what a power of one base unit sets apart may be meant: a parameter with the value 1 is left out, as in y = x^2."""
+    return sum(power != 0 for power in multiply(left, raise_to(right, -1))) < 2
 
 
 def _lack(wanted: Dimension, found: Dimension) -> str:
@@ -233,11 +238,6 @@ def combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction 
             return left * right
         case _:
             return left / right
-
-
-def is_plain(number: Fraction) -> bool:
-    """Whether a number is one of mathematics: 2, 0.5 and 3/4 are, where 9.81 and 4 may stand for parameters."""
-    return number <= _PLAINEST and number.denominator <= _FINEST
 
 
 def list_units(spec: Spec) -> list[tuple[str, str]]:

@@ -27,7 +27,7 @@ from nhc.language.expressions.syntax import (
     walk,
 )
 from nhc.language.spec import Spec
-from nhc.language.units.check import combine, is_plain, list_units
+from nhc.language.units.check import combine, list_units
 from nhc.language.units.dimensions import SECOND, parse_unit
 from nhc.records import record
 
@@ -39,6 +39,7 @@ _RATE: Power = {"": Fraction(-1)}
 _PLAIN = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")  # of numbers, to numbers
 _MOST = 200_000  # nodes that are looked at in search of a prime
 _SHOWN = 3  # places
+_PLAINEST, _FINEST = 2, 4  # the largest of numbers by themselves that stand for no parameter; quarters
 
 
 def warn_lost_primes(spec: Spec, bag: Bag) -> None:
@@ -167,7 +168,9 @@ class _Powers:
     def _visit(self, node: Syntax, parts: tuple[_Part, ...]) -> _Part:
         match node:
             case Number():
-                return _Part(None if not node.value else {} if is_plain(node.value) else self._any(), node.value)
+                # 9.81 and 4 may stand for parameters; 2, 0.5 and 3/4 are of mathematics, and 0 is anything
+                plain = node.value <= _PLAINEST and node.value.denominator <= _FINEST
+                return _Part(None if not node.value else {} if plain else self._any(), node.value)
             case Name():
                 power = self.names.get(node.name) or ({} if node.name in self.names else self._any())
                 return _Part(_product(power, _RATE) if node is self.primed else power)
