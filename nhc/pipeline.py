@@ -175,7 +175,7 @@ def check(source: Source, *, explain: bool = True) -> Report:
 
     spec, bag = decode(source), Bag(source)
     try:
-        system = resolve(spec)
+        system = resolve(spec, drawn=True)
         formulation = formulate(system)
         planner = Planner(equations_of(system, formulation), formulation)  # refuses what the forces do not determine
         check_starts(planner, bag)

@@ -7,7 +7,9 @@ import math
 import re
 import shutil
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import jsonschema
 import pytest
@@ -17,8 +19,7 @@ from nhc.diagnostics import Source, SpecError
 from nhc.dump import dump_decode
 from nhc.language import decode
 from nhc.language.schema import schema
-from nhc.mechanics.resolving.resolve import resolve
-from nhc.pipeline import Options, emit
+from nhc.pipeline import Options, check, emit
 from nhc.report.drawing import MOST_FRAMES, describe_drawing
 from nhc.report.trajectory import make_file
 from nhc.resources import find_specs
@@ -249,10 +250,13 @@ def test_the_gallery_draws(name: str, tmp_path: Path, capsys: pytest.CaptureFixt
             assert min(offs) < 1e-6
 
 
-def test_a_division_by_zero_is_said_by_resolve() -> None:
+@pytest.mark.parametrize("ask", [check, run_drawn])
+def test_a_division_by_zero_is_said(ask: Callable[[Any], object]) -> None:
+    text = SPEC + "draw: [{point: [x, 1/0]}]\n"
     with pytest.raises(SpecError) as caught:
-        resolve(decode(Source("cart.yaml", SPEC + "draw: [{point: [x, 1/0]}]\n")))
+        ask(text if ask is run_drawn else Source("cart.yaml", text))
     assert [(d.code, d.span.start) for d in caught.value.diagnostics] == [("E0417", len(SPEC) + 21)]
+    assert emit(Source("cart.yaml", text), "c")
 
 
 def test_schema_and_dump() -> None:

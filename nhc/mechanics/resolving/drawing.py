@@ -38,7 +38,7 @@ def sketch_of(system: System) -> Sketch:
     """The shapes of the spec's ``draw`` over the system's own graph, to which their nodes are added.
 
     Raises:
-        nhc.diagnostics.SpecError: one of them cannot be computed (``resolve`` has said so before).
+        nhc.diagnostics.SpecError: one of them cannot be computed (as ``nhc check`` says, too).
     """
     if not system.spec.draw:
         return Sketch()

@@ -19,8 +19,8 @@ _LARGEST = Fraction(sys.float_info.max)
 _LARGEST_EXPONENT = 2**53
 
 
-def resolve(spec: Spec, graph: Graph | None = None) -> System:
-    """The system that a spec declares, on a graph of its own or on the one given.
+def resolve(spec: Spec, graph: Graph | None = None, *, drawn: bool = False) -> System:
+    """The system that a spec declares, on a graph of its own or on the one given; ``drawn``: what it draws is looked at, too.
 
     Raises:
         nhc.diagnostics.SpecError: everything that is wrong with it as mechanics, all at once.
@@ -64,7 +64,7 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
     check_rank(build.bag, build.spec, system)
     if not build.bag.has_errors:
         check_freedom(build.bag, spec, system)
-    if not build.bag.has_errors:
+    if drawn and not build.bag.has_errors:
         _check_apart(build, [tree for figure in spec.draw for tree in figure.expressions])
     build.bag.raise_if_errors()
     return system
