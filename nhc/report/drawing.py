@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TypeVar
 
+from nhc.language.expressions.syntax import Binary, Name, Negate, Syntax
+from nhc.language.spec import Figure
 from nhc.report.svg import COLOURS
 from nhc.simulate.run import Trajectory
 
@@ -39,11 +41,38 @@ def describe_drawing(found: Trajectory) -> dict[str, object] | None:
     ]
     return {
         "spatial": sketch.spatial,
+        "axes": name_axes(found.job.system.spec.draw),
         "unit": found.job.system.spec.time_unit,
         "times": shorten(thin_rows(found.times, MOST_FRAMES)),
         "columns": columns,
         "shapes": shapes,
     }
+
+
+def name_axes(figures: Sequence[Figure]) -> list[str]:
+    """The letters of the picture's axes; with a minus where the shapes show minus the spec's own ``y`` or ``z``, as where its z
+    points downwards.
+    """
+    names = []
+    for axis, letter in enumerate("xyz"):
+        trees = [place[axis] for figure in figures for place in (*figure.points, figure.at) if len(place) > axis]
+        signs = {sign for tree in trees for name, sign in _list_terms(tree) if name == letter}
+        names.append(f"\u2212{letter}" if signs == {-1} else letter)
+    return names
+
+
+def _list_terms(tree: Syntax) -> Iterator[tuple[str, int]]:
+    """The names that are terms of a sum, with their signs."""
+    stack = [(tree, 1)]
+    while stack:
+        node, sign = stack.pop()
+        match node:
+            case Name():
+                yield node.name, sign
+            case Negate():
+                stack.append((node.operand, -sign))
+            case Binary(op="+" | "-"):
+                stack += [(node.left, sign), (node.right, sign if node.op == "+" else -sign)]
 
 
 def thin_rows(rows: Sequence[Row], most: int) -> list[Row]:

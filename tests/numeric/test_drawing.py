@@ -233,6 +233,8 @@ def test_the_gallery_draws(name: str, tmp_path: Path, capsys: pytest.CaptureFixt
     page = page_of(tmp_path / "a.html", find_specs() / f"{name}.yaml", capsys, "--points", "21")
     drawing = drawing_in(page)
     assert drawing["spatial"] == (name in IN_SPACE)
+    downwards = name in ("bicycle", "rattleback")
+    assert drawing["axes"] == (["x", "\u2212y", "\u2212z"] if downwards else ["x", "y", "z"])
     assert len(drawing["times"]) == 21 and any(shape["trace"] for shape in drawing["shapes"])
     if name == "double_pendulum":  # rods keep their lengths
         for k in range(21):
