@@ -46,13 +46,13 @@ class Limits:
     """Radians that a clock (what is periodic in time) may turn in a step for the estimate of the error to tell what it does."""
     far: float = 3.0
     """The same for dop853."""
-    wild: float = 3.0
-    """The last term of dop853's interpolant over those of Hermite's cubic, beyond which a mode that decays too fast for a step made
-    it: 1e3 at the largest stable step if nothing else moves, 5e3 at 1.6 times that, 7e4 at five times; a tenth of that and less
-    beside other motions; below 1 in smooth ones."""
-    within: float = 1e5
-    """That term over what the end may err by, where rows and events are too far off: it counts a thousandth within the step, and
-    what the end may err by is a hundredth of the accuracy wanted."""
+    wild: float = 1.0
+    """The last term of dop853's interpolant over the sum of the last but two and twice the last but one, beyond which a mode that is
+    too fast for the step made it: 0.6 where the step is two time constants of that mode, 1.3 at three, 2.0 to 2.4 from four on,
+    beside other motions 2.1 and more; at most 0.5 in smooth ones."""
+    within: float = 4e4
+    """That term over what the end may err by, where rows and events are too far off: within the step the error is some 1e-7 of it
+    times the accuracy wanted, a hundredth of which the end may err by."""
     caution: float = 0.85
     """Of the length that the controller of an explicit method gives the next step."""
     integral: float = 0.7
