@@ -47,9 +47,9 @@ class Limits:
     far: float = 3.0
     """The same for dop853."""
     wild: float = 1.0
-    """The last term of dop853's interpolant over the sum of the last but two and twice the last but one, beyond which a mode that is
-    too fast for the step made it: 0.6 where the step is two time constants of that mode, 1.3 at three, 2.0 to 2.4 from four on,
-    beside other motions 2.1 and more; at most 0.5 in smooth ones."""
+    """The last term of dop853's interpolant over the sum of the last but two and twice the last but one, beyond which a mode that
+    is too fast for the step made it: 0.6 where the step is two time constants of that mode, 1.3 at three, 2.0 to 2.6 from four on;
+    at most 0.5 in smooth motions."""
     within: float = 4e4
     """That term over what the end may err by, where rows and events are too far off: within the step the error is some 1e-7 of it
     times the accuracy wanted, a hundredth of which the end may err by."""
