@@ -280,11 +280,10 @@ def linearize(source: Source, request: Request, options: Options = DEFAULT) -> F
         SpecError: the spec or the request has errors.
         nhc.study.linearization.found.NotSteady: no steady motion is found.
     """
-    from nhc.study.linearization.motion import linearise, linearise_whole
+    from nhc.study.linearization.absent import linearise_at_values
 
     made = model(source, options)
-    study = linearise if options.formulation else linearise_whole
-    return study(made.equations, made.formulation, request)
+    return linearise_at_values(made.equations, made.formulation, request, fixed=bool(options.formulation))
 
 
 def stability(source: Source, question: Question, options: Options = DEFAULT, show: Show | None = None) -> Laboratory:

@@ -118,6 +118,7 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
         "verdict": verdict(made),
         "symbolic": [list(row) for row in found.paper],
         "symbolic_at": dict(found.held),
+        "absent": list(found.absent),
         "notes": [*notes, *([f"no symbolic matrix: {found.why}"] if found.why else [])],
     }
     if found.swept is not None:
@@ -220,10 +221,16 @@ def _notes(found: Findings, formulation: str) -> list[str]:
         notes.append(
             f"outside its range in the spec: {quote(out)}; start nearer to a motion within it, if there is one"
         )
+    lost = "; ".join(found.lost)
+    if found.absent:
+        are = "is 0, and is" if len(found.absent) == 1 else "are 0, and are"
+        notes.append(
+            f"steady for these values of the parameters alone: {quote(found.absent)} {are} left out of the equations"
+        )
     if found.halted:
-        notes.append(f"not the motion asked about: {found.lost}; `--hold` keeps such a velocity")
+        notes.append(f"not the motion asked about: {lost}; `--hold` keeps such a velocity")
     elif found.lost:
-        notes.append(f"taken for a disturbance: {found.lost}; `--hold` keeps such a velocity")
+        notes.append(f"taken for a disturbance: {lost}; `--hold` keeps such a velocity")
     if found.halted and formulation == "voronec":
         notes.append(_OTHERS)
     return notes

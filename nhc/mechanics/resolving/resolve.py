@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from nhc.algebra.graph import Graph, Node
@@ -19,13 +19,16 @@ _LARGEST = Fraction(sys.float_info.max)
 _LARGEST_EXPONENT = 2**53
 
 
-def resolve(spec: Spec, graph: Graph | None = None, *, drawn: bool = False) -> System:
-    """The system that a spec declares, on a graph of its own or on the one given; ``drawn``: what it draws is looked at, too.
+def resolve(spec: Spec, graph: Graph | None = None, *, drawn: bool = False, absent: Collection[str] = ()) -> System:
+    """The system that a spec declares, on a graph of its own or on the one given.
+
+    ``drawn``: what it draws is looked at, too; ``absent``: parameters in whose place 0 stands.
 
     Raises:
         nhc.diagnostics.SpecError: everything that is wrong with it as mechanics, all at once.
     """
     build = Resolver(spec, graph)
+    build.names.update(dict.fromkeys(absent, build.graph.zero))
     _check_parameters(build)
     define_names(build)
     T = build.node(spec.kinetic)

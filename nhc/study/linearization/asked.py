@@ -186,7 +186,7 @@ def has_halted(model: SteadyModel, guess: Sequence[float], y: Sequence[float]) -
     return model.value(y, kinetic) < _LOST * model.value(guess, kinetic)
 
 
-def describe_lost(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> str:
+def list_lost(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> tuple[str, ...]:
     """Which velocities that were asked for have gone, with what is left of them."""
     lost = list[str]()
     for _, asked in _asked(model, scene, guess):
@@ -194,4 +194,4 @@ def describe_lost(model: SteadyModel, scene: Scene, guess: Sequence[float], y: S
         if abs(after) < abs(asked.value) / 2:
             now = after if abs(after) > SNAP * abs(asked.value) else 0
             lost.append(f"{asked.name} = {asked.value:.6g} has become {now:.6g}")
-    return "; ".join(lost)
+    return tuple(lost)

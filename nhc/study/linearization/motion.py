@@ -35,7 +35,7 @@ from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.values import constant_value, named_constants
 from nhc.records import record
-from nhc.study.linearization.asked import SNAP, describe_lost, find_asked, has_halted
+from nhc.study.linearization.asked import SNAP, find_asked, has_halted, list_lost
 from nhc.study.linearization.coframes import elsewhere
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady, Steady, check_frame, check_smooth
@@ -57,7 +57,10 @@ class Request:
 
 @record
 class Findings:
-    """What was found; ``paper`` holds the matrix as text (rows of texts) or is empty, ``why`` says why it is."""
+    """What was found; ``paper`` holds the matrix as text (rows of texts) or is empty, ``why`` says why it is.
+
+    ``absent``: parameters that are 0 and were left out of the equations.
+    """
 
     flow: Flow
     formulation: Formulation
@@ -67,10 +70,11 @@ class Findings:
     held: tuple[tuple[str, str], ...]
     why: str
     swept: Sweep | None
-    lost: str
-    """What has become of velocities that were asked for and have gone; else empty."""
+    lost: tuple[str, ...]
+    """What has become of each velocity that was asked for and has gone."""
     halted: bool
     """Whether most of the motion that was asked about has gone."""
+    absent: tuple[str, ...] = ()
 
 
 def steady_model(equations: Equations, formulation: Formulation, p: Sequence[float]) -> SteadyModel:
@@ -120,7 +124,7 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     steady = find_asked(model, scene, guess, holds)
     check_smooth(model, steady)
     made = linearise_at(model, steady)
-    lost = describe_lost(model, scene, guess, steady.y)
+    lost = list_lost(model, scene, guess, steady.y)
     halted = bool(lost) and has_halted(model, guess, steady.y)
     point = point_of(flow, scene)
     place = _exact_place(model, point, model.values(guess), steady)

@@ -7,7 +7,9 @@ not end from the start it is tried from places along the scene.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
+from nhc.algebra.carry import carry
 from nhc.algebra.graph import Node
 from nhc.language.spec import Scene
 from nhc.mechanics.about import scene_about, state_of
@@ -20,7 +22,8 @@ from nhc.mechanics.linearize import reduced
 from nhc.mechanics.starts.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.study.linearization.asked import find_asked, keep_ranges
+from nhc.study.linearization.absent import NOT_LEFT, Left, leave_zeros_out, start_lost
+from nhc.study.linearization.asked import find_asked, keep_ranges, list_lost
 from nhc.study.linearization.coframes import elsewhere
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.found import Locked, NotSteady, Steady, check_smooth
@@ -38,7 +41,8 @@ class Motion:
     """``place`` says from where it was found; ``swept`` is None where nothing was asked, ``along`` names what was varied.
 
     ``regularity`` in [0, 1]: of the mass matrix there, and of what inertia is left; below ``SINGULAR`` the coordinates
-    themselves fail (gimbal lock) and the eigenvalues say nothing of the motion.
+    themselves fail (gimbal lock) and the eigenvalues say nothing of the motion.  ``absent``: parameters that are 0 and were left
+    out of the equations.
     """
 
     formulation: Formulation
@@ -48,6 +52,7 @@ class Motion:
     place: str
     regularity: float
     along: str = ""
+    absent: tuple[str, ...] = ()
 
     @property
     def flow(self) -> Flow:
@@ -68,16 +73,62 @@ class Search:
 def steady_motion(
     equations: Equations, formulation: Formulation, search: Search, beside: Sequence[tuple[float, Start]] = ()
 ) -> Motion:
-    """The steady motion near a start, or near one of the starts ``beside`` it (with their times).
+    """The steady motion near a start, or near one of the starts ``beside`` it (with their times); as ``nhc linearize`` has it.
 
     Raises:
         nhc.diagnostics.SpecError: unknown names.
         NotSteady: none is found, or the sweep leaves its branch.
     """
     system = equations.system
-    better = reduced(system, formulation)
     scene = scene_about(system.spec, search.about, search.settings)
     start = start_of(system, scene)
+    found: Motion | NotSteady
+    try:
+        found = _anywhere(equations, formulation, search, scene, start, beside)
+    except NotSteady as error:
+        found = error
+    lost = start_lost(start) if isinstance(found, NotSteady) else _count_lost(found, scene, start)
+    if lost:
+        try:
+            left = leave_zeros_out(system, start, search.sweep[0] if search.sweep else "", formulation.name)
+            if left is not None:
+                other = _anywhere(
+                    left.equations, left.formulation, _carried(search, system, left), scene, start, beside
+                )
+                if _count_lost(other, scene, start) < lost:
+                    return replace(other, absent=left.absent)
+        except NOT_LEFT:
+            pass
+    if isinstance(found, NotSteady):
+        raise found
+    return found
+
+
+def _carried(search: Search, system: System, left: Left) -> Search:
+    """The search with its integrals on the other equations' graph."""
+    own = left.equations.system
+    meaning = dict(zip((*system.q, *system.p, system.t), (*own.q, *own.p, own.t), strict=True))
+    nodes = carry(system.graph, own.graph, [node for _, node in search.hidden], meaning)
+    return replace(search, hidden=tuple(zip((name for name, _ in search.hidden), nodes, strict=True)))
+
+
+def _count_lost(found: Motion, scene: Scene, start: Start) -> int:
+    """How many of the velocities that the scene gives have gone."""
+    guess = state_of(found.flow, found.model.frame, start)
+    return len(list_lost(found.model, scene, guess, found.linearisation.steady.y))
+
+
+def _anywhere(
+    equations: Equations,
+    formulation: Formulation,
+    search: Search,
+    scene: Scene,
+    start: Start,
+    beside: Sequence[tuple[float, Start]],
+) -> Motion:
+    """The steady motion in this formulation, or in others where this one is singular."""
+    system = equations.system
+    better = reduced(system, formulation)
     try:
         return _motion(
             equations if better is formulation else equations_of(system, better), better, search, scene, start, beside

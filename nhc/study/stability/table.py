@@ -99,6 +99,8 @@ def _motion(found: Motion, unit: str) -> list[Row]:
     eigenvalue = f"eigenvalue [1/{unit}]" if unit else "eigenvalue"
     rows += [Row(eigenvalue, _complex(mode), _kind(mode, unit)) for mode in modes(made) if mode.value.imag >= 0]
     rows.append(Row("found from", found.place))
+    if found.absent:
+        rows.append(Row("left out", ", ".join(found.absent), "parameters that are 0: steady for these values alone"))
     if found.regularity <= SINGULAR:
         advice = "the coordinates are singular here (gimbal lock): take others, or another motion"
         rows = [rows[0], Row("verdict", "none", advice), Row("mass matrix", f"{found.regularity:.2g}", "0: singular")]

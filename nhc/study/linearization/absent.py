@@ -1,0 +1,86 @@
+"""Motions that are steady for the values of the parameters alone: what is 0 is left out of the equations where they need it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from nhc.algebra.exact.field import Unlucky
+from nhc.diagnostics import SpecError
+from nhc.mechanics.about import scene_about
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choosing.choose import Formulation, formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolving.resolve import resolve
+from nhc.mechanics.starts.scenes import Start, start_of
+from nhc.mechanics.system import System
+from nhc.records import record
+from nhc.study.linearization.found import NotSteady
+from nhc.study.linearization.motion import Findings, Request, linearise, linearise_whole
+
+
+def linearise_at_values(equations: Equations, formulation: Formulation, request: Request, *, fixed: bool) -> Findings:
+    """Find the steady motion and linearise about it; ``fixed``: somebody asked for the formulation.
+
+    A spring or a slope that may be 0 ties down a coordinate that is free without it.  Where the equations with all parameters have
+    no steady motion, or not the one that was asked about, those without the parameters that are 0 are asked.
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names, or a guess that violates the constraints.
+        NotSteady: no steady motion is found.
+    """
+    study = linearise if fixed else linearise_whole
+    found: Findings | NotSteady
+    try:
+        found = study(equations, formulation, request)
+    except NotSteady as error:
+        found = error
+    system = equations.system
+    start = start_of(system, scene_about(system.spec, request.about, request.settings))
+    lost = start_lost(start) if isinstance(found, NotSteady) else len(found.lost)
+    if lost:
+        try:
+            left = leave_zeros_out(
+                system, start, request.sweep[0] if request.sweep else "", formulation.name if fixed else ""
+            )
+            if left is not None:
+                other = study(left.equations, left.formulation, request)
+                if len(other.lost) < lost:
+                    return replace(other, absent=left.absent)
+        except NOT_LEFT:
+            pass
+    if isinstance(found, NotSteady):
+        raise found
+    return found
+
+
+def start_lost(start: Start) -> int:
+    """Where nothing is found, all is lost: one more than there can be."""
+    return len(start.v) + 1
+
+
+NOT_LEFT = (NotSteady, SpecError, Unlucky)
+"""That nothing is found without the parameters that are 0 either."""
+
+
+@record
+class Left:
+    """Equations without the parameters ``absent``, which are 0."""
+
+    equations: Equations
+    formulation: Formulation
+    absent: tuple[str, ...]
+
+
+def leave_zeros_out(system: System, start: Start, swept: str, formulation: str = "") -> Left | None:
+    """The equations without the parameters that are 0 at a start, but for the one that is swept; None where all are something.
+
+    Raises:
+        nhc.diagnostics.SpecError: there are no such equations, or not in this formulation.
+    """
+    pairs = zip(system.spec.parameters, start.p, strict=True)
+    absent = tuple(parameter.name for parameter, value in pairs if value == 0 and parameter.name != swept)
+    if not absent:
+        return None
+    own = resolve(system.spec, absent=absent)
+    form = formulate(own, formulation)
+    return Left(equations_of(own, form), form, absent)
