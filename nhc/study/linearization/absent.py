@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import TypeVar
 
 from nhc.algebra.exact.field import Unlucky
 from nhc.diagnostics import SpecError
@@ -16,6 +18,8 @@ from nhc.mechanics.system import System
 from nhc.records import record
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.motion import Findings, Request, linearise, linearise_whole
+
+T = TypeVar("T")
 
 
 def linearise_at_values(equations: Equations, formulation: Formulation, request: Request, *, fixed: bool) -> Findings:
@@ -36,30 +40,19 @@ def linearise_at_values(equations: Equations, formulation: Formulation, request:
         found = error
     system = equations.system
     start = start_of(system, scene_about(system.spec, request.about, request.settings))
-    lost = start_lost(start) if isinstance(found, NotSteady) else len(found.lost)
-    if lost:
-        try:
-            left = leave_zeros_out(
-                system, start, request.sweep[0] if request.sweep else "", formulation.name if fixed else ""
-            )
-            if left is not None:
-                other = study(left.equations, left.formulation, request)
-                if len(other.lost) < lost:
-                    return replace(other, absent=left.absent)
-        except NOT_LEFT:
-            pass
+    swept = request.sweep[0] if request.sweep else ""
+    if isinstance(found, NotSteady) or found.lost:
+        other = ask_without_zeros(
+            lambda: leave_zeros_out(system, start, swept, formulation.name if fixed else ""),
+            lambda left: study(left.equations, left.formulation, request),
+            lambda other: len(other.lost),
+            all_of(start) if isinstance(found, NotSteady) else len(found.lost),
+        )
+        if other is not None:
+            return replace(other[0], absent=other[1])
     if isinstance(found, NotSteady):
         raise found
     return found
-
-
-def start_lost(start: Start) -> int:
-    """Where nothing is found, all is lost: one more than there can be."""
-    return len(start.v) + 1
-
-
-NOT_LEFT = (NotSteady, SpecError, Unlucky)
-"""That nothing is found without the parameters that are 0 either."""
 
 
 @record
@@ -84,3 +77,20 @@ def leave_zeros_out(system: System, start: Start, swept: str, formulation: str =
     own = resolve(system.spec, absent=absent)
     form = formulate(own, formulation)
     return Left(equations_of(own, form), form, absent)
+
+
+def all_of(start: Start) -> int:
+    """How many velocities are lost where nothing is found: one more than there can be."""
+    return len(start.v) + 1
+
+
+def ask_without_zeros(
+    leave: Callable[[], Left | None], ask: Callable[[Left], T], count: Callable[[T], int], lost: int
+) -> tuple[T, tuple[str, ...]] | None:
+    """What is found without the parameters that are 0, with their names; None unless fewer velocities are ``lost`` then."""
+    try:
+        left = leave()
+        other = ask(left) if left is not None else None
+    except (NotSteady, SpecError, Unlucky):
+        return None
+    return (other, left.absent) if left is not None and other is not None and count(other) < lost else None

@@ -22,7 +22,7 @@ from nhc.mechanics.linearize import reduced
 from nhc.mechanics.starts.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.study.linearization.absent import NOT_LEFT, Left, leave_zeros_out, start_lost
+from nhc.study.linearization.absent import Left, all_of, ask_without_zeros, leave_zeros_out
 from nhc.study.linearization.asked import find_asked, keep_ranges, list_lost
 from nhc.study.linearization.coframes import elsewhere
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
@@ -87,18 +87,19 @@ def steady_motion(
         found = _anywhere(equations, formulation, search, scene, start, beside)
     except NotSteady as error:
         found = error
-    lost = start_lost(start) if isinstance(found, NotSteady) else _count_lost(found, scene, start)
+    lost = all_of(start) if isinstance(found, NotSteady) else _count_lost(found, scene, start)
+    swept = search.sweep[0] if search.sweep else ""
     if lost:
-        try:
-            left = leave_zeros_out(system, start, search.sweep[0] if search.sweep else "", formulation.name)
-            if left is not None:
-                other = _anywhere(
-                    left.equations, left.formulation, _carried(search, system, left), scene, start, beside
-                )
-                if _count_lost(other, scene, start) < lost:
-                    return replace(other, absent=left.absent)
-        except NOT_LEFT:
-            pass
+        other = ask_without_zeros(
+            lambda: leave_zeros_out(system, start, swept, formulation.name),
+            lambda left: _anywhere(
+                left.equations, left.formulation, _carried(search, system, left), scene, start, beside
+            ),
+            lambda other: _count_lost(other, scene, start),
+            lost,
+        )
+        if other is not None:
+            return replace(other[0], absent=other[1])
     if isinstance(found, NotSteady):
         raise found
     return found
