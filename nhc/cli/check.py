@@ -29,7 +29,7 @@ def command(specs: tuple[str, ...], explain: bool, concise: bool, as_json: bool)
     """
     if concise and as_json:
         raise click.UsageError("`--concise` and `--json` exclude one another")
-    results = [_check_one(spec, explain=explain or as_json, others=len(specs) > 1) for spec in specs]
+    results = [_check_one(spec, explain=explain or as_json) for spec in specs]
     if as_json:
         put_json("nhc.check/1", {"specs": [_as_json(result) for result in results]})
     else:
@@ -49,8 +49,8 @@ class Result:
     data: Mapping[str, Any]
 
 
-def _check_one(spec: str, *, explain: bool, others: bool) -> Result:
-    """What is found of one spec; where there are ``others``, a file that is not there is one finding among many."""
+def _check_one(spec: str, *, explain: bool) -> Result:
+    """What is found of one spec: also that it is not there."""
     from nhc.diagnostics import SpecError
     from nhc.pipeline import check
 
@@ -60,8 +60,6 @@ def _check_one(spec: str, *, explain: bool, others: bool) -> Result:
     except SpecError as error:
         return Result(error.source, Exit.USAGE if error.is_usage else Exit.FAILED, error.diagnostics, (), {})
     except Failure as failure:
-        if not others:
-            raise
         return _report_missing(spec, failure)
     return Result(source, Exit.DONE, tuple(report.diagnostics), tuple(report.facts), report.data)
 

@@ -15,6 +15,8 @@ from nhc.language.scope import names_in
 from nhc.language.spec import Scene, Spec
 from nhc.mechanics.system import System
 
+_SLACK = 1e-9  # of a range's width
+
 
 def default_values(system: System) -> dict[Node, float]:
     """Parameters at their defaults; 1 where there is none."""
@@ -64,6 +66,12 @@ def coordinate_ranges(system: System) -> dict[Node, tuple[float, float]]:
     """Where the spec expects coordinates to stay, of those that it says it of."""
     pairs = zip(system.q, system.spec.coordinates, strict=True)
     return {symbol: (float(c.range[0]), float(c.range[1])) for symbol, c in pairs if c.range is not None}
+
+
+def is_outside(limits: tuple[float, float], value: float) -> bool:
+    """Whether a coordinate has left its range: a motion that turns at the edge stays within."""
+    slack = _SLACK * (limits[1] - limits[0])
+    return not limits[0] - slack <= value <= limits[1] + slack
 
 
 def start_values(spec: Spec, scene: Scene, p: Sequence[float]) -> dict[str, float]:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nhc.mechanics.values import coordinate_ranges, is_outside
 from nhc.simulate.switching import Leg
 
 Values = Sequence[tuple[float, float]]
-
-_SLACK = 1e-9  # of the range's width: a motion that turns at its edge stays within
 
 
 def tell_ranges(
@@ -20,22 +19,19 @@ def tell_ranges(
     """
     system = legs[0].job.system
     notes = []
-    for symbol, coordinate in zip(system.q, system.spec.coordinates, strict=True):
-        if coordinate.range is None:
-            continue
-        low, high = map(float, coordinate.range)
-        if coordinate.name in headings:
-            place = headings.index(coordinate.name)
+    for symbol, limits in coordinate_ranges(system).items():
+        name = system.q_names[system.q.index(symbol)]
+        if name in headings:
+            place = headings.index(name)
             values: Values = [(t, row[place]) for t, row in zip(times, rows, strict=True)]
         else:
             values = [row for leg in legs for row in _list_rows(leg, symbol)]
-        slack = _SLACK * (high - low)
-        outside = [t for t, x in values if not low - slack <= x <= high + slack]
+        outside = [t for t, x in values if is_outside(limits, x)]
         if outside:
-            least, most = min(x for _, x in values), max(x for _, x in values)
+            (low, high), reached = limits, [x for _, x in values]
             notes.append(
-                f"`{coordinate.name}` leaves the range declared for it, [{low:.6g}, {high:.6g}], at t = {outside[0]:.6g}:"
-                f" it goes from {least:.6g} to {most:.6g}"
+                f"`{name}` leaves the range declared for it, [{low:.6g}, {high:.6g}], at t = {outside[0]:.6g}:"
+                f" it goes from {min(reached):.6g} to {max(reached):.6g}"
             )
     return tuple(notes)
 

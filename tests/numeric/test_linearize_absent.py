@@ -48,12 +48,12 @@ def test_a_value_that_is_set_counts() -> None:
 
 
 def test_what_is_swept_stays() -> None:
-    request = Request("v=2", sweep=("spring", 0.0, 1.0, 3))
-    try:
-        found = ask("0", "0", request)
-    except NotSteady:
-        return
-    assert "spring" not in found.absent
+    found = ask("0", "0", Request("v=2", sweep=("spring", 0.0, 1.0, 3)))
+    assert found.lost and found.absent == ()
+    with pytest.raises(NotSteady, match=r"^at 0\.05: "):  # on a slope the speed grows
+        ask("0", "0", Request("v=2", sweep=("slope", 0.0, 0.1, 3)))
+    found = ask("0", "0", Request("v=2", sweep=("k", 30.0, 50.0, 3)))
+    assert not found.lost and found.absent == ("spring", "slope")
 
 
 def test_what_does_not_vanish_is_no_steady_motion() -> None:

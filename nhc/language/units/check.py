@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label, Span
@@ -186,6 +186,8 @@ class Checker:
     def demand(self, tree: Syntax, wanted: tuple[Dimension, ...], what: str) -> Quantity:
         """Measure an expression and report one of another dimension than those wanted."""
         found = self.measure(tree)
+        if self.partial:
+            return found
         if wanted and found.dimension is not None and not found.any and found.dimension not in wanted:
             message = f"units do not fit: {what} must be {show(wanted[0])}, found {show(found.dimension)}"
             self.bag.error(
@@ -261,10 +263,7 @@ def check_units(spec: Spec, bag: Bag, broken: Sequence[Span] = ()) -> None:
     units = [unit for name, unit in list_units(spec) if name not in turned]
     if not any(units):
         return
-    if not all(units):
-        _check_sums(Checker(spec, bag, partial=True), spec, sound)
-        return
-    checker = Checker(spec, bag)
+    checker = Checker(spec, bag, partial=not all(units))
     checker.measure_named(spec)
     kinetic = checker.demand(spec.kinetic, _KINETIC, "the kinetic energy") if sound(spec.kinetic) else _UNKNOWN
     energy = kinetic.dimension
@@ -288,20 +287,8 @@ def check_units(spec: Spec, bag: Bag, broken: Sequence[Span] = ()) -> None:
             if sound(start.value):
                 _check_start(checker, start)
     checker.loose = False
-    spec.memory["measured"] = checker, kinetic
-
-
-def _check_sums(checker: Checker, spec: Spec, sound: Callable[..., bool]) -> None:
-    """Report sums and equations of what does not fit, whatever the units are that are not declared."""
-    checker.measure_named(spec)
-    values = [spec.kinetic, *([spec.potential] if spec.potential is not None else [])]
-    for value in (*values, *(force.value for force in spec.forces), *(output.value for output in spec.outputs)):
-        if sound(value):
-            checker.measure(value)
-    equations: tuple[Constraint | Holonomic, ...] = (*spec.constraints, *spec.holonomic)
-    for equation in equations:
-        if sound(equation.left, equation.right):
-            checker.equate(equation)
+    if not checker.partial:
+        spec.memory["measured"] = checker, kinetic
 
 
 def measured(spec: Spec) -> tuple[Checker, Quantity]:

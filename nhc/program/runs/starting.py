@@ -19,6 +19,7 @@ from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.regular.undefined import find_pole, find_undefined
 from nhc.mechanics.starts.massless import is_massless
 from nhc.mechanics.starts.scenes import Start, kept_velocities, left_at_zero, place_of, start_of
+from nhc.mechanics.values import coordinate_ranges, is_outside
 from nhc.program.planning.planner import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
@@ -70,17 +71,17 @@ def check_starts(planner: Planner, bag: Bag) -> None:
 
 def _warn_outside(planner: Planner, start: Start, bag: Bag) -> None:
     """Add a warning (W0429) where a coordinate starts outside of the range that is declared for it."""
-    for coordinate, value in zip(planner.system.spec.coordinates, start.q, strict=True):
-        if coordinate.range is None:
+    system = planner.system
+    ranges = coordinate_ranges(system)
+    for symbol, name, value in zip(system.q, system.q_names, start.q, strict=True):
+        if symbol not in ranges or not is_outside(ranges[symbol], value):
             continue
-        low, high = map(float, coordinate.range)
-        if low <= value <= high or math.isclose(value, min(max(value, low), high), rel_tol=1e-12):
-            continue
-        own = ("coordinate", coordinate.name)
+        low, high = ranges[symbol]
+        own = ("coordinate", name)
         given = [entry.value.span for entry in start.scene.initial if (entry.kind, entry.name) == own]
         bag.warning(
             "W0429",
-            f"`{coordinate.name}` starts at {value:.6g}, outside of its range [{low:.6g}, {high:.6g}]",
+            f"`{name}` starts at {value:.6g}, outside of its range [{low:.6g}, {high:.6g}]",
             given[0] if given else start.scene.span,
             notes=("velocities are chosen so that they are regular where coordinates are expected to stay",),
             help=("start it within, or declare where it goes",),

@@ -38,15 +38,16 @@ def linearise_at_values(equations: Equations, formulation: Formulation, request:
         found = study(equations, formulation, request)
     except NotSteady as error:
         found = error
-    system = equations.system
-    start = start_of(system, scene_about(system.spec, request.about, request.settings))
-    swept = request.sweep[0] if request.sweep else ""
     if isinstance(found, NotSteady) or found.lost:
+        system = equations.system
+        start = start_of(system, scene_about(system.spec, request.about, request.settings))
         other = ask_without_zeros(
-            lambda: leave_zeros_out(system, start, swept, formulation.name if fixed else ""),
+            leave_zeros_out(
+                system, start, request.sweep[0] if request.sweep else "", formulation.name if fixed else ""
+            ),
             lambda left: study(left.equations, left.formulation, request),
             lambda other: len(other.lost),
-            all_of(start) if isinstance(found, NotSteady) else len(found.lost),
+            most_lost(start) if isinstance(found, NotSteady) else len(found.lost),
         )
         if other is not None:
             return replace(other[0], absent=other[1])
@@ -65,32 +66,35 @@ class Left:
 
 
 def leave_zeros_out(system: System, start: Start, swept: str, formulation: str = "") -> Left | None:
-    """The equations without the parameters that are 0 at a start, but for the one that is swept; None where all are something.
+    """The equations without the parameters that are 0 at a start, but for the one that is swept.
 
-    Raises:
-        nhc.diagnostics.SpecError: there are no such equations, or not in this formulation.
+    None where all of them are something, and where there are no such equations, or not in this formulation.
     """
     pairs = zip(system.spec.parameters, start.p, strict=True)
     absent = tuple(parameter.name for parameter, value in pairs if value == 0 and parameter.name != swept)
     if not absent:
         return None
-    own = resolve(system.spec, absent=absent)
-    form = formulate(own, formulation)
-    return Left(equations_of(own, form), form, absent)
+    try:
+        own = resolve(system.spec, absent=absent)
+        form = formulate(own, formulation)
+        return Left(equations_of(own, form), form, absent)
+    except (SpecError, Unlucky):
+        return None
 
 
-def all_of(start: Start) -> int:
+def most_lost(start: Start) -> int:
     """How many velocities are lost where nothing is found: one more than there can be."""
     return len(start.v) + 1
 
 
 def ask_without_zeros(
-    leave: Callable[[], Left | None], ask: Callable[[Left], T], count: Callable[[T], int], lost: int
+    left: Left | None, ask: Callable[[Left], T], count: Callable[[T], int], lost: int
 ) -> tuple[T, tuple[str, ...]] | None:
     """What is found without the parameters that are 0, with their names; None unless fewer velocities are ``lost`` then."""
+    if left is None:
+        return None
     try:
-        left = leave()
-        other = ask(left) if left is not None else None
+        other = ask(left)
     except (NotSteady, SpecError, Unlucky):
         return None
-    return (other, left.absent) if left is not None and other is not None and count(other) < lost else None
+    return (other, left.absent) if count(other) < lost else None

@@ -22,7 +22,7 @@ from nhc.mechanics.linearize import reduced
 from nhc.mechanics.starts.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.study.linearization.absent import Left, all_of, ask_without_zeros, leave_zeros_out
+from nhc.study.linearization.absent import Left, ask_without_zeros, leave_zeros_out, most_lost
 from nhc.study.linearization.asked import find_asked, keep_ranges, list_lost
 from nhc.study.linearization.coframes import elsewhere
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
@@ -87,11 +87,10 @@ def steady_motion(
         found = _anywhere(equations, formulation, search, scene, start, beside)
     except NotSteady as error:
         found = error
-    lost = all_of(start) if isinstance(found, NotSteady) else _count_lost(found, scene, start)
-    swept = search.sweep[0] if search.sweep else ""
+    lost = most_lost(start) if isinstance(found, NotSteady) else _count_lost(found, scene, start)
     if lost:
         other = ask_without_zeros(
-            lambda: leave_zeros_out(system, start, swept, formulation.name),
+            leave_zeros_out(system, start, search.sweep[0] if search.sweep else "", formulation.name),
             lambda left: _anywhere(
                 left.equations, left.formulation, _carried(search, system, left), scene, start, beside
             ),
