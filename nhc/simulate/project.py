@@ -12,13 +12,12 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, SpecError
 from nhc.language.spec import Scene
-from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.mechanics.starts.contradictions import PROJECT
 from nhc.mechanics.starts.scenes import Start, initial_values, start_of
-from nhc.mechanics.starts.velocities import check_together, term_sizes
-from nhc.mechanics.system import Form, System
-from nhc.mechanics.values import constant_value, start_values
+from nhc.mechanics.starts.velocities import given_velocities, term_sizes
+from nhc.mechanics.system import System
+from nhc.mechanics.values import start_values
 from nhc.simulate.methods.linear import SingularMatrix, solve
 
 SHOWN = 8  # changed velocities in a report
@@ -27,7 +26,8 @@ SHOWN = 8  # changed velocities in a report
 def projected_start(system: System, scene: Scene) -> tuple[Start, tuple[str, ...]]:
     """The scene's start and notes on what was changed: nothing where it is consistent.
 
-    v = v0 - M^-1 A^T (A M^-1 A^T)^-1 (A v0 + a), where v0 has the given values and zero for what is left out.
+    v = v0 - M^-1 A^T (A M^-1 A^T)^-1 (A v0 + a), where v0 has the given values, and for what is left out what follows from the
+    constraints that hold, or zero.
 
     Raises:
         nhc.diagnostics.SpecError: the start is wrong in another way than by its velocities.
@@ -43,11 +43,12 @@ def projected_start(system: System, scene: Scene) -> tuple[Start, tuple[str, ...
         )
         base = start_of(system, still)
         place = base.values(system)
+        given = initial_values(system, scene, start_values(system.spec, scene, base.p), Bag(system.spec.origin))
         try:
-            wanted = _given_velocities(system, scene, base, place)
+            wanted = given_velocities(system, scene, place, given)
             v = _nearest(system, place, wanted)
         except (ArithmeticError, ValueError):
-            raise _refuse(system, scene, base, refused) from None
+            raise _immovable(refused) from None
     units = velocity_units(system)
     speed = max(abs(x) / unit for x, unit in zip((*wanted, *v), (*units, *units), strict=True))
     changed = [
@@ -64,38 +65,12 @@ def projected_start(system: System, scene: Scene) -> tuple[Start, tuple[str, ...
     return Start(scene, base.time, base.p, base.q, tuple(v)), notes
 
 
-def _refuse(system: System, scene: Scene, base: Start, refused: SpecError) -> SpecError:
-    """Why a start cannot be projected: its velocities contradict each other, or else why it was refused at first."""
-    bag = Bag(system.spec.origin)
-    try:
-        given = initial_values(system, scene, start_values(system.spec, scene, base.p), bag)
-        check_together(system, scene, base.values(system), given)
-    except SpecError as error:
-        return error
-    except (ArithmeticError, ValueError):
-        pass
+def _immovable(refused: SpecError) -> SpecError:
+    """Why a start was refused, without the advice to project it."""
     return SpecError(
         (replace(one, help=tuple(text for text in one.help if text != PROJECT)) for one in refused.diagnostics),
         refused.source,
     )
-
-
-def _given_velocities(system: System, scene: Scene, base: Start, place: dict[Node, float]) -> list[float]:
-    """The velocities that the scene gives; what it leaves out is zero, or least where it gives quasi-velocities."""
-    names = start_values(system.spec, scene, base.p)
-    forms: list[tuple[Form, float]] = []
-    for entry in scene.initial:
-        value = constant_value(entry.value, names)
-        if entry.kind == "velocity":
-            forms.append((coordinate_form(system, system.q_names.index(entry.name)), value))
-        elif entry.kind == "quasi":
-            forms.append((next(form for form in system.quasi if form.name == entry.name), value))
-    rows, right = [], []
-    for form, value in forms:
-        numbers = _numbers(system, [*form.coefficients, form.constant], place)
-        rows.append(numbers[:-1])
-        right.append(value - numbers[-1])
-    return _least_change(system, place, rows, right)
 
 
 def _nearest(system: System, place: dict[Node, float], v: Sequence[float]) -> list[float]:

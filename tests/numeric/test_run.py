@@ -375,6 +375,22 @@ def test_an_inconsistent_start_is_refused_or_projected(tmp_path: Path, capsys: p
     assert table(out)[1][0] == pytest.approx([0.0, 1.0, 0.0, turned], abs=1e-14)
 
 
+def test_what_a_violated_start_leaves_out_follows_from_the_constraints_that_hold(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A wheel that rolls along x and slips a little along y: only y' is moved, and the spin keeps its value."""
+    spec = tmp_path / "wheel.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: wheel\ncoordinates: [x, y, s, u]\nT: (x'^2 + y'^2 + s'^2/2 + 3*u'^2)/2 + x'*u'/5\n"
+        "constraints: [x' = 2*s', y' = 0]\n"
+        "scenes: {go: {initial: {s': 1, y': 0.1}, time: [0, 1], need: [x', y', s', u']}}\n"
+    )
+    assert call(capsys, str(spec))[0] == 1
+    code, out, err = call(capsys, str(spec), "--points", "2", "--project")
+    assert code == 0 and "projected: y' 0.1 -> 0\n" in err
+    assert table(out)[1][0] == pytest.approx([0.0, 2.0, 0.0, 1.0, 0.0], abs=1e-14)
+
+
 def test_velocities_that_contradict_each_other_are_named(capsys: pytest.CaptureFixture[str]) -> None:
     """At theta = 0 the scene's v is x': no projection helps, but the other value does."""
     sleigh = ["chaplygin_sleigh", "--points", "2", "--need", "x',y'"]

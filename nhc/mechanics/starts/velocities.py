@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag
@@ -29,7 +30,33 @@ def start_velocities(
         what = f"{scene.called} starts at a singular point of the constraints"
         bag.error("E0409", what, scene.span, help=("start a little away from it",))
         return (0.0,) * system.n
-    solver, units = meet(bag, scene, claims), velocity_units(system)
+    return _with_zeros(system, place, given, meet(bag, scene, claims))
+
+
+def given_velocities(
+    system: System, scene: Scene, place: dict[Node, float], given: dict[tuple[str, str], float]
+) -> tuple[float, ...]:
+    """The velocities that a scene gives, consistent or not: what it leaves out follows from the constraints that hold with what it
+    gives, then zeros as in a consistent start.
+
+    Raises:
+        nhc.diagnostics.SpecError: what the scene gives contradicts itself, whatever the constraints say.
+        ArithmeticError or ValueError: a form has no value there.
+    """
+    bag, claims = Bag(system.spec.origin), _claims(system, scene, place, given)
+    solver = meet(bag, scene, [claim for claim in claims if claim.entry], projecting=True)
+    bag.raise_if_errors()
+    solver.size = system.n
+    for claim in claims[: system.l]:
+        solver.add(claim.row, claim.right)  # without effect where it does not hold
+    return _with_zeros(system, place, given, solver)
+
+
+def _with_zeros(
+    system: System, place: dict[Node, float], given: dict[tuple[str, str], float], solver: RowSpace
+) -> tuple[float, ...]:
+    """What equations of velocities leave free is zero, in order."""
+    units = velocity_units(system)
     solver.size = system.n
     for row, value in _equations_at(system, place, [(form, 0.0) for form in _free_order(system, given)]):
         solver.add([a * u for a, u in zip(row, units, strict=True)], value)
@@ -58,18 +85,6 @@ def _claims(system: System, scene: Scene, place: dict[Node, float], given: dict[
             name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
             found.append(Claim(name, row, value, size, entry, said, entry.span != scene.span))
     return found
-
-
-def check_together(system: System, scene: Scene, place: dict[Node, float], given: dict[tuple[str, str], float]) -> None:
-    """Refuse velocities of a scene that contradict each other, whatever the constraints say.
-
-    Raises:
-        nhc.diagnostics.SpecError: some do.
-        ArithmeticError or ValueError: a form has no value there.
-    """
-    bag = Bag(system.spec.origin)
-    meet(bag, scene, [claim for claim in _claims(system, scene, place, given) if claim.entry], projecting=True)
-    bag.raise_if_errors()
 
 
 def _form_of(system: System, entry: Initial) -> Form:
