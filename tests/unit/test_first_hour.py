@@ -42,6 +42,7 @@ SLIPS: list[Slip] = [
     ("+ x'^2", "+ diff(θ)^2", "E0206", "write `θ'`", "+ theta'^2"),
     ("+ x'^2", "+ diff(2*x, t)^2", "E0206", "write `dot(x)`", "+ dot(2*x)^2"),
     ("l: 0.5", "l: 0,5", "E0109", "decimal numbers are written with `.`: `0.5`", "l: 0.5"),
+    ("l: 0.5", "l", "E0109", "write `l: ...` with its value, or `l: {}`", "l: 0.5"),
     ("l: 0.5", "l: 50%", "E0201", "write `50/100`", "l: 50/100"),
     ("need: [x, θ']", 'need: "x, θ"', "E0419", "write `need: [x, θ]`", "need: [x, θ]"),
     ("x': 1}", "m: 3}", "E0419", "`parameters: {m: ...}`", "x': 1}, parameters: {m: 3}"),

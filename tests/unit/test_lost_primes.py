@@ -89,6 +89,13 @@ def test_what_may_be_right_is_not_suspected(T: str) -> None:
     assert suspected(Source("free.yaml", FREE.format(T=T))) == ()
 
 
+@pytest.mark.parametrize(("argument", "fewer"), [("t", 0), ("2*t", 0), ("W*t", 1)])
+def test_time_that_is_a_number_says_nothing(argument: str, fewer: int) -> None:
+    """y = sin(t) x is right; with a rate in the angle, the missing one before the cosine is told."""
+    text = FREE.format(T="(x'^2 + y'^2)/2") + f"constraints: [\"y' = cos({argument})*x + sin({argument})*x'\"]\n"
+    assert len(suspected(Source("driven.yaml", text))) == fewer
+
+
 @pytest.mark.parametrize(
     ("T", "columns"),
     [

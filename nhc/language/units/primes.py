@@ -115,7 +115,13 @@ def _fits(spec: Spec, named: Sequence[tuple[str, Syntax]], primed: Name | None =
         _Powers(spec, named, primed)
     except _Misfit:
         return False
+    except _Unitless:
+        return True
     return True
+
+
+class _Unitless(Exception):
+    """Time is a number in this spec, as in sin(t): its powers say nothing."""
 
 
 class _Misfit(Exception):
@@ -182,6 +188,8 @@ class _Powers:
             case Prime():
                 return _Part(_product(parts[0].power, _RATE))
             case Call():
+                if node.function in _PLAIN and parts[0].power and any(_is_time(one) for one in walk(node)):
+                    self._equate_number(parts[0].power)
                 return _Part(self._call(node.function, [part.power for part in parts]))
             case Binary():
                 left, right = parts
@@ -215,6 +223,13 @@ class _Powers:
             return left.power
         return _product(left.power, right.power, Fraction(1 if op == "*" else -1))
 
+    def _equate_number(self, power: Power) -> None:
+        """Let what time is part of be a number."""
+        try:
+            self._equate(power, {})
+        except _Misfit:
+            raise _Unitless from None
+
     def _equate(self, left: Power | None, right: Power | None, strict: bool = True) -> None:
         """Let two powers be the same: an unknown in them becomes known, or they fit, or they do not."""
         if left is None or right is None:
@@ -234,6 +249,10 @@ class _Powers:
             self.found[solved] = {unknown: -factor / by for unknown, factor in gap.items()}
         elif gap and strict:
             raise _Misfit
+
+
+def _is_time(node: Syntax) -> bool:
+    return isinstance(node, Name) and node.name == TIME
 
 
 def _product(left: Power | None, right: Power | None, by: Fraction = _ONE) -> Power | None:

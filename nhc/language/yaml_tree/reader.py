@@ -20,6 +20,7 @@ _UNPRINTABLE = re.compile("[\0-\x08\x0b-\x1f\x7f-\x84\x86-\x9f]|[\ud800-\udfff]|
 _BREAK = re.compile("[\x85\u2028\u2029]")
 _ALIAS = "\0alias"  # stands for an alias, which is refused where it is read
 _NULL = ("", "~", "null", "Null", "NULL")
+_COMMAS = "write a list as `[a, b]`, and a text with commas in quotes"
 _QUOTES = "put a text that holds `: `, ` #` or commas between quotes"
 # what PyYAML says (a part of it), how it is said here (empty: the same), and what to do
 _SYNTAX = (
@@ -274,9 +275,11 @@ def _check_filled(source: Source, node: Node, place: Span, what: str, bag: Bag) 
         help = "give it a value, or remove it"
         if span == place and not after_colon:
             pair = re.fullmatch(r"([\w']+?)\s*[=:]\s*(\S.*)", source.text[place.start : place.end])
-            help = "commas separate entries here: write a list as `[a, b]`, and a text with commas in quotes"
+            help = f"commas separate entries here: {_COMMAS}"
             if pair:
                 help = f"write `{pair[1]}: {pair[2]}`"
+            elif (name := source.text[place.start : place.end]).isidentifier():
+                help = f"write `{name}: ...` with its value, or `{name}: {{}}` for a parameter without one; {_COMMAS}"
             whole = re.search(r":\s*([-+]?\d+),$", source.text[: place.start])
             if whole and re.fullmatch(r"\d+", source.text[place.start : place.end]):
                 help = f"decimal numbers are written with `.`: `{whole[1]}.{source.text[place.start : place.end]}`"
