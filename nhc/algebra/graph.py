@@ -66,7 +66,7 @@ class Graph(NodeStore):
             return self.neg(self.add(self.neg(x), self.neg(y)))
         ky = self.coefficient[y]
         if kx != 1 and (ky == kx or ky == -kx):  # k P + k Q
-            return self.scale(kx, self.add(px, py) if ky == kx else self.sub(px, py))
+            return self.mul_number(kx, self.add(px, py) if ky == kx else self.sub(px, py))
         op, a = self.op, self.a
         ux = a[x] if op[x] == NEG else x
         uy = a[y] if op[y] == NEG else y

@@ -23,12 +23,14 @@ from nhc.records import record
 class Line:
     """All that some constraints leave to the velocities in ``columns``: q' = vector omega + carried there, omega the form's value.
 
-    ``square`` is the sum of the squares of the vector, which vanishes only where those constraints lose rank.
+    ``square`` is ``dual`` times the vector, a sum of squares, which vanishes only where those constraints lose rank.
     """
 
     columns: tuple[int, ...]
     vector: tuple[Node, ...]
-    """n entries, as of ``carried``; zero in other columns."""
+    """n entries, as of ``dual`` and ``carried``; zero in other columns."""
+    dual: tuple[Node, ...]
+    """Those of the vector over squares of parameters."""
     carried: tuple[Node, ...]
     square: Node
     over: tuple[Node, ...]
@@ -36,7 +38,7 @@ class Line:
 
     def value(self, graph: Graph, velocities: Sequence[Node]) -> Node:
         """omega times ``square``, by all velocities."""
-        return graph.dot(self.vector, [graph.sub(v, u) for v, u in zip(velocities, self.carried, strict=True)])
+        return graph.dot(self.dual, [graph.sub(v, u) for v, u in zip(velocities, self.carried, strict=True)])
 
 
 class Form:

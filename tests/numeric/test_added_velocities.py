@@ -76,3 +76,33 @@ def test_a_velocity_that_nhc_added_has_its_unit(length: str, heading: str, rest:
     bare = re.sub(r"unit: [^,}]+", "about: none", text)
     (source,) = emit(Source("bare.yaml", bare), "python", Options(formulation="euler-lagrange")).values()
     assert "= v: " in source
+
+
+AXLES = """nhc: 1
+system: axles
+coordinates: {x: {unit: m}, y: {unit: m}, th: {unit: rad}, d: {unit: rad}, e: {unit: rad}}
+parameters: {m: {value: 3, unit: kg}, I: {value: 0.7, unit: kg*m^2}, a: {value: 0.5, unit: m}, b: {value: 0.6, unit: m}}
+T: m/2*(x'^2 + y'^2) + I/2*(th'^2 + d'^2 + e'^2)
+constraints:
+  - -sin(th)*x' + cos(th)*y' = 0
+  - -sin(th + d)*x' + cos(th + d)*y' + (a + b*cos(e))*cos(d)*th' = 0
+"""
+
+
+@pytest.mark.parametrize(
+    "text", [CAR.replace("XY", "m").replace("b*cos(e)", "a*cos(e)"), AXLES], ids=["parallel", "hinged"]
+)
+def test_what_is_said_of_a_velocity_adds_nothing_unlike(text: str) -> None:
+    """Lengths and rates of turn are not added, so that the form may be given to the spec: it is the same there."""
+    made = []
+    for source in (text, None):
+        if source is None:
+            header = " ".join(made[0].__doc__.split())
+            found = re.search(r"= v \[1/s\]: (.*?) (?:y\[|Parameters p:)", header)
+            assert found is not None and "..." not in found[1], header
+            source = f'{text}quasi_velocities: {{v: "{found[1]}"}}\n'
+        (python,) = emit(Source("axles.yaml", source), "python", Options(formulation="euler-lagrange")).values()
+        made.append(python_model(python, f"unlike_{len(made)}"))
+    assert [model.STATE for model in made] == [made[0].STATE] * 2
+    y = [0.3, 0.2, 0.4, 0.7, -0.5, 0.9, 1.1, -0.6]
+    assert made[0].rhs(0.0, y) == pytest.approx(made[1].rhs(0.0, y), rel=1e-12)

@@ -9,7 +9,7 @@ from math import comb
 
 import mpmath
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from nhc.algebra.calculus import derivative, gradient, tangent
@@ -41,6 +41,17 @@ X, Y, Z = (("sym", k) for k in range(3))
 
 def num(top: int, bottom: int = 1) -> Tree:
     return ("num", Fraction(top, bottom))
+
+
+@QUIET
+@given(st.lists(smooth_trees, min_size=1, max_size=5))
+@example([("-", ("*", num(4), X), ("*", num(4), ("+", X, Y)))])  # 4 (x - (x + y))
+def test_numbers_stand_in_front(trees: list[Tree]) -> None:
+    """What is left of a node without its number has none."""
+    g = Graph()
+    for tree in trees:
+        build(g, tree)
+    assert all(g.core[core] == core and g.coefficient[core] == 1 for core in g.core if core != g.zero)
 
 
 def values_at(g: Graph, point: Sequence[object]) -> dict[Node, object]:

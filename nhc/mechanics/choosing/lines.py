@@ -9,13 +9,13 @@ What rolls on something that moves has velocities u of that as well: q' = n v + 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import islice, product
 
 from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.exact.modular import are_zero
-from nhc.algebra.graph import ADD, Graph, Node
-from nhc.algebra.parts import split_powers
+from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
+from nhc.algebra.parts import list_terms, split_powers
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.frame import added_forms, closed_rows, form_value
@@ -24,6 +24,7 @@ from nhc.mechanics.system import Form, Line, System
 
 _LIMIT = 200  # terms of a square
 _MOST_TRIALS = 16
+_OF_UNITS = (ADD, MUL, NEG, POW, "sqrt", "abs", "min", "max")  # whose values are no mere numbers
 
 
 def along_lines(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
@@ -42,17 +43,76 @@ def _along_line(system: System, form: Form) -> Form | None:
         return None
     over = _in_front(system, vector, closed)
     vector = tuple(g.div(x, g.product(over)) for x in vector)
-    plain = g.sum([g.power(x, 2) for x in vector])
-    square = min(normalise_angles(g, plain, _LIMIT), plain, key=lambda node: count(g, [node]))
     if not all(are_zero(g, [g.dot(row.coefficients, vector) for row in rows])):
         return None
     carried = _carrying(system, rows, columns)
-    if carried is None or (g.value(square) is not None and not _is_uniform(system, carried)):
+    if carried is None or (g.value(_square(g, vector, vector)) is not None and not _is_uniform(system, carried)):
         return None
-    coefficients = tuple(g.div(x, square) for x in vector)
-    constant = g.neg(g.div(g.dot(vector, carried), square))
-    line = Line(columns, vector, carried, square, over)
+    dual, square = _measure(system, vector)
+    coefficients = tuple(g.div(x, square) for x in dual)
+    constant = g.neg(g.div(g.dot(dual, carried), square))
+    line = Line(columns, vector, dual, carried, square, over)
     return Form(form.name, coefficients, constant, form.place, value=g.div(line.value(g, system.v), square), line=line)
+
+
+def _measure(system: System, vector: tuple[Node, ...]) -> tuple[tuple[Node, ...], Node]:
+    """What the vector is multiplied with, and their product: itself, or each entry over the square of its own parameters.
+
+    Of (L cos d, sin d), a velocity and a rate of turn, the sum of squares would depend on the unit of L; times (cos d / L, sin d)
+    it is 1.  Where entries are positions, as of (x, a), it is left to these to have one unit.
+    """
+    g = system.graph
+    plain = vector, _square(g, vector, vector)
+    entries = [x for x in vector if x != g.zero]
+    units = {x: _parameters_of(system, x) for x in entries}
+    first = next((powers for powers in units.values() if powers), {})
+    if any(_holds_positions(system, x) for x in entries) or all(powers == first for powers in units.values()):
+        return plain
+    ways = [] if not all(units.values()) else [plain]  # unlike things are not added
+    for times in ({}, first):
+        dual = tuple(_rescale(g, x, units[x], times) if x != g.zero else x for x in vector)
+        ways.append((dual, _square(g, dual, vector)))
+    return min(ways, key=lambda way: count(g, [*way[0], way[1]]))
+
+
+def _rescale(graph: Graph, node: Node, over: Mapping[Node, int], times: Mapping[Node, int]) -> Node:
+    """A node over the square of a product of powers and times that of another; powers that stand in it are taken from these."""
+    number, own = split_powers(graph, node)
+    for sign, powers in ((-2, over), (2, times)):
+        for base, n in powers.items():
+            own[base] = own.get(base, 0) + sign * n
+    return graph.mul(graph.number(number), graph.product([graph.power(base, n) for base, n in own.items() if n]))
+
+
+def _square(graph: Graph, dual: Sequence[Node], vector: Sequence[Node]) -> Node:
+    plain = graph.dot(dual, vector)
+    return min(normalise_angles(graph, plain, _LIMIT), plain, key=lambda node: count(graph, [node]))
+
+
+def _holds_positions(system: System, node: Node) -> bool:
+    """Whether anything but parameters stands outside of functions, whose values are numbers."""
+    g, stack, still = system.graph, [node], system.graph.mask(system.p)
+    while stack:
+        top = stack.pop()
+        if g.op[top] in _OF_UNITS:
+            stack += g.kids[top]
+        elif g.op[top] == SYM and g.deps[top] & ~still:
+            return True
+    return False
+
+
+def _parameters_of(system: System, node: Node) -> dict[Node, int]:
+    """The powers of parameters, zero in no scene, in front of the first term of sums, whose other terms have its unit."""
+    g, known = system.graph, intervals(system)
+    found, stack = dict[Node, int](), [(node, 1)]
+    while stack:
+        top, times = stack.pop()
+        for base, n in split_powers(g, list_terms(g, top)[0])[1].items():
+            if g.op[base] == ADD:
+                stack.append((base, n * times))
+            elif base in system.p and cannot_vanish(g, base, known):
+                found[base] = found.get(base, 0) + n * times
+    return {p: n for p, n in found.items() if n}
 
 
 def _is_uniform(system: System, carried: Sequence[Node]) -> bool:

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:85fac42474d7fd29)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:67f122a455113d9c)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, psi', p_b', p_f': the dependent velocities of the spec (x', y') are
@@ -499,13 +499,13 @@ int snakeboard_state(double t, const double *q, const double *qdot, const double
     const double p_f = q[5]; /* front axle, relative to the board [rad] */
 
     /* sines and cosines */
-    const double z5 = theta + p_b;
+    const double z1 = theta + p_b;
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
-    const double c1 = cos(z5);
-    const double s1 = sin(z5);
+    const double c1 = cos(z1);
+    const double s1 = sin(z1);
 
     /* what else is read */
     const double x = q[0]; /* centre of the board [m] */
@@ -520,28 +520,24 @@ int snakeboard_state(double t, const double *q, const double *qdot, const double
     const double l = p[1]; /* from the centre to an axle [m] */
 
     /* from the parameters alone */
-    const double k1 = l * l;
-    const double k2 = 1.0 - k1;
+    const double k1 = 1.0 / l;
 
     /* from the coordinates and velocities */
-    const double z1 = s_p_f * s_p_f;
-    const double z2 = 2.0 * z1;
-    const double z3 = c_p_b * s_p_f;
-    const double z4 = z1 + k1 * (4.0 - 3.0 * z1) + s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (k2
-        * (c_p_f * z3)));
-    const double z6 = c1 * c_p_f;
-    const double z7 = z6 - s1 * s_p_f;
-    const double z8 = s1 * c_p_f;
-    const double z9 = z8 + c1 * s_p_f;
-    const double z10 = x_dot * (z6 + c_p_b * (c_p_b * z7 + s_p_b * z9)) + y_dot * (z8 + c_p_b * (c_p_b * z9 -
-        s_p_b * z7));
+    const double z2 = c1 * c_p_f;
+    const double z3 = z2 - s1 * s_p_f;
+    const double z4 = s1 * c_p_f;
+    const double z5 = z4 + c1 * s_p_f;
+    const double z6 = x_dot * (k1 * (z2 + c_p_b * (c_p_b * z3 + s_p_b * z5))) + y_dot * (k1 * (z4 + c_p_b *
+        (c_p_b * z5 - s_p_b * z3)));
+    const double z7 = (theta_dot * (c_p_b * s_p_f - c_p_f * s_p_b) + z6) / (s_p_f * s_p_f - (2.0 - s_p_b *
+        s_p_b));
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
     y[3] = psi;
     y[4] = p_b;
     y[5] = p_f;
-    y[6] = (theta_dot * (z3 - c_p_f * s_p_b) + l * z10) / z4;
+    y[6] = -0.5 * z7;
     y[7] = psi_dot;
     y[8] = p_b_dot;
     y[9] = p_f_dot;
@@ -599,16 +595,16 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double nu = p[7]; /* frequency of the torques [rad/s] */
 
     /* sines and cosines */
-    const double z6 = theta + p_b;
-    const double z18 = t * nu;
-    const double s_p_b = sin(p_b);
+    const double z3 = theta + p_b;
+    const double z17 = t * nu;
     const double c_p_b = cos(p_b);
+    const double s_p_b = sin(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
-    const double c1 = cos(z6);
-    const double s1 = sin(z6);
-    const double s2 = sin(z18);
-    const double c2 = cos(z18);
+    const double c1 = cos(z3);
+    const double s1 = sin(z3);
+    const double s2 = sin(z17);
+    const double c2 = cos(z17);
 
     /* what else is read */
     const double v = y[6]; /* [1/s] */
@@ -623,63 +619,61 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
     /* from the parameters alone */
-    const double k1 = l * l;
-    const double k2 = 1.0 - k1;
-    const double k3 = m * k1;
-    const double k4 = fabs(l);
-    const double k5 = J + J_w;
+    const double k1 = 1.0 / l;
+    const double k2 = m * l * l;
+    const double k3 = fabs(l);
+    const double k4 = J + J_w;
 
     /* from the state */
-    const double z1 = s_p_f * s_p_f;
-    const double z2 = 2.0 * z1;
-    const double z3 = c_p_b * c_p_f;
-    const double z4 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * z3 * k2)) + (z1 + k1 *
-        (4.0 - 3.0 * z1));
-    const double z5 = c_p_b * s_p_f - c_p_f * s_p_b;
-    const double z7 = c1 * c_p_f;
-    const double z8 = z7 - s1 * s_p_f;
-    const double z9 = s1 * c_p_f;
-    const double z10 = z9 + c1 * s_p_f;
-    const double z11 = c_p_b * z8 + s_p_b * z10;
-    const double z12 = z7 + c_p_b * z11;
-    const double z13 = c_p_b * z10 - s_p_b * z8;
-    const double z14 = z9 + c_p_b * z13;
-    const double z15 = J * (z5 * z5) + k3 * (z12 * z12 + z14 * z14);
-    const double z16 = l * z14;
-    const double z17 = 1.0 / z4;
-    const double z19 = tau * s2;
-    const double z20 = p_b_dot * s_p_b;
+    const double z1 = c_p_b * s_p_f - c_p_f * s_p_b;
+    const double z2 = z1 * z1;
+    const double z4 = c1 * c_p_f;
+    const double z5 = z4 - s1 * s_p_f;
+    const double z6 = s1 * c_p_f;
+    const double z7 = z6 + c1 * s_p_f;
+    const double z8 = c_p_b * z5 + s_p_b * z7;
+    const double z9 = z4 + c_p_b * z8;
+    const double z10 = l * z9;
+    const double z11 = c_p_b * z7 - s_p_b * z5;
+    const double z12 = z6 + c_p_b * z11;
+    const double z13 = l * z12;
+    const double z14 = J * z2 + k2 * (z9 * z9 + z12 * z12);
+    const double z15 = k1 * z12;
+    const double z16 = 1.0 / (s_p_f * s_p_f - (2.0 - s_p_b * s_p_b));
+    const double z18 = tau * s2;
+    const double z19 = p_b_dot * s_p_b;
+    const double z20 = c_p_b * c_p_f;
     const double z21 = p_f_dot * s_p_f;
-    const double z22 = v * (s_p_f * z20 - p_f_dot * z3 - (s_p_b * z21 - p_b_dot * z3));
+    const double z22 = v * (s_p_f * z19 - p_f_dot * z20 - (s_p_b * z21 - p_b_dot * z20));
     const double z23 = J_r * z22;
     const double z24 = sigma * c2;
     const double z25 = J_w * z22;
     const double z26 = l * v;
-    const double z27 = z5 * v;
+    const double z27 = z1 * v;
     const double z28 = p_b_dot + z27;
     const double z29 = c_p_b * (p_f_dot + z27);
-    const double z30 = z26 * (s1 * z21 - z7 * z28 + (z20 * z13 - z11 * z29));
-    const double z31 = z5 * (z19 + z23 - (z23 - (z24 + z25 - (z25 + (z24 - z25 + k5 * z22))))) - m * (z16 *
+    const double z30 = z26 * (s1 * z21 - z4 * z28 + (z19 * z11 - z8 * z29));
+    const double z31 = z1 * (z18 + z23 - (z23 - (z24 + z25 - (z25 + (z24 - z25 + k4 * z22))))) - m * (z13 *
         z30);
-    const double z32 = l * z12;
-    const double z33 = z26 * (c1 * z21 + z9 * z28 + (z20 * z11 + z13 * z29));
-    const double z34 = (z31 - m * (z32 * z33)) / z15;
-    const double z35 = z17 * (z19 - J * (z22 + z5 * z34));
-    const double z36 = m * z17;
-    const double z37 = (z30 + z16 * z34) * z36;
-    const double z38 = z16 * z35 + z5 * z37;
-    const double z39 = (z33 + z32 * z34) * z36;
-    const double z40 = z32 * z35 + z5 * z39;
-    const double z41 = l * (z32 * z37 - z16 * z39);
+    const double z32 = z26 * (c1 * z21 + z6 * z28 + (z19 * z8 + z11 * z29));
+    const double z33 = (z31 - m * (z10 * z32)) / z14;
+    const double z34 = z16 * (z18 - J * (z22 + z1 * z33));
+    const double z35 = m * z16;
+    const double z36 = (z30 + z13 * z33) * z35;
+    const double z37 = z15 * z34 + z1 * z36;
+    const double z38 = k1 * z9;
+    const double z39 = (z32 + z10 * z33) * z35;
+    const double z40 = z38 * z34 + z1 * z39;
+    const double z41 = l * (z38 * z36 - z15 * z39);
     /* (I.4.1) 28:5 */
-    lambda[0] = -(z13 * z38 + z11 * z40 + c_p_f * z41); /* reaction of back: Q_i gains lambda_1 a_1i */
+    lambda[0] = 0.5 * (z11 * z37 + z8 * z40 + c_p_f * z41); /* reaction of back: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 29:5 */
-    lambda[1] = s1 * z38 + c1 * z40 - c_p_b * z41; /* reaction of front: Q_i gains lambda_2 a_2i */
+    lambda[1] = (c_p_b * z41 - (s1 * z37 + c1 * z40)) * 0.5; /* reaction of front: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(J_r * J_w) > 0.0 * (lambda[0] + lambda[1])
-        && fabs(z4) > 1e-12 * (4.0 + 8.0 * (k4 * k4))
-        && fabs(z15) > 1e-13 * z15)) {
+        && fabs(z2 + (z10 * z10 + z13 * z13)) > 1e-12 * (4.0 + 8.0 * (k3 * k3))
+        && fabs(z14) > 1e-13 * z14)) {
         /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
@@ -688,13 +682,14 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the coframe is singular, if z4 is nearly 0 */
-        if (!(fabs(z4) > 1e-12 * (4.0 + 8.0 * (k4 * k4)))) {
-            return snakeboard_refuse(fabs(z4), 1e-12 * (4.0 + 8.0 * (k4 * k4)), SNAKEBOARD_SINGULAR_1);
+        /* the coframe is singular */
+        if (!(fabs(z2 + (z10 * z10 + z13 * z13)) > 1e-12 * (4.0 + 8.0 * (k3 * k3)))) {
+            return snakeboard_refuse(fabs(z2 + (z10 * z10 + z13 * z13)), 1e-12 * (4.0 + 8.0 * (k3 * k3)),
+                SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
-        if (!(fabs(z15) > 1e-13 * z15)) {
-            return snakeboard_refuse(fabs(z15), 1e-13 * z15, SNAKEBOARD_SINGULAR_2);
+        /* the mass matrix is singular, or the velocities that are kept are, if z14 is nearly 0 */
+        if (!(fabs(z14) > 1e-13 * z14)) {
+            return snakeboard_refuse(fabs(z14), 1e-13 * z14, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(2, lambda);
     }
@@ -843,8 +838,8 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z59 = z58 * z52;
     const double z60 = z1 * z43 + z17 * z53 - z13 * z59;
     const double z61 = z32 * z32 * z60;
-    const double z62 = v * (c_p_f * z34 + c_p_b * z36 - (s_p_f * z37 + s_p_b * z35));
-    const double z63 = z28 * z43 - z30 * z62;
+    const double z62 = v * (s_p_f * z37 + s_p_b * z35 - (c_p_b * z36 + c_p_f * z34));
+    const double z63 = z28 * z43 + z30 * z62;
     const double z64 = l * z53;
     const double z65 = z17 * z52;
     const double z66 = c1 * z29;
@@ -870,9 +865,9 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z83 = z30 * z29;
     const double z84 = z32 * (z83 - z25 * z79 + z21 * z80);
     const double z85 = z32 * (z83 - z27 * z79 - z23 * z80);
-    const double z86 = z62 + z60 * (z28 * z32);
-    const double z87 = z1 * z74 - z86;
-    const double z88 = z86 + z1 * z77;
+    const double z86 = z62 - z60 * (z28 * z32);
+    const double z87 = z1 * z74 + z86;
+    const double z88 = z86 - z1 * z77;
     const double z89 = z38 - z1 * z82;
     const double z90 = z29 - z1 * z84;
     const double z91 = z29 - z1 * z85;
@@ -897,24 +892,24 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     J[68] = z84;
     J[69] = -z85;
     J[74] = z87;
-    J[75] = z88;
+    J[75] = -z88;
     J[76] = z89;
     J[78] = z90;
     J[79] = -z91;
     J[84] = z87;
-    J[85] = z88;
+    J[85] = -z88;
     J[86] = z89;
     J[88] = z90;
     J[89] = -z91;
     J[94] = z87;
-    J[95] = z88;
+    J[95] = -z88;
     J[96] = z89;
     J[98] = z90;
     J[99] = -z91;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
-    if (!(fabs(J_r * J_w) > 0.0 * (J[2] + J[4] + J[12] + J[14] + J[64] + J[65] + J[66] + J[68] + J[74] +
-        J[75] + J[76] + J[78] + J[99])
+    if (!(fabs(J_r * J_w) > 0.0 * (J[2] + J[4] + J[12] + J[14] + J[64] + J[66] + J[68] + J[74] + J[76] +
+        J[78] + J[95] + J[99])
         && fabs(z2 + (z13 * z13 + z17 * z17)) > 1e-12 * (4.0 + 8.0 * (k2 * k2))
         && fabs(z18) > 1e-13 * z18)) {
         /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */

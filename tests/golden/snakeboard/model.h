@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:8e4c65db1ac63cc7)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:8fa4da1cf8745c65)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, psi', p_b', p_f': the dependent velocities of the spec (x', y') are
@@ -39,9 +39,9 @@
  * rhs: 33 +-, 55 *, 3 /, 9 calls
  * velocities: 11 +-, 22 *, 0 /, 7 calls
  * accelerations: 41 +-, 63 *, 3 /, 9 calls
- * state: 18 +-, 27 *, 1 /, 6 calls
+ * state: 12 +-, 20 *, 2 /, 6 calls
  * residuals: 9 +-, 15 *, 0 /, 6 calls
- * reactions: 52 +-, 86 *, 2 /, 9 calls
+ * reactions: 48 +-, 84 *, 3 /, 9 calls
  * energy: 16 +-, 27 *, 0 /, 6 calls
  * jacobian: 94 +-, 155 *, 1 /, 9 calls
  * outputs: 10 +-, 25 *, 0 /, 7 calls

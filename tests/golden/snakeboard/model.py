@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:5e48500599014154).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:4daa267a2694e11f).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -42,9 +42,9 @@ Operations of one call (+-: sums and differences; calls: sin, cos, ...):
 rhs: 33 +-, 55 *, 3 /, 9 calls
 velocities: 11 +-, 22 *, 0 /, 7 calls
 accelerations: 41 +-, 63 *, 3 /, 9 calls
-state: 18 +-, 27 *, 1 /, 6 calls
+state: 12 +-, 20 *, 2 /, 6 calls
 residuals: 9 +-, 15 *, 0 /, 6 calls
-reactions: 52 +-, 86 *, 2 /, 9 calls
+reactions: 48 +-, 84 *, 3 /, 9 calls
 energy: 16 +-, 27 *, 0 /, 6 calls
 jacobian: 94 +-, 155 *, 1 /, 9 calls
 outputs: 10 +-, 25 *, 0 /, 7 calls
@@ -430,28 +430,23 @@ def state(
     l = float(p[1])  # from the centre to an axle [m]
     try:
         # from the parameters alone
-        k1 = l * l
-        k2 = 1.0 - k1
+        k1 = 1.0 / l
         # from the coordinates and velocities
         s_p_f = math.sin(p_f)
-        z1 = s_p_f * s_p_f
         s_p_b = math.sin(p_b)
-        z2 = 2.0 * z1
-        c_p_f = math.cos(p_f)
         c_p_b = math.cos(p_b)
-        z3 = c_p_b * s_p_f
-        s2 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
-        s3 = s_p_b * (s2 - 2.0 * (k2 * (c_p_f * z3)))
-        z4 = z1 + k1 * (4.0 - 3.0 * z1) + s3
-        z5 = theta + p_b
-        c1 = math.cos(z5)
-        z6 = c1 * c_p_f
-        s1 = math.sin(z5)
-        z7 = z6 - s1 * s_p_f
-        z8 = s1 * c_p_f
-        z9 = z8 + c1 * s_p_f
-        s4 = x_dot * (z6 + c_p_b * (c_p_b * z7 + s_p_b * z9))
-        z10 = s4 + y_dot * (z8 + c_p_b * (c_p_b * z9 - s_p_b * z7))
+        c_p_f = math.cos(p_f)
+        z1 = theta + p_b
+        c1 = math.cos(z1)
+        z2 = c1 * c_p_f
+        s1 = math.sin(z1)
+        z3 = z2 - s1 * s_p_f
+        z4 = s1 * c_p_f
+        z5 = z4 + c1 * s_p_f
+        s2 = x_dot * (k1 * (z2 + c_p_b * (c_p_b * z3 + s_p_b * z5)))
+        z6 = s2 + y_dot * (k1 * (z4 + c_p_b * (c_p_b * z5 - s_p_b * z3)))
+        s3 = theta_dot * (c_p_b * s_p_f - c_p_f * s_p_b) + z6
+        z7 = s3 / (s_p_f * s_p_f - (2.0 - s_p_b * s_p_b))
         y: list[float] = [
             x,
             y_2,
@@ -459,7 +454,7 @@ def state(
             psi,
             p_b,
             p_f,
-            (theta_dot * (z3 - c_p_f * s_p_b) + l * z10) / z4,
+            -0.5 * z7,
             psi_dot,
             p_b_dot,
             p_f_dot,
@@ -546,78 +541,77 @@ def reactions(
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "reactions")
         # from the parameters alone
-        k1 = l * l
-        k2 = 1.0 - k1
-        k3 = m * k1
-        k4 = abs(l)
-        k5 = J + J_w
+        k1 = 1.0 / l
+        k2 = m * l * l
+        k3 = abs(l)
+        k4 = J + J_w
         # from the state
-        s_p_b = math.sin(p_b)
-        s_p_f = math.sin(p_f)
-        z1 = s_p_f * s_p_f
-        z2 = 2.0 * z1
         c_p_b = math.cos(p_b)
+        s_p_f = math.sin(p_f)
         c_p_f = math.cos(p_f)
-        z3 = c_p_b * c_p_f
-        s3 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
-        s4 = s_p_b * (s3 - 2.0 * (s_p_f * z3 * k2))
-        z4 = s4 + (z1 + k1 * (4.0 - 3.0 * z1))
-        s5 = 4.0 + 8.0 * (k4 * k4)
-        # the coframe is singular, if z4 is nearly 0
-        if not abs(z4) > 1e-12 * s5:
-            raise _refuse(abs(z4), 1e-12 * s5, 1, "reactions")
-        z5 = c_p_b * s_p_f - c_p_f * s_p_b
-        z6 = theta + p_b
-        c1 = math.cos(z6)
-        z7 = c1 * c_p_f
-        s1 = math.sin(z6)
-        z8 = z7 - s1 * s_p_f
-        z9 = s1 * c_p_f
-        z10 = z9 + c1 * s_p_f
-        z11 = c_p_b * z8 + s_p_b * z10
-        z12 = z7 + c_p_b * z11
-        z13 = c_p_b * z10 - s_p_b * z8
-        z14 = z9 + c_p_b * z13
-        z15 = J * (z5 * z5) + k3 * (z12 * z12 + z14 * z14)
-        # the mass matrix is singular, or the velocities that are kept are, if z15 is
+        s_p_b = math.sin(p_b)
+        z1 = c_p_b * s_p_f - c_p_f * s_p_b
+        z2 = z1 * z1
+        z3 = theta + p_b
+        c1 = math.cos(z3)
+        z4 = c1 * c_p_f
+        s1 = math.sin(z3)
+        z5 = z4 - s1 * s_p_f
+        z6 = s1 * c_p_f
+        z7 = z6 + c1 * s_p_f
+        z8 = c_p_b * z5 + s_p_b * z7
+        z9 = z4 + c_p_b * z8
+        z10 = l * z9
+        z11 = c_p_b * z7 - s_p_b * z5
+        z12 = z6 + c_p_b * z11
+        z13 = l * z12
+        s3 = z10 * z10
+        s4 = z2 + (s3 + z13 * z13)
+        s5 = 4.0 + 8.0 * (k3 * k3)
+        # the coframe is singular, if s4 is nearly 0
+        if not abs(s4) > 1e-12 * s5:
+            raise _refuse(abs(s4), 1e-12 * s5, 1, "reactions")
+        z14 = J * z2 + k2 * (z9 * z9 + z12 * z12)
+        # the mass matrix is singular, or the velocities that are kept are, if z14 is
         # nearly 0
-        if not abs(z15) > 1e-13 * z15:
-            raise _refuse(abs(z15), 1e-13 * z15, 2, "reactions")
-        z16 = l * z14
-        z17 = 1.0 / z4
-        z18 = t_ * nu
-        s2 = math.sin(z18)
-        z19 = tau * s2
-        z20 = p_b_dot * s_p_b
+        if not abs(z14) > 1e-13 * z14:
+            raise _refuse(abs(z14), 1e-13 * z14, 2, "reactions")
+        z15 = k1 * z12
+        z16 = 1.0 / (s_p_f * s_p_f - (2.0 - s_p_b * s_p_b))
+        z17 = t_ * nu
+        s2 = math.sin(z17)
+        z18 = tau * s2
+        z19 = p_b_dot * s_p_b
+        z20 = c_p_b * c_p_f
         z21 = p_f_dot * s_p_f
-        s6 = s_p_f * z20 - p_f_dot * z3 - (s_p_b * z21 - p_b_dot * z3)
+        s6 = s_p_f * z19 - p_f_dot * z20 - (s_p_b * z21 - p_b_dot * z20)
         z22 = v * s6
         z23 = J_r * z22
-        c2 = math.cos(z18)
+        c2 = math.cos(z17)
         z24 = sigma * c2
         z25 = J_w * z22
         z26 = l * v
-        z27 = z5 * v
+        z27 = z1 * v
         z28 = p_b_dot + z27
         z29 = c_p_b * (p_f_dot + z27)
-        z30 = z26 * (s1 * z21 - z7 * z28 + (z20 * z13 - z11 * z29))
-        s7 = z23 - (z24 + z25 - (z25 + (z24 - z25 + k5 * z22)))
-        z31 = z5 * (z19 + z23 - s7) - m * (z16 * z30)
-        z32 = l * z12
-        z33 = z26 * (c1 * z21 + z9 * z28 + (z20 * z11 + z13 * z29))
-        z34 = (z31 - m * (z32 * z33)) / z15
-        z35 = z17 * (z19 - J * (z22 + z5 * z34))
-        z36 = m * z17
-        z37 = (z30 + z16 * z34) * z36
-        z38 = z16 * z35 + z5 * z37
-        z39 = (z33 + z32 * z34) * z36
-        z40 = z32 * z35 + z5 * z39
-        z41 = l * (z32 * z37 - z16 * z39)
+        z30 = z26 * (s1 * z21 - z4 * z28 + (z19 * z11 - z8 * z29))
+        s7 = z23 - (z24 + z25 - (z25 + (z24 - z25 + k4 * z22)))
+        z31 = z1 * (z18 + z23 - s7) - m * (z13 * z30)
+        z32 = z26 * (c1 * z21 + z6 * z28 + (z19 * z8 + z11 * z29))
+        z33 = (z31 - m * (z10 * z32)) / z14
+        z34 = z16 * (z18 - J * (z22 + z1 * z33))
+        z35 = m * z16
+        z36 = (z30 + z13 * z33) * z35
+        z37 = z15 * z34 + z1 * z36
+        z38 = k1 * z9
+        z39 = (z32 + z10 * z33) * z35
+        z40 = z38 * z34 + z1 * z39
+        z41 = l * (z38 * z36 - z15 * z39)
         lambda_: list[float] = [
             # reaction of back: Q_i gains lambda_1 a_1i (I.4.1) 28:5
-            -(z13 * z38 + z11 * z40 + c_p_f * z41),
+            0.5 * (z11 * z37 + z8 * z40 + c_p_f * z41),
             # reaction of front: Q_i gains lambda_2 a_2i (I.4.1) 29:5
-            s1 * z38 + c1 * z40 - c_p_b * z41,
+            (c_p_b * z41 - (s1 * z37 + c1 * z40)) * 0.5,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -787,8 +781,8 @@ def jacobian(
         z59 = z58 * z52
         z60 = z1 * z43 + z17 * z53 - z13 * z59
         z61 = z32 * z32 * z60
-        z62 = v * (c_p_f * z34 + c_p_b * z36 - (s_p_f * z37 + s_p_b * z35))
-        z63 = z28 * z43 - z30 * z62
+        z62 = v * (s_p_f * z37 + s_p_b * z35 - (c_p_b * z36 + c_p_f * z34))
+        z63 = z28 * z43 + z30 * z62
         z64 = l * z53
         z65 = z17 * z52
         z66 = c1 * z29
@@ -818,9 +812,9 @@ def jacobian(
         z83 = z30 * z29
         z84 = z32 * (z83 - z25 * z79 + z21 * z80)
         z85 = z32 * (z83 - z27 * z79 - z23 * z80)
-        z86 = z62 + z60 * (z28 * z32)
-        z87 = z1 * z74 - z86
-        z88 = z86 + z1 * z77
+        z86 = z62 - z60 * (z28 * z32)
+        z87 = z1 * z74 + z86
+        z88 = z86 - z1 * z77
         z89 = z38 - z1 * z82
         z90 = z29 - z1 * z84
         z91 = z29 - z1 * z85
@@ -921,7 +915,7 @@ def jacobian(
             # (I.2.15)
             z87,
             # (I.2.15)
-            z88,
+            -z88,
             # (I.2.15)
             z89,
             0.0,
@@ -936,7 +930,7 @@ def jacobian(
             # (I.2.15)
             z87,
             # (I.2.15)
-            z88,
+            -z88,
             # (I.2.15)
             z89,
             0.0,
@@ -951,7 +945,7 @@ def jacobian(
             # (I.2.15)
             z87,
             # (I.2.15)
-            z88,
+            -z88,
             # (I.2.15)
             z89,
             0.0,
