@@ -94,6 +94,7 @@ def test_text_of_the_user_is_escaped() -> None:
     )
     assert escape("10⁻³") == "10$^{-}$$^{3}$"
     assert escape("\u202eevil") == "evil"
+    assert escape("Чаплыгин, Я ь €") == r"\v{C}aplygin, \^{A} ' \texteuro{}"
     assert escape("雪") == r"\textless{}U+96EA\textgreater{}"
     assert spell_unit("kg*m^2/s^2") == r"kg\,m$^{2}$/s$^{2}$"
 

@@ -112,6 +112,7 @@ def test_a_capital_of_two_alphabets_is_taken() -> None:
 
 def test_greek_with_accents_keeps_them_in_the_list() -> None:
     assert escape_exactly("ά") == r"\textless{}U+03AC\textgreater{}"
+    assert escape_exactly("с") == r"\textless{}U+0441\textgreater{}"
     assert escape_exactly("x_ø") == r"x\_\o{}"
 
 
@@ -138,7 +139,7 @@ def test_a_line_of_a_product_ends_between_factors_where_there_is_no_other_place(
 def test_long_words_in_texts_may_be_broken() -> None:
     text = escape_breakable("see " + "x" * 60)
     assert text.replace(r"\allowbreak{}", "") == "see " + "x" * 60 and text.count(r"\allowbreak{}") == 5
-    assert count_shown("жx") == 9
+    assert count_shown("雪x") == 9
 
 
 if LATEX is not None:

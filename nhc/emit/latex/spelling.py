@@ -29,7 +29,7 @@ _SYMBOLS = {
     '"': r"\textquotedbl{}", "`": r"\textasciigrave{}",
 }  # fmt: skip
 _LETTERS = {"\u00df": r"\ss{}", "\u00f8": r"\o{}", "\u00d8": r"\O{}", "\u0142": r"\l{}", "\u0141": r"\L{}",
-            "\u00e6": r"\ae{}", "\u00c6": r"\AE{}", "\u0131": r"\i{}",
+            "\u00e6": r"\ae{}", "\u00c6": r"\AE{}", "\u0131": r"\i{}", "\u20ac": r"\texteuro{}",
             "\u2013": r"\textendash{}", "\u2014": r"\textemdash{}", "\u2018": r"\textquoteleft{}",
             "\u2019": r"\textquoteright{}", "\u201c": r"\textquotedblleft{}", "\u201d": r"\textquotedblright{}"}  # fmt: skip
 _MATH = {"\u00b5": r"\mu", "\u00b1": r"\pm", "\u00d7": r"\times", "\u00b7": r"\cdot", "\u22c5": r"\cdot", "\u2264": r"\leq",
@@ -38,6 +38,11 @@ _MATH = {"\u00b5": r"\mu", "\u00b1": r"\pm", "\u00d7": r"\times", "\u00b7": r"\c
 _ACCENTS = {"\u0300": r"\`", "\u0301": r"\'", "\u0302": r"\^", "\u0303": r"\~", "\u0304": r"\=", "\u0306": r"\u",
             "\u0307": r"\.", "\u0308": r'\"', "\u030a": r"\r", "\u030b": r"\H", "\u030c": r"\v", "\u0327": r"\c",
             "\u0328": r"\k"}  # fmt: skip
+
+# ISO 9:1995, by one letter each
+_CYRILLIC = dict(zip("абвгдеёжзийклмнопрстуфхцчшщыэюяіїє", "abvgdeëžzijklmnoprstufhcčšŝyèûâìïê", strict=True))
+_CYRILLIC |= {letter.upper(): latin.upper() for letter, latin in _CYRILLIC.items()}
+_CYRILLIC |= {"ь": "'", "Ь": "'", "ъ": "''", "Ъ": "''"}
 
 
 def spell_base(name: str) -> tuple[str, tuple[str, ...]]:
@@ -85,7 +90,7 @@ def spell_part(part: str) -> str:
 
 
 def escape(text: str) -> str:
-    """The user's text as LaTeX text; characters that the fonts do not have are named by their code."""
+    """The user's text as LaTeX text; Cyrillic letters as Latin ones, and what else the fonts do not have by its code."""
     return escape_part(clean(text))
 
 
@@ -158,6 +163,8 @@ def _escape_character(character: str) -> str:
     if greek:
         word = greek[2].lower() if greek[1] == "SMALL" else greek[2].capitalize()
         return f"${spell_word('lambda' if word == 'lamda' else 'Lambda' if word == 'Lamda' else word)}$"
+    if character in _CYRILLIC:
+        return "".join(map(_escape_character, _CYRILLIC[character]))
     base, *marks = tuple(unicodedata.normalize("NFD", character))
     if base.isascii() and len(marks) == 1 and marks[0] in _ACCENTS:
         return f"{_ACCENTS[marks[0]]}{{{base}}}"
@@ -175,8 +182,9 @@ def _compatible(character: str) -> str:
 
 
 def escape_exactly(name: str) -> str:
-    """A name whose letters all remain themselves: Greek letters with accents, which lose them elsewhere, by their codes."""
-    return "".join(_code(c) if unicodedata.name(c, "").startswith("GREEK") else _escape_character(c) for c in name)
+    """A name whose letters all remain themselves: Greek letters, which lose accents elsewhere, and Cyrillic ones by their codes."""
+    changed = ("GREEK", "CYRILLIC")
+    return "".join(_code(c) if unicodedata.name(c, "").startswith(changed) else _escape_character(c) for c in name)
 
 
 def _code(character: str) -> str:
