@@ -117,6 +117,18 @@ def test_what_begins_at_zero_leaves_it(expression: str, compiled: bool) -> None:
 
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), METHODS)
+def test_what_begins_at_zero_but_for_rounding_leaves_it(method: str, step: float, compiled: bool) -> None:
+    """3 * 0.6 is a last digit below 1.8, and x grows at first: the event is where it comes back."""
+    assert 3 * 0.6 < 1.8
+    text = TEXT.replace("initial: {x: 1, y': 1}", "initial: {x: 0.6, x': 0.5}")
+    job = open_scene(Source("circle.yaml", text), until="3*x - 1.8", method=method)
+    found = run(job, Settings(method, 1e-9, step, 11, compiled))
+    assert found.ended == "event"
+    assert found.times[-1] == pytest.approx(2 * math.atan2(0.5, 0.6), abs=1e-7)
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("method", "step"), METHODS)
 def test_a_pole_where_two_steps_meet_is_none(method: str, step: float, compiled: bool) -> None:
     """This tangent has its pole beside t = 1, a step's end of rk4, and its zero at 1 + pi/2."""
     found = until("tan(t - 1 + 1.5707963267948966)", method, step, compiled)

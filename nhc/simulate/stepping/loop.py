@@ -31,6 +31,7 @@ from nhc.simulate.stepping.watching import (
     keep_signs,
     may_dip,
     may_touch,
+    watch_start,
 )
 from nhc.simulate.task import (
     CROSSED,
@@ -103,7 +104,7 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
     run.stop, run.bound = next_bound(task, step.t, 0)
     try:
         step.slope = step.rhs(step.t, step.y)
-        run.before = model.watch(step.t, step.y, task.p)
+        run.before = watch_start(model, step, model.events)
         foresee(step, task)
         run.growth = limit_growth(method)
         run.former = 1.0  # no error came before

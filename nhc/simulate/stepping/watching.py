@@ -38,6 +38,26 @@ class Watching(Protocol):
     def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
 
 
+def watch_start(model: Watching, s: Step, events: int) -> list[float]:
+    """The watched values at the start.  A run that starts at the zero of an event leaves it: what rounding of the state would
+    change it by is no more than a zero.
+    """
+    before = model.watch(s.t, s.y, s.p)
+    changes = [0.0] * events
+    for k in range(len(s.y) + 1 if events else 0):
+        y, t = list(s.y), s.t
+        if k < len(y):
+            y[k] *= 1.0 + 4.0 * _EPSILON
+        else:
+            t *= 1.0 + 4.0 * _EPSILON
+        try:
+            at = model.watch(t, y, s.p)
+        except ArithmeticError:
+            continue
+        changes = [change + abs(a - b) for change, a, b in zip(changes, at, before, strict=False)]
+    return [0.0 if abs(b) <= change else b for b, change in zip(before, changes, strict=False)] + before[events:]
+
+
 def approaches(before: Sequence[float], after: Sequence[float], frames: tuple[int, int]) -> bool:
     """Whether a step leads more than half of the way to a place where a coframe is singular.
 
