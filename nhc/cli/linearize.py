@@ -130,6 +130,7 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
             {"value": c.value, "kind": c.kind, "frequency": c.frequency, "error": c.error, "up": c.unstable_above}
             for c in found.swept.crossings
         ]
+        tree["unlocated"] = [{"low": low, "high": high} for low, high in found.swept.unlocated]
     return tree
 
 
@@ -223,9 +224,10 @@ def _notes(found: Findings, formulation: str) -> list[str]:
         )
     lost = "; ".join(found.lost)
     if found.absent:
-        are = "is 0, and is" if len(found.absent) == 1 else "are 0, and are"
+        one = len(found.absent) == 1
+        are = "is 0, and is" if one else "are 0, and are"
         notes.append(
-            f"steady for these values of the parameters alone: {quote(found.absent)} {are} left out of the equations"
+            f"{quote(found.absent)} {are} left out of the equations: more is steady for {'this value' if one else 'these values'}"
         )
     if found.halted:
         notes.append(f"not the motion asked about: {lost}; `--hold` keeps such a velocity")
@@ -262,4 +264,8 @@ def _sweep_lines(name: str, swept: Sweep) -> list[str]:
         period = f", frequency {c.frequency:.10g}" if c.frequency else ""
         side = "above" if c.unstable_above else "below"
         lines.append(f"  {name} = {c.value:.13g}: {c.kind}{period}; more of them grow {side}")
-    return lines if swept.crossings else [*lines, "  none"]
+    lines += [
+        f"  between {low:.10g} and {high:.10g}: another number of eigenvalues grows; sweep there more finely"
+        for low, high in swept.unlocated
+    ]
+    return lines if swept.crossings or swept.unlocated else [*lines, "  none"]

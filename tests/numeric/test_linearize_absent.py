@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from nhc.cli import main
 from nhc.diagnostics import Source
 from nhc.pipeline import Options, linearize
+from nhc.study.linearization import sweep as sweep_module
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.linearization.motion import Findings, Request
@@ -68,7 +70,7 @@ def test_it_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     )
     assert main(["linearize", str(spec), "--about", "v=2"]) == 0
     out = capsys.readouterr().out
-    assert "steady for these values of the parameters alone: `spring` is 0, and is left out of the equations" in out
+    assert "`spring` is 0, and is left out of the equations: more is steady for this value" in out
 
 
 def test_stability_has_the_same_motion(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -78,3 +80,56 @@ def test_stability_has_the_same_motion(tmp_path: Path, capsys: pytest.CaptureFix
     assert main(["stability", str(spec)]) == 0
     out = capsys.readouterr().out.split("eigenvalues along")[0]
     assert "v = 2" in out and "left out" in out and "spring, slope" in out
+
+
+COIN = """nhc: 1
+system: coin
+coordinates: [x, y, yaw, lean, roll]
+parameters: {m: 1, a: 0.5, A: 0.0625, C: 0.125, g: 9.81, alpha: ALPHA}
+bodies:
+  frame: {at: [x, y, a*cos(lean)], turns: [z: yaw, x: lean]}
+  coin: {parent: frame, turns: [y: roll], mass: m, inertia: [A, C, A]}
+points: {P: {parent: frame, of: coin, at: [0, 0, -a]}}
+gravity: [g*sin(alpha), 0, -g*cos(alpha)]
+constraints: [P_vx = 0, P_vy = 0]
+"""
+
+
+def test_a_family_that_what_is_zero_hides_is_one() -> None:
+    """On a slope that is none a coin may head anywhere: no zero of it is left, and none hides where rolling becomes stable."""
+    request = Request("roll'=1", sweep=("roll'", 1.0, 4.0, 4))
+    found = linearize(Source("coin.yaml", COIN.replace("ALPHA", "0")), request, Options())
+    assert found.absent == ("alpha",) and found.swept is not None
+    grow = math.sqrt((1 * 9.81 * 0.5 - 0.125 * (0.125 + 0.25) / 0.0625) / (0.0625 + 0.25))
+    assert sorted(x.real for x in eigenvalues(found.linearisation)) == pytest.approx([-grow, grow], rel=1e-9)
+    (crossing,) = found.swept.crossings
+    assert crossing.value == pytest.approx(math.sqrt(0.0625 * 9.81 * 0.5 / (0.125 * (0.125 + 0.25))), rel=1e-9)
+
+
+TANGLED = """nhc: 1
+system: tangled
+coordinates: [x, y]
+parameters: {k: 1, c: 0.1}
+T: (x'^2 + y'^2)/2
+V: x^4/4 + k*y^2/2
+forces: {y: -c*y'}
+"""
+
+
+@pytest.mark.parametrize("sweep", [("k", -1.1, 1.9, 4), ("k", -1.0, 1.0, 3)])
+def test_zeros_that_stay_hide_no_crossing(sweep: tuple[str, float, float, int]) -> None:
+    """x'' = -x^3 has two zeros whatever k is, at which y becomes stable: between two values of the sweep, or at one of them."""
+    found = linearize(Source("tangled.yaml", TANGLED), Request("x=0", sweep=sweep), Options())
+    assert found.swept is not None and found.swept.unlocated == ()
+    (crossing,) = found.swept.crossings
+    assert crossing.value == pytest.approx(0.0, abs=1e-10) and not crossing.unstable_above
+
+
+def test_a_change_without_a_crossing_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sweep_module, "_static", lambda *_: [])
+    spec = tmp_path / "tangled.yaml"
+    spec.write_text(f"{TANGLED}scenes: {{s: {{time: [0, 1]}}}}\n")
+    assert main(["linearize", str(spec), "--about", "x=0", "--sweep", "k=-1.1:1.9:4"]) == 0
+    assert "between -0.1 and 0.9: another number of eigenvalues grows" in capsys.readouterr().out

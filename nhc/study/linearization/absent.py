@@ -1,4 +1,4 @@
-"""Motions that are steady for the values of the parameters alone: what is 0 is left out of the equations where they need it."""
+"""Motions that are steady, or of a family, for the values of the parameters alone: what is 0 is left out of the equations then."""
 
 from __future__ import annotations
 
@@ -16,17 +16,24 @@ from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
+from nhc.study.linearization.field import SteadyModel
 from nhc.study.linearization.found import NotSteady
-from nhc.study.linearization.motion import Findings, Request, linearise, linearise_whole
+from nhc.study.linearization.linearize import count_zeros
+from nhc.study.linearization.motion import Findings, Request, linearise, linearise_whole, steady_model
 
 T = TypeVar("T")
+Worth = tuple[int, int]
+"""Of what is found: how many velocities are lost, and how many zeros are none of a family; less is better."""
+
+BEST: Worth = (0, 0)
 
 
 def linearise_at_values(equations: Equations, formulation: Formulation, request: Request, *, fixed: bool) -> Findings:
     """Find the steady motion and linearise about it; ``fixed``: somebody asked for the formulation.
 
     A spring or a slope that may be 0 ties down a coordinate that is free without it.  Where the equations with all parameters have
-    no steady motion, or not the one that was asked about, those without the parameters that are 0 are asked.
+    no steady motion, or not the one that was asked about, those without the parameters that are 0 are asked; and also where zeros
+    are left that may be those of a family.
 
     Raises:
         nhc.diagnostics.SpecError: unknown names, or a guess that violates the constraints.
@@ -38,7 +45,8 @@ def linearise_at_values(equations: Equations, formulation: Formulation, request:
         found = study(equations, formulation, request)
     except NotSteady as error:
         found = error
-    if isinstance(found, NotSteady) or found.lost:
+    worth = None if isinstance(found, NotSteady) else (len(found.lost), count_zeros(found.linearisation))
+    if worth != BEST:
         system = equations.system
         start = start_of(system, scene_about(system.spec, request.about, request.settings))
         other = ask_without_zeros(
@@ -46,8 +54,9 @@ def linearise_at_values(equations: Equations, formulation: Formulation, request:
                 system, start, request.sweep[0] if request.sweep else "", formulation.name if fixed else ""
             ),
             lambda left: study(left.equations, left.formulation, request),
-            lambda other: len(other.lost),
-            most_lost(start) if isinstance(found, NotSteady) else len(found.lost),
+            lambda other: (len(other.lost), count_zeros(other.linearisation)),
+            worth,
+            None if isinstance(found, NotSteady) or found.lost else found.model,
         )
         if other is not None:
             return replace(other[0], absent=other[1])
@@ -82,19 +91,29 @@ def leave_zeros_out(system: System, start: Start, swept: str, formulation: str =
         return None
 
 
-def most_lost(start: Start) -> int:
-    """How many velocities are lost where nothing is found: one more than there can be."""
-    return len(start.v) + 1
-
-
 def ask_without_zeros(
-    left: Left | None, ask: Callable[[Left], T], count: Callable[[T], int], lost: int
+    left: Left | None,
+    ask: Callable[[Left], T],
+    weigh: Callable[[T], Worth],
+    worth: Worth | None,
+    model: SteadyModel | None,
 ) -> tuple[T, tuple[str, ...]] | None:
-    """What is found without the parameters that are 0, with their names; None unless fewer velocities are ``lost`` then."""
+    """What is found without the parameters that are 0, with their names; None unless it is better than what has that ``worth``.
+
+    Where the motion itself is found with the ``model``, only more that is free can make a family of it.
+    """
     if left is None:
         return None
     try:
+        if model is not None and not _is_freer(steady_model(left.equations, left.formulation, model.p), model):
+            return None
         other = ask(left)
     except (NotSteady, SpecError, Unlucky):
         return None
-    return (other, left.absent) if count(other) < lost else None
+    return (other, left.absent) if worth is None or weigh(other) < worth else None
+
+
+def _is_freer(one: SteadyModel, other: SteadyModel) -> bool:
+    """Whether more coordinates are cyclic, or more turns and shifts of all leave the equations as they are."""
+    free, known = (len(model.cyclic) + max(map(len, model.symmetries), default=0) for model in (one, other))
+    return free > known

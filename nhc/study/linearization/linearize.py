@@ -275,13 +275,20 @@ def modes(made: Linearisation) -> list[Mode]:
     found = [Mode(0j, 0.0)] * (made.zeros - made.family)
     if len(made.core):
         values, limits = _spectrum(made.core)
-        found += [Mode(complex(x) / made.tick, limit / made.tick) for x, limit in zip(values, limits, strict=True)]
+        found += [
+            Mode(_clear(x, limit) / made.tick, limit / made.tick) for x, limit in zip(values, limits, strict=True)
+        ]
     digits = made.tick
 
     def order(mode: Mode) -> tuple[float, float, float]:
         return -round(mode.value.real * digits, 9), -abs(mode.value.imag), -mode.value.imag
 
     return sorted(found, key=order)
+
+
+def _clear(value: complex, limit: float) -> complex:
+    """A root that is twice the same comes as a pair that rounding has parted."""
+    return complex(value.real, 0.0 if abs(value.imag) <= limit else value.imag)
 
 
 def _spectrum(core: Matrix) -> tuple[Matrix, Matrix]:
@@ -306,6 +313,11 @@ def _spectrum(core: Matrix) -> tuple[Matrix, Matrix]:
 def eigenvalues(made: Linearisation) -> list[complex]:
     """The values of the modes."""
     return [mode.value for mode in modes(made)]
+
+
+def count_zeros(made: Linearisation) -> int:
+    """How many of the modes are zero, though they belong to no family that was found."""
+    return sum(abs(mode.value) <= mode.limit for mode in modes(made))
 
 
 def verdict(made: Linearisation) -> str:

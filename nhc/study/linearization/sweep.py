@@ -9,14 +9,18 @@ from dataclasses import replace
 import numpy as np
 
 from nhc.records import record
-from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.field import RANK, Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
 from nhc.study.linearization.steady import find_motion, find_steady
+from nhc.study.linearization.units import Matrix
 
 _STEPS = 150
 _DIGITS = 32.0
 """Units in the last place of a crossing, of which rounding decides in eigenvalues."""
+
+_ROUNDED = 1e-11
+"""Of the largest value of a sweep: a crossing this near to zero is there, for eigenvalues are not known better."""
 
 _NEAR = 1e-5
 """Part of an interval in which a growth of the size of the eigenvalues does not come to nothing."""
@@ -40,11 +44,14 @@ class Crossing:
 
 @record
 class Sweep:
-    """Linearisations at ``values`` and the crossings between them."""
+    """Linearisations at ``values`` and the crossings between them; ``unlocated`` are neighbours between which the number of growing
+    eigenvalues changes, and no crossing is found.
+    """
 
     values: tuple[float, ...]
     points: tuple[Linearisation, ...]
     crossings: tuple[Crossing, ...]
+    unlocated: tuple[tuple[float, float], ...] = ()
 
 
 class Branch:
@@ -89,36 +96,82 @@ def sweep(branch: Branch, values: Sequence[float]) -> Sweep:
             raise NotSteady(f"at {value:.10g}: {error}", error.residual, entries=error.entries) from None
     branch.family = min((point.family for point in points), default=0)
     points = [linearise_at(branch._model(v)[0], p.steady, branch.family) for v, p in zip(values, points, strict=True)]
-    return Sweep(tuple(values), tuple(points), crossings(branch, values, points))
+    least = _ROUNDED * max(map(abs, values), default=0.0)
+    found = tuple(
+        replace(one, value=0.0) if abs(one.value) <= least else one for one in crossings(branch, values, points)
+    )
+    return Sweep(tuple(values), tuple(points), found, _unlocated(values, points, found))
+
+
+def _unlocated(
+    values: Sequence[float], points: Sequence[Linearisation], found: Sequence[Crossing]
+) -> tuple[tuple[float, float], ...]:
+    return tuple(
+        (low, high)
+        for low, high, a, b in zip(values, values[1:], points, points[1:], strict=False)
+        if _grow(a) != _grow(b) and not any(min(low, high) <= crossing.value <= max(low, high) for crossing in found)
+    )
 
 
 def crossings(branch: Branch, values: Sequence[float], points: Sequence[Linearisation]) -> tuple[Crossing, ...]:
     """Where the sign of the core's determinant or the number of growing oscillations changes."""
     found = []
+    chains = [_chain(point.core) for point in points]
+    zeros = [min(counts) for counts in zip(*chains, strict=False)]  # zero all along: no crossing, and no sign
     for low, high, a, b in zip(values, values[1:], points, points[1:], strict=False):
-        found += [*_static(branch, low, high, a, b), *_oscillatory(branch, low, high, a, b)]
-    for value, before, at, after in zip(values[1:], points, points[1:], points[2:], strict=False):
-        if _told(at) == 0.0 and _told(before) * _told(after) < 0.0:
-            found.append(Crossing(value, _ZERO, 0.0, 0.0, _grow(after) > _grow(before)))
+        found += [*_static(branch, zeros, low, high, a, b), *_oscillatory(branch, low, high, a, b)]
+    signs = [_told(_without(point.core, zeros)) for point in points]
+    for k in range(1, len(points) - 1):
+        if signs[k] == 0.0 and signs[k - 1] * signs[k + 1] < 0.0:
+            found.append(Crossing(values[k], _ZERO, 0.0, 0.0, _grow(points[k + 1]) > _grow(points[k - 1])))
     return tuple(sorted(found, key=lambda crossing: crossing.value))
 
 
-def _sign(made: Linearisation) -> float:
-    return float(np.linalg.slogdet(made.core)[0]) if len(made.core) else 1.0
+def _chain(core: Matrix) -> list[int]:
+    """How many null directions a matrix has, then what is left of it beside these, and so on: all of its zeros."""
+    found, left = list[int](), core
+    while len(left):
+        sizes = np.linalg.svd(left, compute_uv=False)
+        count = int(np.sum(sizes <= RANK * sizes[0]))
+        if not count:
+            break
+        found.append(count)
+        left = _without(left, [count])
+    return found
 
 
-def _told(made: Linearisation) -> float:
+def _without(core: Matrix, zeros: Sequence[int]) -> Matrix:
+    """What is left of a matrix beside as many null directions, then beside those of that."""
+    for count in zeros:
+        kept = np.linalg.svd(core)[2][: len(core) - count]
+        core = np.asarray(kept @ core @ kept.T)
+    return core
+
+
+def _sign(core: Matrix) -> float:
+    return float(np.linalg.slogdet(core)[0]) if len(core) else 1.0
+
+
+def _told(core: Matrix) -> float:
     """The sign of the core's determinant; 0 where it is singular up to rounding, for there the sign is that of rounding."""
-    sizes = np.linalg.svd(made.core, compute_uv=False) if len(made.core) else np.ones(1)
-    return _sign(made) if sizes[-1] > 100.0 * ROUNDING * sizes[0] else 0.0
+    sizes = np.linalg.svd(core, compute_uv=False) if len(core) else np.ones(1)
+    return _sign(core) if sizes[-1] > 100.0 * ROUNDING * sizes[0] else 0.0
 
 
-def _static(branch: Branch, low: float, high: float, a: Linearisation, b: Linearisation) -> list[Crossing]:
-    first = _told(a)
-    if first * _told(b) >= 0:
+def _static(
+    branch: Branch, zeros: Sequence[int], low: float, high: float, a: Linearisation, b: Linearisation
+) -> list[Crossing]:
+    before, after = (_without(made.core, zeros) for made in (a, b))
+    first = _told(before)
+    if first * _told(after) >= 0:
         return []
-    ends = _End(low, a, True, _determinant(a)), _End(high, b, False, _determinant(b))
-    low, high = (end.value for end in _narrow(branch, ends, lambda made: (_sign(made) == first, _determinant(made))))
+
+    def judge(made: Linearisation) -> tuple[bool, float]:
+        core = _without(made.core, zeros)
+        return _sign(core) == first, _determinant(core)
+
+    ends = _End(low, a, True, _determinant(before)), _End(high, b, False, _determinant(after))
+    low, high = (end.value for end in _narrow(branch, ends, judge))
     return [Crossing((low + high) / 2, _ZERO, 0.0, high - low, _grow(b) > _grow(a))]
 
 
@@ -179,9 +232,9 @@ def _oscillatory(branch: Branch, low: float, high: float, a: Linearisation, b: L
     return [Crossing((low + high) / 2, kind, abs(pairs[0].imag), high - low, after > before)]
 
 
-def _determinant(made: Linearisation) -> float:
+def _determinant(core: Matrix) -> float:
     """The core's determinant beside what a matrix of its size has at most: a measure, not a sign."""
-    sizes = np.linalg.svd(made.core, compute_uv=False) if len(made.core) else np.ones(1)
+    sizes = np.linalg.svd(core, compute_uv=False) if len(core) else np.ones(1)
     return float(np.prod(sizes / max(sizes[0], 1e-300)))
 
 

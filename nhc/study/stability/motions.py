@@ -22,13 +22,13 @@ from nhc.mechanics.linearize import reduced
 from nhc.mechanics.starts.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.study.linearization.absent import Left, ask_without_zeros, leave_zeros_out, most_lost
+from nhc.study.linearization.absent import BEST, Left, Worth, ask_without_zeros, leave_zeros_out
 from nhc.study.linearization.asked import find_asked, keep_ranges, list_lost
 from nhc.study.linearization.coframes import elsewhere
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.found import Locked, NotSteady, Steady, check_smooth
 from nhc.study.linearization.leaf import held_on_leaf
-from nhc.study.linearization.linearize import Linearisation, linearise_at
+from nhc.study.linearization.linearize import Linearisation, count_zeros, linearise_at
 from nhc.study.linearization.motion import branch_of, read_holds, steady_model
 from nhc.study.linearization.steady import find_motion, find_steady
 from nhc.study.linearization.sweep import Sweep, sweep
@@ -87,15 +87,16 @@ def steady_motion(
         found = _anywhere(equations, formulation, search, scene, start, beside)
     except NotSteady as error:
         found = error
-    lost = most_lost(start) if isinstance(found, NotSteady) else _count_lost(found, scene, start)
-    if lost:
+    worth = None if isinstance(found, NotSteady) else _weigh(found, scene, start)
+    if worth != BEST:
         other = ask_without_zeros(
             leave_zeros_out(system, start, search.sweep[0] if search.sweep else "", formulation.name),
             lambda left: _anywhere(
                 left.equations, left.formulation, _carried(search, system, left), scene, start, beside
             ),
-            lambda other: _count_lost(other, scene, start),
-            lost,
+            lambda other: _weigh(other, scene, start),
+            worth,
+            None if isinstance(found, NotSteady) or (worth and worth[0]) else found.model,
         )
         if other is not None:
             return replace(other[0], absent=other[1])
@@ -112,10 +113,10 @@ def _carried(search: Search, system: System, left: Left) -> Search:
     return replace(search, hidden=tuple(zip((name for name, _ in search.hidden), nodes, strict=True)))
 
 
-def _count_lost(found: Motion, scene: Scene, start: Start) -> int:
-    """How many of the velocities that the scene gives have gone."""
+def _weigh(found: Motion, scene: Scene, start: Start) -> Worth:
+    """How many of the velocities that the scene gives have gone, and how many zeros are none of a family."""
     guess = state_of(found.flow, found.model.frame, start)
-    return len(list_lost(found.model, scene, guess, found.linearisation.steady.y))
+    return len(list_lost(found.model, scene, guess, found.linearisation.steady.y)), count_zeros(found.linearisation)
 
 
 def _anywhere(

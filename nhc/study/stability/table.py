@@ -100,7 +100,7 @@ def _motion(found: Motion, unit: str) -> list[Row]:
     rows += [Row(eigenvalue, _complex(mode), _kind(mode, unit)) for mode in modes(made) if mode.value.imag >= 0]
     rows.append(Row("found from", found.place))
     if found.absent:
-        rows.append(Row("left out", ", ".join(found.absent), "parameters that are 0: steady for these values alone"))
+        rows.append(Row("left out", ", ".join(found.absent), "parameters that are 0: more is steady without them"))
     if found.regularity <= SINGULAR:
         advice = "the coordinates are singular here (gimbal lock): take others, or another motion"
         rows = [rows[0], Row("verdict", "none", advice), Row("mass matrix", f"{found.regularity:.2g}", "0: singular")]
@@ -140,6 +140,10 @@ def _sweep(found: Sweep, unit: str) -> list[Row]:
             + (f"; angular frequency {c.frequency:.6g}{per}" if c.frequency else ""),
         )
         for c in found.crossings
+    ]
+    rows += [
+        Row(f"between {low:.6g} and {high:.6g}", "another number of eigenvalues grows", "sweep there more finely")
+        for low, high in found.unlocated
     ]
     low, high = found.values[0], found.values[-1]
     return rows or [Row(f"from {low:.6g} to {high:.6g}", "no crossing")]
@@ -344,4 +348,5 @@ def _motion_tree(found: Motion) -> dict[str, Any]:
             {"value": c.value, "kind": c.kind, "frequency": c.frequency, "up": c.unstable_above}
             for c in found.swept.crossings
         ]
+        data["unlocated"] = [{"low": low, "high": high} for low, high in found.swept.unlocated]
     return data
