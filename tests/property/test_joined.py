@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import NEG, Graph, Node
 from nhc.algebra.rewriting.angles import split_angles
-from nhc.algebra.rewriting.joined import join_sums
+from nhc.algebra.rewriting.joined import close_circles, join_sums
 from nhc.algebra.rewriting.paper import shortest
 from nhc.algebra.show import to_text
 from nhc.algebra.walks import reachable
@@ -54,6 +54,23 @@ def test_two_terms_of_an_addition_theorem_are_joined(text: str, joined: str) -> 
     (made,) = join_sums(g, [node])
     assert are_equal(g, [made], [node])
     assert (made == node) if not joined else (to_text(g, made) == joined)
+
+
+@pytest.mark.parametrize(
+    ("text", "closed"),
+    [
+        ("g*sin(a)^2*cos(b)^2 + g*cos(a)^2*cos(b)^2 + g*sin(b)^2", "g"),
+        ("m*sin(a)^2/d + w + m*cos(a)^2/d", "m/d + w"),
+        ("m*sin(a)^3*v + m*v*sin(a)*cos(a)^2", "m*v*sin(a)"),
+        ("2*m*l*sin(a)^2*cos(b) + m*l*cos(a)^2*cos(b)", ""),
+        ("m*sin(a)^2 + m*cos(b)^2", ""),
+    ],
+)
+def test_circles_among_the_terms_are_closed(text: str, closed: str) -> None:
+    g, node = read(text)
+    made = close_circles(g, node)
+    assert are_equal(g, [made], [node])
+    assert (made == node) if not closed else (count_written(g, made) <= count_written(*read(closed)))
 
 
 def test_a_sum_that_is_a_term_elsewhere() -> None:

@@ -47,17 +47,46 @@ def find_whole(graph: Graph, roots: Iterable[Node], needed: Sequence[Node]) -> s
     return whole
 
 
+def close_circles(graph: Graph, node: Node) -> Node:
+    """The sum with u for u sin(x)^2 + u cos(x)^2 among its terms; the node itself where there are no such terms."""
+    p = _collect(graph, list_terms(graph, node))
+    waiting, closed = list(p), False
+    while waiting:
+        monomial = waiting.pop()
+        powers, k = dict(monomial), p.get(monomial, 0)
+        for base, n in monomial:
+            if not k or n < 2 or graph.op[base] != "sin":
+                continue
+            cosine = graph.function("cos", graph.a[base])
+            rest = {b: m - 2 if b == base else m for b, m in monomial if b != base or m > 2}
+            other = tuple(sorted({**rest, cosine: powers.get(cosine, 0) + 2}.items()))
+            if p.get(other) == k:
+                inner = tuple(sorted(rest.items()))
+                p[inner] = p.get(inner, 0) + k
+                del p[monomial], p[other]
+                waiting.append(inner)
+                closed = True
+                break
+    return graph.sum([make_product(graph, m, c) for m, c in p.items() if c]) if closed else node
+
+
 def _join_sum(graph: Graph, node: Node) -> Node:
     """The sum of its joined terms; the node itself where none can be joined."""
     terms = list_terms(graph, node)
     if not 2 <= len(terms) <= _MOST:
         return node
+    p = _collect(graph, terms)
+    made = join_terms(graph, p)
+    return node if made == p else graph.sum([make_product(graph, m, c) for m, c in made.items() if c])
+
+
+def _collect(graph: Graph, terms: Sequence[Node]) -> Polynomial:
+    """The sum of products as a polynomial in their factors."""
     p: Polynomial = {}
     for term in terms:
         k, monomial = split_factors(graph, term)
         p[monomial] = p.get(monomial, 0) + k
-    made = join_terms(graph, p)
-    return node if made == p else graph.sum([make_product(graph, m, c) for m, c in made.items() if c])
+    return p
 
 
 def split_factors(graph: Graph, term: Node) -> tuple[Rational, Monomial]:

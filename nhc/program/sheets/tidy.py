@@ -14,7 +14,7 @@ from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import rebuild, substitute
-from nhc.algebra.rewriting.joined import find_whole, join_sums
+from nhc.algebra.rewriting.joined import close_circles, find_whole, join_sums
 from nhc.algebra.rewriting.orthonormal import Orthonormal
 from nhc.algebra.rewriting.values import find_equal
 from nhc.algebra.walks import count, reachable
@@ -146,14 +146,14 @@ def _join_angles(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[
 
 
 def _square_cosines(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
-    """With cos(x)^2 for 1 - sin(x)^2 and the other way round; canonical forms know one of the two only."""
+    """With cos(x)^2 for 1 - sin(x)^2 and the other way round, for canonical forms know one of the two only; without circles."""
     roots = list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
     needed = reachable(graph, roots)
     whole = find_whole(graph, roots, needed)
     changed = {node: node for node in needed if node in owners and graph.children(node)}
     for node in needed:
         if graph.op[node] == ADD and node in whole and node not in changed:
-            made = _with_squares(graph, node)
+            made = _with_squares(graph, close_circles(graph, node))
             if made != node:
                 changed[node] = made
     if all(node == made for node, made in changed.items()):
