@@ -34,7 +34,7 @@ def _with_bases(source: Source, chain: tuple[str, ...]) -> Source:
     path = (folder_of(source) / found.value).as_posix()
     if str(Path(path).resolve()) in [str(Path(name).resolve()) for name in chain]:
         raise refuse(source, found.span, f"`{found.value}` extends this spec itself, directly or through others")
-    if len(chain) > DEEPEST:
+    if len(chain) >= DEEPEST:
         raise refuse(source, found.span, f"more than {DEEPEST} specs extend one another")
     if not Path(path).is_file():
         raise refuse(source, found.span, f"there is no file `{path}`")
