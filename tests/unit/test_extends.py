@@ -187,7 +187,7 @@ def test_a_cycle_of_two_and_a_chain_that_is_too_long(tmp_path: Path) -> None:
     put(tmp_path, **{f"c{k}": f"nhc: 1\nextends: c{k + 1}.yaml\n" for k in range(12)}, c12=BASE)
     assert "more than 8 specs" in messages(tmp_path / "c0.yaml")[0][1]
     assert "more than 8 specs" in messages(tmp_path / "c4.yaml")[0][1]
-    assert decode(read(tmp_path / "c5.yaml")).name == decode(Source("c12.yaml", BASE)).name  # c5 to c12
+    assert decode(read(tmp_path / "c5.yaml")).system == decode(Source("c12.yaml", BASE)).system  # c5 to c12
 
 
 def test_a_base_that_is_no_yaml_and_a_spec_without_a_folder(tmp_path: Path) -> None:

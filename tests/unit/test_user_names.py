@@ -8,6 +8,7 @@ from nhc.language import Source, decode
 from nhc.mechanics.choosing.choose import applicable, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolving.resolve import resolve
+from nhc.pipeline import Options, emit
 from nhc.program.paper import derivation
 
 
@@ -37,3 +38,23 @@ def test_an_integral_is_written_in_names_that_mean_what_they_say() -> None:
             angle = g.function("cos" if name == "X" else "sin", system.q[1])
             bar = g.function("cos" if name == "X" else "sin", system.q[0])
             assert are_zero(g, [g.sub(node, g.add(g.mul(g.number(3), bar), angle))]) == [True]
+
+
+def test_names_that_are_the_same_in_ascii_are_told_apart_in_the_header() -> None:
+    """An accent is dropped where nothing else is called so, and its letter named where something is."""
+    text = (
+        "nhc: 1\nsystem: ua\ncoordinates: [\u00e9, e, \u00f6]\nparameters: {\u00e4: 1, a: 2}\n"
+        "T: (\u00e4*\u00e9'^2 + a*e'^2 + \u00f6'^2)/2\n"
+    )
+    header = emit(Source("ua.yaml", text), "c", Options())["ua.h"]
+    assert header.isascii()
+    lines = [line.removeprefix(" * ") for line in header.splitlines()]
+    for line in (
+        "y[0] = <U+00E9>",
+        "y[1] = e",
+        "y[2] = o",
+        "y[3] = <U+00E9>'",
+        "p[0]: <U+00E4> = 1.0",
+        "p[1]: a = 2.0",
+    ):
+        assert line in lines

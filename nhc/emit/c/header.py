@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from nhc.emit.about import CITES, REACTIONS, UNITS, describe_arrays, describe_costs, describe_function, describe_program
 from nhc.emit.c.literals import print_comment
-from nhc.emit.prose import wrap
+from nhc.emit.prose import fold_ascii, wrap
 from nhc.program.ir import Function, Program
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
@@ -32,7 +32,17 @@ def print_file_comment(program: Program, functions: tuple[Function, ...], file_n
     texts = [*describe_program(program), *describe_arrays(program), *describe_costs(functions)]
     texts += ["", *explain_calls(program, functions)]
     head = f"{file_name}: {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})"
-    return frame((head, *wrap_all(texts)))
+    exact = str.maketrans({letter: f"<U+{ord(letter):04X}>" for letter in _letters_apart(program)})
+    return frame((head, *wrap_all(text.translate(exact) for text in texts)))
+
+
+def _letters_apart(program: Program) -> set[str]:
+    """The letters by which names differ that are the same in ASCII, such as those of `e` with an accent beside `e`."""
+    found: dict[str, list[str]] = {}
+    for quantity in (*program.state, *program.parameters, *program.constraints, *program.outputs):
+        found.setdefault(fold_ascii(quantity.name), []).append(quantity.name)
+    alike = (name for names in found.values() if len(set(names)) > 1 for name in names)
+    return {letter for name in alike for letter in name if not letter.isascii()}
 
 
 def explain_calls(program: Program, functions: tuple[Function, ...]) -> tuple[str, ...]:
