@@ -36,6 +36,8 @@ _NEAR = 1.05
 """How much dearer the first formulation may be and still be taken, for the sake of the spec's own names."""
 _WEAK = 0.02
 WEAK_THERE = "its coframe is weak where the scene starts"
+_MANY = 40
+"""Velocities beyond which no momenta are tried: they undo the recursion that keeps long chains short."""
 _LARGE = 10_000
 """Operations of the equations beyond which only the formulation itself is reduced: trying others would take seconds each."""
 
@@ -189,6 +191,8 @@ class _Search:
 
     def take_momenta(self, equations: Equations, formulation: Formulation) -> None:
         """The same with conserved momenta in place of their velocities, where there are any."""
+        if self.system.n - self.system.l > _MANY:
+            return
         made = momentum_formulation(equations, formulation)
         if made is None or self._is_known(made):
             return
