@@ -147,19 +147,21 @@ def _join_angles(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[
 
 def _square_cosines(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
     """With cos(x)^2 for 1 - sin(x)^2 and the other way round, for canonical forms know one of the two only; without circles."""
-    roots = list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
-    needed = reachable(graph, roots)
-    whole = find_whole(graph, roots, needed)
-    changed = {node: node for node in needed if node in owners and graph.children(node)}
-    for node in needed:
-        if graph.op[node] == ADD and node in whole and node not in changed:
-            made = _with_squares(graph, close_circles(graph, node))
-            if made != node:
-                changed[node] = made
-    if all(node == made for node, made in changed.items()):
-        return tuple(drafts)
-    new = dict(zip(roots, substitute(graph, roots, changed), strict=True))
-    return _put(drafts, new)
+    best = tuple(drafts)
+    for _ in range(_ROUNDS):  # a sum inside of one that changes waits for the next
+        roots = list_roots(sheet for sheet in best if sheet.key not in _GIVEN)
+        needed = reachable(graph, roots)
+        whole = find_whole(graph, roots, needed)
+        changed = {node: node for node in needed if node in owners and graph.children(node)}
+        for node in needed:
+            if graph.op[node] == ADD and node in whole and node not in changed:
+                made = _with_squares(graph, close_circles(graph, node))
+                if made != node:
+                    changed[node] = made
+        if all(node == made for node, made in changed.items()):
+            break
+        best = _put(best, dict(zip(roots, substitute(graph, roots, changed), strict=True)))
+    return best
 
 
 def _name_once(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
