@@ -390,6 +390,41 @@ def test_a_forced_oscillator_has_no_law_of_growth(tmp_path: Path, capsys: pytest
     assert growth["law"] == "none" and growth["rate"] is None and growth["horizon"] is None
 
 
+SHEARS = """nhc: 1
+system: shears
+coordinates: [x, y, a]
+T: (x'^2 + y'^2 + a'^2)/2
+V: -100*a
+constraints: ["x' = 0", "cos(a)*x' + sin(a)*y' = 0"]
+scenes: {close: {initial: {a: 1e-5 + 50*0.13729^2, a': -13.729}, time: [0, 0.3]}}
+"""
+
+
+def test_distances_are_looked_for_between_rows() -> None:
+    """Two edges close to 1e-5 within a millisecond, where no row is: then their unit vectors' smallest singular value is known."""
+    found = stability(Source("shears.yaml", SHEARS), Question(lengths=1))
+    (rank,) = (d for d in found.distances if d.kind == "constraints")
+    assert rank.least == pytest.approx(math.sqrt(2) * math.sin(0.5e-5), rel=1e-3) and min(rank.series) > 2 * rank.least
+    assert rank.t == pytest.approx(0.13729, abs=1e-4)
+
+
+SWING = """nhc: 1
+system: swing
+coordinates: [a, y]
+T: (a'^2 + y'^2)/2
+V: -100^2*cos(a) + 0.1^2*y^2/2
+scenes: {a: {initial: {a: 3, y: 1}, time: [0, 12]}}
+"""
+
+
+def test_what_decays_as_fast_as_it_grows_is_not_stiff() -> None:
+    """A pendulum beside a slow spring decays by exp(-100 t) at its top, and leaves it as fast."""
+    found = stability(Source("swing.yaml", SWING), Question(lengths=1))
+    text = "\n".join(lines(found))
+    assert found.stiffness is not None and found.stiffness > 500
+    assert "not stiff" in text and "take radau5" not in text
+
+
 def test_distances_see_the_singular_dependent_choice() -> None:
     """The sleigh turns by more than a quarter: solving for y' becomes singular, the adapted coframe never."""
     found = {d.kind: d for d in look("chaplygin_sleigh").distances}

@@ -6,8 +6,9 @@ values of matrices whose rows have length 1, smallest eigenvalues of mass matric
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -16,12 +17,15 @@ from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.regular.regularity import relative_determinant
 from nhc.mechanics.regular.trials import velocity_units
 from nhc.records import record
+from nhc.simulate.run import list_times
 from nhc.study.linearization.field import scaled_least
 from nhc.study.linearization.units import Matrix
 from nhc.study.stability.bench import Bench
 
 NEAR = 0.03
 """Below this a choice is called weak, as in :mod:`nhc.mechanics.regular.regularity`."""
+_LOOKED, _DIPS = 0.3, 3  # what is looked at between rows: distances below, and so many of the lowest
+_PARTS, _ROUNDS, _GAINED = 21, 10, 0.99
 
 
 @record
@@ -36,60 +40,118 @@ class Distance:
     used: bool = True
 
 
+Measure = Callable[[Matrix], Sequence[float]]
+"""A distance at each row of a table of the bench's columns."""
+
+_Grid = tuple[Sequence[float], Sequence[Sequence[float]], Sequence[float]]
+"""Times, the states there, and a distance at each."""
+
+
 def distances(bench: Bench) -> tuple[Distance, ...]:
     """Of the constraints, of the dependent choice, of the formulation's own frame, of the coordinates.
 
     Raises:
         ArithmeticError: the scene fails.
     """
-    found, table = [], bench.table
+    found, table = list[Distance](), bench.table
     n, lower = bench.equations.system.n, bench.equations.system.l
+
+    def add(what: str, kind: str, measure: Measure, *, used: bool = True) -> None:
+        series = tuple(float(x) for x in measure(table))
+        least, t = _least(bench, measure, series)
+        found.append(Distance(what, kind, least, t, series, used))
+
     if lower:
         units = np.array(velocity_units(bench.equations.system))
-        rows = table[:, bench.group("row")].reshape(-1, lower, n) * units
-        found.append(_of(bench, "rank of the constraints", "constraints", [smallest_singular(a) for a in rows]))
-        found += _dependent(bench, rows)
+
+        def rows(table: Matrix) -> Matrix:
+            return np.asarray(table[:, bench.group("row")].reshape(-1, lower, n) * units)
+
+        add("rank of the constraints", "constraints", lambda table: [smallest_singular(a) for a in rows(table)])
+        choice = _choice(bench)
+        if choice:
+            names = ", ".join(f"{bench.equations.system.q_names[i]}'" for i in choice)
+            used = bench.formulation.dependent is not None
+            add(
+                f"solving for {names}{'' if used else ' (not used)'}",
+                "dependent",
+                lambda table: [relative_determinant(a.tolist(), choice) for a in rows(table)],
+                used=used,
+            )
         free = bench.group("free")
         if free:
-            frames = np.concatenate([rows, table[:, free].reshape(-1, n - lower, n) * units], axis=1)
-            what = f"coframe of {bench.formulation.name}"
-            found.append(_of(bench, what, "frame", [smallest_singular(a) for a in frames]))
-    guards = zip(bench.group("guard"), bench.group("scale"), strict=True)
-    for number, (value, scale) in enumerate(guards, 1):
-        if not np.any(table[:, scale]):
-            continue
-        ratio = np.abs(table[:, value]) / np.maximum(np.abs(table[:, scale]), 1e-300)
-        found.append(_of(bench, f"divisor {number} of the emitted code", "guard", [float(x) for x in ratio]))
+
+            def frames(table: Matrix) -> Matrix:
+                return np.concatenate([rows(table), table[:, free].reshape(-1, n - lower, n) * units], axis=1)
+
+            add(
+                f"coframe of {bench.formulation.name}",
+                "frame",
+                lambda table: [smallest_singular(a) for a in frames(table)],
+            )
+    for number, (value, scale) in enumerate(zip(bench.group("guard"), bench.group("scale"), strict=True), 1):
+        if np.any(table[:, scale]):
+            add(f"divisor {number} of the emitted code", "guard", partial(_ratio, value, scale))
     mass = bench.group("mass")
     if mass:
-        found.append(
-            _of(bench, "mass matrix of the coordinates", "mass", [scaled_least(m) for m in _square(table, mass, n)])
+        add(
+            "mass matrix of the coordinates",
+            "mass",
+            lambda table: [scaled_least(m) for m in table[:, list(mass)].reshape(-1, n, n)],
         )
     return tuple(found)
 
 
-def _square(table: Matrix, places: Sequence[int], n: int) -> Matrix:
-    return table[:, list(places)].reshape(-1, n, n)
+def _ratio(value: int, scale: int, table: Matrix) -> Sequence[float]:
+    ratios = np.abs(table[:, value]) / np.maximum(np.abs(table[:, scale]), 1e-300)
+    return [float(x) for x in ratios]
 
 
-def _dependent(bench: Bench, rows: Matrix) -> list[Distance]:
-    system = bench.equations.system
+def _choice(bench: Bench) -> Sequence[int]:
     try:
-        choice = dependent_of(system).dependent
+        return dependent_of(bench.equations.system).dependent
     except NotApplicable:
-        return []
-    names = ", ".join(f"{system.q_names[i]}'" for i in choice)
-    used = bench.formulation.dependent is not None
-    series = [relative_determinant(a.tolist(), choice) for a in rows]
-    return [replace(_of(bench, f"solving for {names}{'' if used else ' (not used)'}", "dependent", series), used=used)]
+        return ()
+
+
+def _least(bench: Bench, measure: Measure, series: Sequence[float]) -> tuple[float, float]:
+    """The least of a measure along the scene, and its time: between rows and between steps, too, beside the lowest of them."""
+    place = min(range(len(series)), key=series.__getitem__)
+    best = series[place], bench.times[place]
+    grids: list[_Grid] = [(bench.times, bench.reference.tolist(), series)]
+    try:
+        times, states = bench.stations
+        grids.append((times, states, measure(bench.quantities(times, states))))
+    except ArithmeticError:  # it has no value at one of them
+        pass
+    for times, states, values in grids:
+        dips = [k for k, x in enumerate(values) if x <= _LOOKED and x <= min(values[max(k - 1, 0) : k + 2])]
+        for k in sorted(dips, key=values.__getitem__)[:_DIPS]:
+            best = min(best, _refine(bench, measure, times, states, k))
+    return best
+
+
+def _refine(
+    bench: Bench, measure: Measure, times: Sequence[float], states: Sequence[Sequence[float]], k: int
+) -> tuple[float, float]:
+    """The least of a measure beside the k-th time, and where it is."""
+    best = math.inf, times[k]
+    for _ in range(_ROUNDS):
+        low, high = max(k - 1, 0), min(k + 1, len(times) - 1)
+        y, times = states[low], list_times(times[low], times[high], _PARTS)
+        try:
+            states = bench.follow(times, y).states
+            values = measure(bench.quantities(times, states))
+        except ArithmeticError:  # it is singular there
+            break
+        k = min(range(len(values)), key=values.__getitem__)
+        before, best = best[0], min(best, (float(values[k]), times[k]))
+        if not best[0] < _GAINED * before:
+            break
+    return best
 
 
 def smallest_singular(matrix: Matrix) -> float:
     """Of the matrix with its rows scaled to length 1."""
     lengths = np.linalg.norm(matrix, axis=1, keepdims=True)
     return float(np.linalg.svd(matrix / np.maximum(lengths, 1e-300), compute_uv=False)[-1])
-
-
-def _of(bench: Bench, what: str, kind: str, series: Sequence[float]) -> Distance:
-    place = int(np.argmin(series))
-    return Distance(what, kind, float(series[place]), bench.times[place], tuple(float(x) for x in series))

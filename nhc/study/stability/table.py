@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from nhc.records import record
+from nhc.simulate.stiffness import IMPLICIT
 from nhc.study.linearization.field import SINGULAR
 from nhc.study.linearization.linearize import Mode, eigenvalues, modes, verdict
 from nhc.study.linearization.sweep import Sweep
@@ -153,7 +154,10 @@ def _spectrum(lab: Laboratory, unit: str) -> list[Row]:
     found, stiff = lab.spectrum, lab.stiffness
     if found is None or stiff is None:
         return []
-    remark = "stiff: take radau5" if stiff > STIFF else "not stiff"
+    remark = "not stiff"
+    if stiff > STIFF:  # what decays fast may also oscillate or grow as fast, and be followed
+        taken = lab.stopped or any(IMPLICIT in note for note in lab.conduct)
+        remark = f"stiff: take {IMPLICIT}" if taken else "not stiff: accuracy asks for shorter steps still"
     # adding zero takes the sign off a zero
     return [
         Row("fastest |lambda|", f"{found.fastest:.4g}", f"at t = {time_of(found.when, unit)}"),
