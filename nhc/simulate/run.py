@@ -26,6 +26,7 @@ from nhc.simulate.workshop import Model, Workshop
 POINTS = 201
 _SMOOTH = 8  # rows in the time of a step: methods of high order step over a good part of a period
 _MOST = 2001  # rows of a picture, which has some 700 pixels for them
+_ROWS_OF_JUMPS = 401
 _LONGEST = 1_000_000  # rows of a scene of which an event leaves a part
 
 
@@ -121,10 +122,14 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     seconds = time.perf_counter() - before - workshop.seconds
     found = _gather(workshop, legs)
     notes += tell_ranges(legs, found.headings, found.times, found.rows)
-    if task.step > 0:
-        notes += _tell_jumps(legs)
+    if task.step > 0 and job.jumping is not None:
+        seen = legs
+        if settings.points < _ROWS_OF_JUMPS:  # between two rows a sign may change and change back
+            between = replace(task, times=list_times(*job.time, _ROWS_OF_JUMPS))
+            seen = Follower(job, method, workshop.integrate).run(between)
+        notes += _tell_jumps(seen)
     if settings.step > 0:
-        notes += tell_unstable(legs)
+        notes += (*_tell_passed(f"{method} of fixed length", task), *tell_unstable(legs))
     bounded = adaptive and settings.step <= 0 and method not in PEERS and not follower.notes
     if bounded and found.outcome.steps > MANY_STEPS:  # else stability or a singular place may have made them many
         notes += (

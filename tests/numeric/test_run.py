@@ -391,6 +391,20 @@ def test_what_a_violated_start_leaves_out_follows_from_the_constraints_that_hold
     assert table(out)[1][0] == pytest.approx([0.0, 2.0, 0.0, 1.0, 0.0], abs=1e-14)
 
 
+def test_steps_of_fixed_length_tell_what_they_go_over(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A sign that changes and changes back between two rows, and one of the time."""
+    spec = tmp_path / "jump.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: jump\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\n"
+        "forces: {x: -sign(x-1), y: sign(sin(3*t)) - 0.5*y'}\nscenes: {s: {initial: {x': 2, y': 1}, time: [0, 6]}}\n"
+    )
+    code, _, err = call(capsys, str(spec), "--points", "2", "--step", "0.1", "--method", "rk4")
+    assert code == 0 and "jump with the sign of `1 - x`, which changes 2 times" in err
+    assert "jump, bend or pulse at t = 1.0472, 2.0944, 3.14159 and at 2 more times, where the steps of rk4" in err
+    code, _, err = call(capsys, str(spec), "--points", "2")
+    assert code == 0 and "jump" not in err.replace("jump.yaml", "")
+
+
 def test_velocities_that_contradict_each_other_are_named(capsys: pytest.CaptureFixture[str]) -> None:
     """At theta = 0 the scene's v is x': no projection helps, but the other value does."""
     sleigh = ["chaplygin_sleigh", "--points", "2", "--need", "x',y'"]

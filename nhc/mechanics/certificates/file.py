@@ -20,6 +20,7 @@ SCHEMA = "nhc.certificate/1"
 _MOST_POINTS = 64  # that are written; more are looked at where signs are multiplied
 _LARGEST_DIFFERENCE = 1e-6
 """Double precision may lose this much to a badly conditioned state; more is a defect, whatever the exact test says."""
+_OTHER_MACHINE = 1e3  # times as large may the differences be where the certificate was written
 
 
 def to_data(certificate: Certificate, spec_text: str) -> dict[str, Any]:
@@ -108,9 +109,11 @@ def verify(text: str, system: System, spec_text: str) -> tuple[list[str], Certif
 
 def differences(old: Mapping[str, Any], new: Mapping[str, Any]) -> list[str]:
     """Where two certificates differ, beyond rounding; the version of nhc that wrote them may differ."""
-    found = []
+    found = [f"`{key}` is no part of a certificate" for key in old if key not in new]
+    if not isinstance(old.get("nhc"), str):
+        found.append("`nhc`, the version that wrote it, is missing")
     for key in ("system", "holds", "reference", "degree", "signed", "log10_bound", "count", "points", "states"):
-        if old.get(key) != new[key]:
+        if old.get(key) != new[key] or type(old[key]) is not type(new[key]):
             found.append(f"`{key}` is not what is found now")
     for key in ("formulations", "wrong_derivations"):
         before, now = old.get(key), new[key]
@@ -134,7 +137,9 @@ def _same(a: Mapping[str, Any], b: Mapping[str, Any]) -> bool:
     if not isinstance(double, dict) or double.keys() != now.keys() or double["states"] != now["states"]:
         return False
     sizes = [(_number(double[key]), _number(now[key])) for key in ("accelerations", "reactions")]
-    return all(x is not None and y is not None and y <= max(10 * x, 1e-14) for x, y in sizes)
+    return all(
+        x is not None and y is not None and y <= max(10 * x, 1e-14) and 0 < x <= _OTHER_MACHINE * y for x, y in sizes
+    )
 
 
 def _near(x: float | None, y: float | None) -> bool:
