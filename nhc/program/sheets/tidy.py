@@ -22,7 +22,7 @@ from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftShe
 
 _REPEATED = 8  # operations from which a repeated expression gets a name
 _LONG = 80  # operations, on some five lines, beyond which any expression does
-_NAMED = 2  # operations from which a name of the user's is kept
+_NAMED, _BROUGHT = 2, 4  # operations from which a name of the user's is kept, and one that a body brings
 _PART = 4  # operations from which a part is not looked into
 _ROUNDS, _LITTLE = 4, 30  # at most so many, and none after one that gained less than this part
 _SHARES = (Fraction(1), Fraction(1, 2))  # of a part's operations, below which its canonical form is taken
@@ -63,13 +63,15 @@ def find_owners(desk: Desk) -> set[Node]:
     """The node that got each of the user's names first: what follows from it by substitution is no longer it.
 
     It need not be the first node: what is left of y' + a*c' where y' is zero was there before the sum.  Names that a derivation
-    has made for itself say nothing to a reader.
+    has made for itself say nothing to a reader, and those that bodies bring no more than what is as short: a height that is
+    a cos(lean) is no height in a horizontal velocity.
     """
     first: dict[str, Node] = {}
     for node, label in desk.graph.labels.items():
         if label in desk.named or label.removesuffix("_dot") in desk.named:
             first.setdefault(label, node)
-    return set(first.values())
+    brought = desk.system.spec.is_brought
+    return {node for label, node in first.items() if desk.size(node) >= _BROUGHT or not brought(label)}
 
 
 def choose_names(graph: Graph, needed: Sequence[Node], owners: Collection[Node]) -> dict[Node, int]:
