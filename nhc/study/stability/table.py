@@ -7,7 +7,7 @@ from typing import Any
 
 from nhc.records import record
 from nhc.simulate.stiffness import IMPLICIT
-from nhc.study.linearization.field import SINGULAR
+from nhc.study.linearization.field import RANK, SINGULAR
 from nhc.study.linearization.linearize import Mode, eigenvalues, modes, verdict
 from nhc.study.linearization.sweep import Sweep
 from nhc.study.stability.distance import NEAR, Distance
@@ -249,11 +249,17 @@ def _distances(lab: Laboratory) -> list[Row]:
     return [
         Row(
             d.what,
-            f"{d.least:.4g}",
-            f"at t = {time_of(d.t, unit)}" + (", weak" if d.least < NEAR and not _is_small(d, sound) else ""),
+            "0" if d.least < RANK else f"{d.least:.4g}",
+            f"at t = {time_of(d.t, unit)}{_judge(d, sound)}",
         )
         for d in lab.distances
     ]
+
+
+def _judge(distance: Distance, sound: bool) -> str:
+    if distance.least >= NEAR or _is_small(distance, sound):
+        return ""
+    return ", singular" if distance.least < RANK else ", weak"
 
 
 def _is_small(d: Distance, sound: bool) -> bool:
