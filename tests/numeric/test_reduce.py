@@ -297,7 +297,7 @@ def test_the_values_that_stand_for_what_is_left_out_are_compared_at_all_signs() 
     g = system.graph
     flow = flow_of(equations_of(system, formulate(system)))
     parts = (flow.velocities, tuple(x for row in flow.matrix for x in row), (), ())
-    before = _Model(flow.unknowns, (0, 1), parts[0], parts[1], flow.right, (), ())
+    before = _Model(flow.unknowns, (0, 1), parts[0], parts[1], flow.right, (), (), ())
     after = before.put(flow, system.p[0], g.zero)
     assert before.right != after.right
     assert not _agree(flow, before, after)

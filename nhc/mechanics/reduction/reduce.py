@@ -184,7 +184,9 @@ def _reasons(
 
 @record
 class _Model:
-    """What the reduced equations are made of: rates of the held coordinates, matrix @ unknowns = right, needs, guards."""
+    """What the reduced equations are made of: rates of the held coordinates, matrix @ unknowns = right, needs, guards, and the
+    ``scales`` that these are compared with, which may have poles of their own.
+    """
 
     unknowns: tuple[Node, ...]
     rates: tuple[int, ...]
@@ -193,10 +195,11 @@ class _Model:
     right: tuple[Node, ...]
     needs: tuple[Node, ...]
     guards: tuple[Node, ...]
+    scales: tuple[Node, ...]
 
     @property
     def nodes(self) -> tuple[Node, ...]:
-        return (*self.velocities, *self.matrix, *self.right, *self.needs, *self.guards)
+        return (*self.velocities, *self.matrix, *self.right, *self.needs, *self.guards, *self.scales)
 
     def put(self, flow: Flow, symbol: Node, value: Node) -> _Model:
         """The model with a value in place of a symbol.
@@ -204,7 +207,7 @@ class _Model:
         Raises:
             ZeroDivisionError: it is singular there.
         """
-        parts = (self.velocities, self.matrix, self.right, self.needs, self.guards)
+        parts = (self.velocities, self.matrix, self.right, self.needs, self.guards, self.scales)
         new = iter(substitute(flow.graph, self.nodes, {symbol: value}))
         return _Model(self.unknowns, self.rates, *(tuple(next(new) for _ in part) for part in parts))
 
@@ -245,6 +248,7 @@ def _fix(
         flow.right,
         tuple(nodes),
         tuple(value for value, _ in guards),
+        tuple(scale for _, scale in guards),
     )
     fixed: dict[Node, Node] = {}
     for i in reversed(range(len(flow.y))):
