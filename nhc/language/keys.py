@@ -163,7 +163,7 @@ SCENE_KEYS = (
         "coordinates (or `{near: ...}`), velocities (`x'`), quasi-velocities and rotations at the start; 0 if left out",
     ),
     Key("time", "interval", True, "start and end: `[0, 20]`"),
-    Key("need", "names", False, _NEED),
+    Key("need", "needs", False, _NEED),
     Key("tolerance", "number", False, "wanted relative accuracy of what is needed; 1e-8 if left out"),
 )
 

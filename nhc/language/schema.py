@@ -92,7 +92,7 @@ def _figures() -> dict[str, Any]:
 
 
 SHAPES: dict[str, Callable[[], dict[str, Any]]] = {
-    "version": lambda: {"const": VERSION},
+    "version": lambda: {"enum": [VERSION, str(VERSION)]},
     "system": lambda: {"type": "string", "pattern": f"^{SYSTEM_PATTERN}$"},
     "text": lambda: {"type": ["string", "number", "boolean"]},
     "texts": lambda: {"anyOf": [_FILLED, _listed(_FILLED)]},
@@ -100,6 +100,9 @@ SHAPES: dict[str, Callable[[], dict[str, Any]]] = {
     "unit": lambda: {"anyOf": [_FILLED, {"const": 1}]},
     "name": lambda: {"type": "string", "pattern": _NAME},
     "names": lambda: _listed({"type": "string", "pattern": _TARGET}),
+    "needs": lambda: {
+        "anyOf": [{"type": "string", "pattern": _TARGET}, _listed({"type": "string", "pattern": _TARGET})]
+    },
     "three": lambda: _names(3, 3),
     "four": lambda: _names(4, 4),
     "order": lambda: {"type": "string", "pattern": "^[xyz]{3}$"},
